@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * libdomino: how far can a domino train grow?
+ *
+ * The model of J. M. J. van Leeuwen, "Domino Magnification": an endless row of dominoes, each r times
+ * larger than the one before, that lean on each other without friction while they fall. "(c6)" in a
+ * comment is the equation of the paper with that label; "corrected" marks where the paper has a slip.
+ *
+ * Units: lengths in the height h of the head (the foremost falling domino, number 0; its pushers are
+ * 1, 2, ... down the train), energies in m g h / 2 of the head, angles in radians from the vertical,
+ * time in tau (a1).  Only struct dom_scale brings in metres and seconds.
+ *
+ * Every function is free of global state and of input and output.  Functions that can fail return a
+ * status; unless it is DOM_OK (or the comment says otherwise) nothing was written to the result.
+ */
+#ifndef DOMINO_H
+#define DOMINO_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define DOM_VERSION "0.1.0"
+
+/* ---- Statuses: X(name, what it means) ---- */
+
+#define DOM_STATUSES(X)                                                                                      \
+    X(OK, "no error")                                                                                        \
+    X(BAD_PARAMETER, "a parameter is outside its range")                                                     \
+    X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
+    X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
+    X(NO_FUEL, "the fuel P is not positive: a fallen domino lies no lower than it stood")                    \
+    X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
+    X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
+    X(TOO_LONG, "more dominoes matter than can be followed")                                                 \
+    X(UNDERFLOW, "r^(2q+1) is beyond the range of double precision")                                         \
+    X(NOT_FINITE, "a value on the way is not finite")                                                        \
+    X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
+    X(NO_MEMORY, "out of memory")                                                                            \
+    X(INTERRUPTED, "interrupted")
+
+enum dom_status {
+#define DOM_STATUS_ENUM(name, text) DOM_##name,
+    DOM_STATUSES(DOM_STATUS_ENUM)
+#undef DOM_STATUS_ENUM
+};
+
+/* What a status means, as one line without a full stop. */
+const char *dom_status_text(enum dom_status status);
+
+/* ---- Parameters: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
+
+#define DOM_TRAIN_PARAMETERS(X)                                                                              \
+    X(s, 0.4, 1e-12, 1, "h", "separation: the free gap to the next domino over the height of this one")      \
+    X(r, 1.5, 1, 1e6, "", "growth: each domino is r times as large as the one that hits it")                 \
+    X(d, 7.0 / 48, 1e-12, 100, "h", "thickness over height")                                                 \
+    X(q, 4, 1e-6, 100, "", "mass exponent, mass ~ r^(q-1) a domino: hollow = 3, massive = 4")                \
+    X(tol, 1e-12, 1e-15, 0.1, "", "relative tolerance: how far the train is followed, when iterations stop")
+
+#define DOM_SCALE_PARAMETERS(X)                                                                              \
+    X(h, 0.048, 1e-9, 1e9, "m", "height of the first domino")                                                \
+    X(g, 9.81, 1e-9, 1e9, "m/s^2", "acceleration of gravity")
+
+/* The fuel P that enters (c6): see dom_fuel_find. */
+enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
+
+/* A self-similar train.  Start from dom_train_default() and change what differs. */
+struct dom_train {
+#define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) double name;
+    DOM_TRAIN_PARAMETERS(DOM_MEMBER)
+    enum dom_fuel fuel;
+    /* Where not NULL, long computations end with DOM_INTERRUPTED soon after it becomes non-zero. */
+    const volatile sig_atomic_t *interrupt;
+};
+
+/* Size of the head and gravity, in SI units. */
+struct dom_scale {
+    DOM_SCALE_PARAMETERS(DOM_MEMBER)
+#undef DOM_MEMBER
+};
+
+struct dom_train dom_train_default(void);
+struct dom_scale dom_scale_default(void);
+
+/*
+ * DOM_OK where every parameter is in its range and the head reaches the next domino, r s <= 1;
+ * else BAD_PARAMETER, OUT_OF_REACH or UNDERFLOW.  r = 1/s rounded to a double counts as r s = 1.
+ * Every function below that takes a train makes this check itself.
+ */
+enum dom_status dom_train_check(const struct dom_train *train);
+
+/* ---- One domino leaning on the next (section 1 of the paper's appendix A) ---- */
+
+struct dom_angles {
+    double theta_c;     /* the head hits the next domino, sin theta_c = r s          (a2) */
+    double theta_u;     /* a single domino tips over, tan theta_u = d                (b1) */
+    double theta_inf;   /* far followers approach it, cos theta_inf = d / (s + d)    (A16) */
+    double theta_f;     /* the last angle of a follower: (A18) if it falls off, else theta_inf */
+    double theta_leave; /* leader's angle at which its follower falls off; NaN if none does */
+    bool falls_off;     /* (A17) */
+};
+
+enum dom_status dom_angles_find(const struct dom_train *train, struct dom_angles *angles);
+
+/* A domino at tilt theta and the follower that leans on it. */
+struct dom_contact {
+    double theta_1; /* angle of the follower (b8); theta_f where it has fallen off */
+    double slope;   /* d theta_1 / d theta (b10); 0 where it has fallen off */
+    double arm_a;   /* arm of the contact force on the leader, in h; NaN where fallen off */
+    double arm_b;   /* arm of the contact force on the follower, in h; NaN where fallen off */
+};
+
+/* 0 <= theta <= theta_c, else DOM_BAD_TILT. */
+enum dom_status dom_contact_find(const struct dom_train *train, double theta, struct dom_contact *contact);
+
+/* ---- The train behind the head at one tilt ---- */
+
+struct dom_link {
+    size_t i;            /* number of the domino, 0 = head */
+    double theta;        /* its angle (A2) */
+    double slope;        /* d theta_i / d theta (A9) */
+    double arm_a, arm_b; /* of the contact with its own follower; NaN without one (table 1) */
+    double weight;       /* r^(-q i): its share in H (c1) */
+};
+
+/*
+ * Calls visit for the head and for each follower that matters at the train's tolerance, in order;
+ * visit returns false to stop the walk early (the status is still DOM_OK).
+ */
+enum dom_status dom_chain_walk(const struct dom_train *train, double theta,
+                               bool (*visit)(const struct dom_link *link, void *context), void *context);
+
+/* ---- Energy ---- */
+
+struct dom_energy {
+    double dH; /* H(theta) - H(0), H the potential energy of the train (c1), in m g h / 2 */
+    double J;  /* inertia of the train: kinetic energy = J tau^2 omega^2 (c2) */
+    double J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (d8, corrected) */
+};
+
+enum dom_status dom_energy_find(const struct dom_train *train, double theta, struct dom_energy *energy);
+
+struct dom_fuels {
+    double exact; /* H(0) - H(theta_c) + what the new follower 0 adds: the energy balance of one cycle */
+    double paper; /* 1 - h(theta_f): the second equality of (c7), which holds only for r = 1 */
+};
+
+/* Both fuels, in m g h / 2; they may be zero or negative (no domino effect). */
+enum dom_status dom_fuel_find(const struct dom_train *train, struct dom_fuels *fuels);
+
+/* ---- Collision ---- */
+
+struct dom_launch {
+    double fuel;    /* P, the one that train->fuel selects */
+    double J0;      /* J(0) */
+    double omegasq; /* tau^2 omega(0)^2 after the collision (c6) */
+    double kinetic; /* J(0) tau^2 omega(0)^2 */
+};
+
+/* DOM_NO_FUEL where P <= 0: then fuel and J0 are written, omegasq and kinetic are NaN. */
+enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch *launch);
+
+/* ---- Barrier and verdict ---- */
+
+struct dom_barrier {
+    double theta_m; /* where the barrier is highest, 0 <= theta_m <= theta_c */
+    double barrier; /* max over the cycle of H(theta) - H(0), a global maximum, >= 0 */
+    double kinetic; /* after the collision; NaN without fuel */
+    double margin;  /* kinetic - barrier (c8, corrected); NaN without fuel */
+};
+
+/*
+ * DOM_OK: the train goes on (margin >= 0).  DOM_STOPS: it does not; all members are written.
+ * DOM_NO_FUEL: theta_m and barrier are written, the others are NaN.
+ */
+enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barrier *barrier);
+
+/* ---- One cycle ---- */
+
+/*
+ * tau^2 omega(theta)^2 on the way from one collision to the next (c3).  DOM_NO_FUEL: no cycle, NaN.
+ * DOM_STOPS: the head does not come as far as theta; *omegasq is NaN.
+ */
+enum dom_status dom_cycle_omegasq(const struct dom_train *train, double theta, double *omegasq);
+
+/*
+ * Where a train that does not go on comes to rest: the smallest tilt at which H(theta) - H(0) has used up
+ * the kinetic energy.  DOM_OK with NaN where it does go on; DOM_NO_FUEL where it does not start.
+ */
+enum dom_status dom_cycle_stop(const struct dom_train *train, double *theta);
+
+/*
+ * Duration of a cycle t_f / tau = integral of 1/(tau omega) over [0, theta_c].  It diverges like
+ * ln(1 / margin): where the margin is 0 to rounding it is NOT_CONVERGED, and before that its relative
+ * error grows like kinetic / margin times the unit roundoff.  NO_FUEL or STOPS without a whole cycle.
+ */
+enum dom_status dom_cycle_duration(const struct dom_train *train, double *duration);
+
+/* ---- The limits of growth ---- */
+
+enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
+
+/* "none", "barrier" or "reach". */
+const char *dom_end_text(enum dom_end end);
+
+struct dom_limit {
+    double r_max;      /* NaN with DOM_END_NONE */
+    enum dom_end ends; /* by what growth is limited */
+};
+
+/*
+ * The first r, raised from 1, at which the margin reaches 0; 1/s where that never happens.  train->r is
+ * not used.  DOM_OK with DOM_END_NONE where already r = 1 does not go on; *why, unless why is NULL,
+ * then tells whether by NO_FUEL or STOPS.
+ */
+enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit, enum dom_status *why);
+
+/*
+ * The same for two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry domino 0
+ * over the barrier of the pair.  train->r and train->fuel are not used.  Where equal dominoes fail, but
+ * larger ones succeed ((b0) is a lower bound on r), the first band of r that succeeds counts.
+ */
+enum dom_status dom_limit_pair(const struct dom_train *train, struct dom_limit *limit);
+
+struct dom_best {
+    double s;     /* the separation that allows the largest growth */
+    double r_max; /* that growth */
+};
+
+/* train->s and train->r are not used.  DOM_NO_GROWTH where no separation allows r > 1. */
+enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *best);
+
+/* ---- Metres and seconds ---- */
+
+/* tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (a1), for solid blocks; d in h. */
+double dom_scale_tau(const struct dom_scale *scale, double d);
+
+/* Front speed of a cycle in m/s: (s + d) r h over its duration (given in tau). */
+double dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, double duration);
+
+struct dom_count {
+    double dominoes; /* n, the smallest integer with first r^n >= height; infinite for r = 1 < height/first */
+    double exact;    /* ln(height / first) / ln r */
+    double last;     /* first r^n, in the unit of first; NaN where n is infinite */
+};
+
+/*
+ * How many dominoes topple one at least `height` tall, the first of them being `first` tall and each r
+ * times the one before.  A power that meets the height up to the rounding of the typed numbers counts
+ * as exact.  Both heights > 0 in one unit, r >= 1, else DOM_BAD_PARAMETER.
+ */
+enum dom_status dom_count_find(double first, double height, double r, struct dom_count *count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

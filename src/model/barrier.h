@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef DOM_BARRIER_H
+#define DOM_BARRIER_H
+
+#include "collision.h"
+#include "numerics/numerics.h"
+
+/*
+ * theta_m and the barrier over the tilts [0, end] of a train of at most n dominoes, and the tilts
+ * between which H is smooth: edge[0] = 0, ..., edge[edges - 1] = end, with the falling off of a domino
+ * between them, if any.
+ */
+struct barrier {
+    double theta_m, height;
+    double edge[3];
+    int edges;
+};
+
+enum dom_status barrier_search(const struct lean *lean, size_t n, double end, struct barrier *barrier);
+
+/* What a search ends with: the model's own status, if its function failed, else the solver's. */
+static inline enum dom_status model_status(enum dom_status own, enum num_status solver)
+{
+    static const enum dom_status of[] = {
+        [NUM_OK] = DOM_OK,
+        [NUM_NOT_BRACKETED] = DOM_NOT_CONVERGED,
+        [NUM_NOT_FINITE] = DOM_NOT_FINITE,
+        [NUM_NOT_CONVERGED] = DOM_NOT_CONVERGED,
+        [NUM_NO_MEMORY] = DOM_NO_MEMORY,
+    };
+    return own != DOM_OK ? own : of[solver];
+}
+
+#endif
