@@ -27,7 +27,7 @@ static double slope_of_H(double theta, void *context)
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK)
         c->status = chain_sum(c->lean, head, c->n, &sums);
-    return c->status == DOM_OK ? sums.H1 : NAN;
+    return c->status == DOM_OK ? sums.H1 : (double)NAN;
 }
 
 /* Keeps theta as theta_m if H is higher there. */
@@ -105,8 +105,8 @@ enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barri
     *barrier = (struct dom_barrier){
         .theta_m = b.theta_m,
         .barrier = b.height,
-        .kinetic = fuelled ? launch.kinetic : NAN,
-        .margin = fuelled ? launch.kinetic - b.height : NAN,
+        .kinetic = fuelled ? launch.kinetic : (double)NAN,
+        .margin = fuelled ? launch.kinetic - b.height : (double)NAN,
     };
     return !fuelled ? DOM_NO_FUEL : barrier->margin >= 0 ? DOM_OK : DOM_STOPS;
 }

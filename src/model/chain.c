@@ -177,7 +177,7 @@ enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct
 
 static struct dom_link link_public(const struct lean *g, const struct link *k)
 {
-    double b = k->leads ? k->turn.Y / g->r : NAN; /* (table 1) */
+    double b = k->leads ? k->turn.Y / g->r : (double)NAN; /* (table 1) */
     return (struct dom_link){
         .i = k->i,
         .theta = tilt_angle(k->tilt),

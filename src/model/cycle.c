@@ -64,7 +64,7 @@ static double energy_short(double theta, void *context)
 {
     struct cycle *cycle = context;
     cycle->status = cycle_climb(cycle, theta);
-    return cycle->status == DOM_OK ? cycle->barrier.height - cycle->kinetic : NAN;
+    return cycle->status == DOM_OK ? cycle->barrier.height - cycle->kinetic : (double)NAN;
 }
 
 enum dom_status dom_cycle_stop(const struct dom_train *train, double *theta)
@@ -88,7 +88,7 @@ static double slowness(double theta, void *context)
     struct cycle *cycle = context;
     double omegasq = 0;
     cycle->status = cycle_omegasq(cycle, theta, &omegasq);
-    return cycle->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : NAN;
+    return cycle->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : (double)NAN;
 }
 
 enum dom_status dom_cycle_duration(const struct dom_train *train, double *duration)

@@ -61,7 +61,7 @@ static double margin_at(double r, void *context)
     c->status = lean_make_at(c->train, r, &g);
     if (c->status == DOM_OK)
         c->status = c->margin(&g, c->train->fuel, &margin);
-    return c->status == DOM_OK ? margin : NAN;
+    return c->status == DOM_OK ? margin : (double)NAN;
 }
 
 static double margin_below(double r, void *context)

@@ -170,6 +170,11 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
         answer_say(a, "%s", reason);
 }
 
+bool answer_lost(const struct answer *a)
+{
+    return ferror(a->out) != 0;
+}
+
 void answer_say(struct answer *a, const char *format, ...)
 {
     if (a->format != OUTPUT_TABLE)

@@ -44,6 +44,9 @@ struct answer {
  */
 void answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
+/* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
+bool answer_lost(const struct answer *answer);
+
 /* A sentence that only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
