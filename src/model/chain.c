@@ -2,7 +2,8 @@
 #include "chain.h"
 #include <float.h>
 
-/* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 has more. */
+/* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 has more.
+ */
 #define LINKS_MAX ((size_t)2000000)
 
 /* The tail of a sum may be this part of the tolerance, so that a result of several sums keeps it. */
@@ -141,7 +142,8 @@ enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t n, str
         }
         double G = t == 0 ? 0 : g->r * g->L * (a.tilt.x + b.tilt.x) / (a.turn.Y + b.turn.Y);
         double ratio = fmax(g->weight * (1 - G), g->decay);
-        if (series_done(&state.dH, a.weight * 2 * t * hypot(1, g->d), ratio, g->tol) && sum_done(g, &state, &a))
+        if (series_done(&state.dH, a.weight * 2 * t * hypot(1, g->d), ratio, g->tol) &&
+            sum_done(g, &state, &a))
             break;
         t *= (1 - G) / (1 + t * t * G);
         link_next(g, &a);

@@ -27,10 +27,10 @@ struct link link_head(const struct lean *lean, struct tilt head);
 void link_next(const struct lean *lean, struct link *link);
 
 struct sums {
-    double J;   /* (c2) */
-    double H1;  /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
-    double dH;  /* H(theta) - H(0); only from chain_rise */
-    size_t n;   /* dominoes followed */
+    double J;  /* (c2) */
+    double H1; /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
+    double dH; /* H(theta) - H(0); only from chain_rise */
+    size_t n;  /* dominoes followed */
 };
 
 /* J and H1 of at most n dominoes. */

@@ -20,17 +20,17 @@ struct tilt {
 struct lean {
     double s, r, d, q, tol;
     const volatile sig_atomic_t *interrupt;
-    double L;            /* s + d */
-    double short_of;     /* 1 - r s >= 0: by how much the head reaches the next domino */
-    double weight;       /* r^-q, share of a follower in H over that of its leader (c1) */
-    double inertia;      /* r^-(q+1), the same for J (c2) */
-    double rq, rq_1;     /* r^q and r^q - 1 */
-    double decay;        /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
-    struct tilt c;       /* theta_c (a2) */
-    struct tilt inf;     /* theta_inf (A16) */
-    struct tilt f;       /* theta_f (A18) if followers fall off, else theta_inf */
-    struct tilt leave;   /* theta_leave, only where falls_off */
-    bool falls_off;      /* (A17) */
+    double L;          /* s + d */
+    double short_of;   /* 1 - r s >= 0: by how much the head reaches the next domino */
+    double weight;     /* r^-q, share of a follower in H over that of its leader (c1) */
+    double inertia;    /* r^-(q+1), the same for J (c2) */
+    double rq, rq_1;   /* r^q and r^q - 1 */
+    double decay;      /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
+    struct tilt c;     /* theta_c (a2) */
+    struct tilt inf;   /* theta_inf (A16) */
+    struct tilt f;     /* theta_f (A18) if followers fall off, else theta_inf */
+    struct tilt leave; /* theta_leave, only where falls_off */
+    bool falls_off;    /* (A17) */
 };
 
 /* Checks the train, and fills lean. */

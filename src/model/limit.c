@@ -41,12 +41,12 @@ static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, dou
     enum dom_status status = barrier_search(g, 2, tilt_angle(g->c), &b);
     if (status != DOM_OK)
         return status;
-    double u = hypot(1, g->d);                     /* h(theta_u) (b2) */
-    double sine = (g->c.x - g->d * g->c.y) / u;    /* of theta_c - theta_u */
+    double u = hypot(1, g->d);                  /* h(theta_u) (b2) */
+    double sine = (g->c.x - g->d * g->c.y) / u; /* of theta_c - theta_u */
     double cosine = (g->c.y + g->d * g->c.x) / u;
     /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation. */
     double omegasq_1c = u * sine * sine / (1 + cosine);
-    double k = g->inertia, share = k / (1 + k);    /* (b11) */
+    double k = g->inertia, share = k / (1 + k); /* (b11) */
     double kinetic = (1 + k) * g->r * omegasq_1c * share * share;
     /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
     *margin = sine > 0 ? kinetic - b.height : -b.height;

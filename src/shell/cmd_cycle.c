@@ -158,10 +158,10 @@ static bool run_launch(struct session *session, const struct call *call)
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return session_status(session, status);
     double tau = dom_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer,
-               ROW(cell_real(l.omegasq), cell_real(sqrt(l.omegasq) / tau), cell_real(l.kinetic),
-                   cell_real(l.J0)),
-               status == DOM_OK ? NULL : no_fuel);
+    answer_row(
+        call->answer,
+        ROW(cell_real(l.omegasq), cell_real(sqrt(l.omegasq) / tau), cell_real(l.kinetic), cell_real(l.J0)),
+        status == DOM_OK ? NULL : no_fuel);
     return true;
 }
 
@@ -170,9 +170,10 @@ static const char *stop_reason(const struct dom_train *train, char *reason, size
 {
     double stop;
     if (dom_cycle_stop(train, &stop) == DOM_OK && isfinite(stop))
-        snprintf(reason, size,
-                 "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %.10g",
-                 stop);
+        snprintf(
+            reason, size,
+            "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %.10g",
+            stop);
     else
         snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
     return reason;
@@ -251,14 +252,15 @@ static bool run_duration(struct session *session, const struct call *call)
                                       "has no value here; a slightly smaller r has");
     else if (status != DOM_OK)
         return session_status(session, status);
-    double speed = why ? NAN : dom_scale_speed(&session->scale, &session->train, duration);
+    double speed = why ? (double)NAN : dom_scale_speed(&session->scale, &session->train, duration);
     answer_row(call->answer,
                ROW(cell_real(duration), cell_real(tau), cell_real(duration * tau), cell_real(speed)), why);
     return true;
 }
 
 const struct command cycle_commands[] = {
-    {"thetac", "", "the angles that bound a cycle", NULL, 0, 0, ARGUMENT_ANY, thetac_columns, false, run_thetac},
+    {"thetac", "", "the angles that bound a cycle", NULL, 0, 0, ARGUMENT_ANY, thetac_columns, false,
+     run_thetac},
     {"theta1", "T", "the follower that leans on the head at tilt T (radians)", NULL, 1, 1, ARGUMENT_ANY,
      theta1_columns, false, run_theta1},
     {"chain", "T", "every domino that matters behind the head at tilt T", NULL, 1, 1, ARGUMENT_ANY,

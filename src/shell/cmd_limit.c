@@ -18,8 +18,9 @@ static bool parameter_argument(struct session *session, const struct call *call,
     return parameter_parse(session, p, call->word[i], value);
 }
 
-static const char no_growth_fuel[] = "no growth possible: at this s and d even equal dominoes (r = 1) have no "
-                                     "fuel, a fallen one lies no lower than it stood";
+static const char no_growth_fuel[] =
+    "no growth possible: at this s and d even equal dominoes (r = 1) have no "
+    "fuel, a fallen one lies no lower than it stood";
 static const char no_growth_stops[] =
     "no growth possible: at this s and d even equal dominoes (r = 1) do not get over their barrier";
 
@@ -64,8 +65,9 @@ static bool run_rmax(struct session *session, const struct call *call)
                    cell_real(exact.r_max), cell_real(paper.r_max)),
                no_growth(used, why));
     if (used.ends != DOM_END_NONE)
-        answer_say(call->answer, "exact and paper differ because (c7)'s closed form of the fuel holds only for "
-                                 "r = 1; the energy balance gives exact");
+        answer_say(call->answer,
+                   "exact and paper differ because (c7)'s closed form of the fuel holds only for "
+                   "r = 1; the energy balance gives exact");
     return true;
 }
 
@@ -85,11 +87,11 @@ static bool run_pair(struct session *session, const struct call *call)
     enum dom_status status = dom_limit_pair(&train, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(call->answer,
-               ROW(cell_real(train.s), cell_real(limit.r_max), cell_word(dom_end_text(limit.ends))),
-               limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
-                                            "the next one at this s and d"
-                                          : NULL);
+    answer_row(
+        call->answer, ROW(cell_real(train.s), cell_real(limit.r_max), cell_word(dom_end_text(limit.ends))),
+        limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
+                                     "the next one at this s and d"
+                                   : NULL);
     return true;
 }
 
@@ -106,7 +108,9 @@ static bool run_best(struct session *session, const struct call *call)
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return session_status(session, status);
     answer_row(call->answer, ROW(cell_real(best.s), cell_real(best.r_max)),
-               status == DOM_OK ? NULL : "no growth possible: dominoes this thick do not topple larger ones at any s");
+               status == DOM_OK
+                   ? NULL
+                   : "no growth possible: dominoes this thick do not topple larger ones at any s");
     return true;
 }
 
@@ -130,7 +134,8 @@ static bool run_curve(struct session *session, const struct call *call)
     const char *wrong = value_parse(call->word[3], &n);
     if (wrong || n != floor(n) || n < 1 || n > CURVE_MAX)
         return session_error(session, "N = '%s' %s; N, the number of rows, is an integer in 1 .. %d",
-                             value_shown(call->word[3], shown), wrong ? wrong : "is no such number", CURVE_MAX);
+                             value_shown(call->word[3], shown), wrong ? wrong : "is no such number",
+                             CURVE_MAX);
     if (n == 1 && from != to)
         return session_error(session, "one row cannot cover %g to %g; N is at least 2", from, to);
     struct dom_train train = session->train;
@@ -171,7 +176,8 @@ static const char *mass_name(double q)
 }
 
 /* What the largest growth of one kind of domino would make of the count. */
-static bool count_largest(struct session *session, const struct call *call, struct dom_train train, double height)
+static bool count_largest(struct session *session, const struct call *call, struct dom_train train,
+                          double height)
 {
     struct dom_limit limit;
     struct dom_count count;
@@ -180,11 +186,13 @@ static bool count_largest(struct session *session, const struct call *call, stru
         return session_status(session, status);
     if (limit.ends == DOM_END_NONE)
         answer_say(call->answer, "  %-8s none: not even equal ones keep falling", mass_name(train.q));
-    else if (dom_count_find(session->scale.h, height, limit.r_max, &count) == DOM_OK && isfinite(count.dominoes))
-        answer_say(call->answer, "  %-8s r = %.6g, ends by %s: %.0f domino%s", mass_name(train.q), limit.r_max,
-                   dom_end_text(limit.ends), count.dominoes, count.dominoes == 1 ? "" : "es");
+    else if (dom_count_find(session->scale.h, height, limit.r_max, &count) == DOM_OK &&
+             isfinite(count.dominoes))
+        answer_say(call->answer, "  %-8s r = %.6g, ends by %s: %.0f domino%s", mass_name(train.q),
+                   limit.r_max, dom_end_text(limit.ends), count.dominoes, count.dominoes == 1 ? "" : "es");
     else
-        answer_say(call->answer, "  %-8s r = %.10g: no number of them gets there", mass_name(train.q), limit.r_max);
+        answer_say(call->answer, "  %-8s r = %.10g: no number of them gets there", mass_name(train.q),
+                   limit.r_max);
     return true;
 }
 
@@ -220,8 +228,10 @@ static bool run_count(struct session *session, const struct call *call)
     if (!parameter_argument(session, call, 2, "r", &train.r))
         return false;
     if (dom_count_find(first, height, train.r, &count) != DOM_OK)
-        return session_error(session, "H = %g m, h = %g m, r = %.17g: the number of dominoes cannot be counted "
-                                      "in double precision", height, first, train.r);
+        return session_error(session,
+                             "H = %g m, h = %g m, r = %.17g: the number of dominoes cannot be counted "
+                             "in double precision",
+                             height, first, train.r);
     bool feasible;
     const char *why;
     if (!count_feasible(session, &train, &feasible, &why))
@@ -235,7 +245,8 @@ static bool run_count(struct session *session, const struct call *call)
     answer_row(a,
                ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), cell_real(count.exact),
                    cell_real(first), cell_real(count.last), cell_flag(feasible)),
-               isfinite(count.dominoes) ? NULL : "r = 1: the dominoes do not grow, no number of them is enough");
+               isfinite(count.dominoes) ? NULL
+                                        : "r = 1: the dominoes do not grow, no number of them is enough");
     answer_say(a, "\nPossible? %s at s = %.6g with %s dominoes (q = %g)%s%s.", feasible ? "Yes," : "No, not",
                train.s, mass_name(train.q), train.q, why ? ": " : "", why ? why : "");
     if (session->output != OUTPUT_TABLE)
@@ -257,11 +268,11 @@ const struct command limit_commands[] = {
      0, 1, ARGUMENT_ANY, rmax_columns, false, run_rmax},
     {"pair", "[S]", "the same for two dominoes, of which the first just tips over", NULL, 0, 1, ARGUMENT_ANY,
      pair_columns, false, run_pair},
-    {"best", "", "the separation that allows the largest growth", NULL, 0, 0, ARGUMENT_ANY, best_columns, false,
-     run_best},
-    {"curve", "FROM TO N", "the largest growth at N separations: the paper's figures", NULL, 3, 3, ARGUMENT_ANY,
-     curve_columns, true, run_curve},
-    {"count", "H [R]", "how many dominoes topple one H metres tall, at growth R (or r)", NULL, 1, 2, ARGUMENT_ANY,
-     count_columns, false, run_count},
+    {"best", "", "the separation that allows the largest growth", NULL, 0, 0, ARGUMENT_ANY, best_columns,
+     false, run_best},
+    {"curve", "FROM TO N", "the largest growth at N separations: the paper's figures", NULL, 3, 3,
+     ARGUMENT_ANY, curve_columns, true, run_curve},
+    {"count", "H [R]", "how many dominoes topple one H metres tall, at growth R (or r)", NULL, 1, 2,
+     ARGUMENT_ANY, count_columns, false, run_count},
     {.name = NULL},
 };

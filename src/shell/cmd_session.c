@@ -135,9 +135,10 @@ const struct command session_commands[] = {
     {"show", "[NAME]", "the parameters: value, unit, range, default, meaning", NULL, 0, 1, ARGUMENT_PARAMETER,
      show_columns, true, run_show},
     {"reset", "[NAME]", "the parameter NAME, or all of the model, to the defaults",
-     "Without NAME, 'output' is kept: it belongs to the session and not to the model.", 0, 1, ARGUMENT_PARAMETER,
-     NULL, false, run_reset},
-    {"help", "[COMMAND]", "the commands, or one of them", NULL, 0, 1, ARGUMENT_COMMAND, NULL, false, run_help},
+     "Without NAME, 'output' is kept: it belongs to the session and not to the model.", 0, 1,
+     ARGUMENT_PARAMETER, NULL, false, run_reset},
+    {"help", "[COMMAND]", "the commands, or one of them", NULL, 0, 1, ARGUMENT_COMMAND, NULL, false,
+     run_help},
     {"quit", "", "leave; so does the end of the input (^D)", NULL, 0, 0, ARGUMENT_ANY, NULL, false, run_quit},
     {.name = NULL},
 };

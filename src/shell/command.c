@@ -79,7 +79,8 @@ void command_run_text(struct session *session, const char *text)
         *c = '\0';
         command_run(session, start);
         start = c + 1;
-        stop = end == '\0' || session->quit || (session->bail && session->errors > errors) || ferror(session->out);
+        stop = end == '\0' || session->quit || (session->bail && session->errors > errors) ||
+               ferror(session->out);
     }
     free(copy);
 }

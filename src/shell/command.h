@@ -19,11 +19,11 @@ struct call {
 
 struct command {
     const char *name;
-    const char *usage;   /* the arguments, "[S]" for one that may be missing */
-    const char *summary; /* one line */
-    const char *help;    /* more, or NULL */
-    int fewest, most;    /* arguments */
-    enum argument first; /* what the first argument is */
+    const char *usage;            /* the arguments, "[S]" for one that may be missing */
+    const char *summary;          /* one line */
+    const char *help;             /* more, or NULL */
+    int fewest, most;             /* arguments */
+    enum argument first;          /* what the first argument is */
     const struct column *columns; /* of the answer, or NULL */
     bool rows;
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */

@@ -130,8 +130,9 @@ void line_prompt(struct session *session)
     rl_catch_signals = 0;
     rl_catch_sigwinch = 0;
     rl_attempted_completion_function = complete_word;
-    fprintf(session->out, "domino " DOM_VERSION ": how far can a domino train grow?  'help' lists the commands, "
-                          "try 'count 112'.\n");
+    fprintf(session->out,
+            "domino " DOM_VERSION ": how far can a domino train grow?  'help' lists the commands, "
+            "try 'count 112'.\n");
     fflush(session->out);
     rl_callback_handler_install(prompt, on_line);
 

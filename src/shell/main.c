@@ -85,7 +85,7 @@ static bool options_valid(int argc, char **argv, struct session *session)
 int main(int argc, char **argv)
 {
     struct session session;
-    setlocale(LC_CTYPE, ""); /* never LC_NUMERIC: the decimal point is a point */
+    setlocale(LC_CTYPE, "");  /* never LC_NUMERIC: the decimal point is a point */
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, which is reported */
     session_init(&session, stdout);
     if (!options_valid(argc, argv, &session))
@@ -93,7 +93,8 @@ int main(int argc, char **argv)
 
     bool sources = false, prompt = false;
     optind = 0;
-    for (int option; !stopped(&session) && (option = getopt_long(argc, argv, "-e:f:hV", options, NULL)) != -1;) {
+    for (int option;
+         !stopped(&session) && (option = getopt_long(argc, argv, "-e:f:hV", options, NULL)) != -1;) {
         sources = sources || option != 'b';
         if (option == 'e')
             run_text(&session, optarg);
@@ -112,7 +113,8 @@ int main(int argc, char **argv)
     bool failed = session.errors > 0 && !prompt;
     errno = 0;
     if (ferror(stdout) || fclose(stdout) != 0) {
-        fprintf(stderr, "domino: cannot write the output%s%s\n", errno ? ": " : "", errno ? strerror(errno) : "");
+        fprintf(stderr, "domino: cannot write the output%s%s\n", errno ? ": " : "",
+                errno ? strerror(errno) : "");
         failed = true;
     }
     return failed ? EXIT_FAILURE : EXIT_SUCCESS;

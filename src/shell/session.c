@@ -30,12 +30,9 @@ static const struct word output_words[] = {
      .setting = setting_},
 
 const struct parameter session_parameters[] = {
-    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER)
-    DOM_SCALE_PARAMETERS(SCALE_NUMBER)
-    WORDS("fuel", train.fuel, fuel_words, "the energy balance, or the paper's closed form of (c7)", false)
-    WORDS("output", output, output_words, "how answers are written", true)
-    {.name = NULL}
-};
+    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER)
+        WORDS("fuel", train.fuel, fuel_words, "the energy balance, or the paper's closed form of (c7)", false)
+            WORDS("output", output, output_words, "how answers are written", true){.name = NULL}};
 
 void session_init(struct session *session, FILE *out)
 {
@@ -131,8 +128,8 @@ bool parameter_parse(struct session *session, const struct parameter *p, const c
         }
     }
     if (p->words_only)
-        return session_error(session, "%s cannot be '%s'; it is one of %s", p->name,
-                             value_shown(text, shown), range);
+        return session_error(session, "%s cannot be '%s'; it is one of %s", p->name, value_shown(text, shown),
+                             range);
     double number;
     const char *wrong = value_parse(text, &number);
     if (wrong)

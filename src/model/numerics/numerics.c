@@ -49,10 +49,10 @@ enum num_status num_root(num_function *f, void *context, double lo, double hi, d
         hi = gsl_root_fsolver_x_upper(solver);
         verdict = gsl_root_test_interval(lo, hi, 0, fmax(tol, 4 * DBL_EPSILON));
     }
-    if (status == NUM_OK)
-        *x = gsl_root_fsolver_root(solver);
     if (probe.failed)
         status = NUM_NOT_FINITE;
+    if (status == NUM_OK)
+        *x = gsl_root_fsolver_root(solver);
     if (solver)
         gsl_root_fsolver_free(solver);
     gsl_set_error_handler(handler);
@@ -79,10 +79,10 @@ enum num_status num_maximum(num_function *f, void *context, double lo, double mi
         hi = gsl_min_fminimizer_x_upper(solver);
         verdict = gsl_min_test_interval(lo, hi, 0, fmax(tol, 4 * DBL_EPSILON));
     }
-    if (status == NUM_OK)
-        *x = gsl_min_fminimizer_x_minimum(solver);
     if (probe.failed)
         status = NUM_NOT_FINITE;
+    if (status == NUM_OK)
+        *x = gsl_min_fminimizer_x_minimum(solver);
     if (solver)
         gsl_min_fminimizer_free(solver);
     gsl_set_error_handler(handler);

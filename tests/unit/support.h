@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What every unit test needs: cmocka, tables of reference digits, comparisons that say what they compared. */
+#ifndef TEST_SUPPORT_H
+#define TEST_SUPPORT_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "domino.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* |value / expected - 1| <= bound, and exactly 0 where 0 is expected. */
+#define assert_near(what, value, expected, bound) near_(what, value, expected, bound, __FILE__, __LINE__)
+
+static inline void near_(const char *what, double value, double expected, double bound, const char *file,
+                         int line)
+{
+    double error = expected == 0 ? fabs(value) : fabs(value - expected) / fabs(expected);
+    if (error <= bound)
+        return;
+    fprintf(stderr, "%s:%d: %s = %.17g, expected %.17g: relative error %.2g > %.2g\n", file, line, what,
+            value, expected, error, bound);
+    _fail(file, line);
+}
+
+#define assert_status(status, expected)                                                                      \
+    assert_string_equal(dom_status_text(status), dom_status_text(expected))
+
+enum { CSV_COLUMNS = 32, CSV_LINE = 2048 };
+
+/* One row of a reference table at a time, fields by the names in the table's head. */
+struct csv {
+    FILE *file;
+    char head[CSV_LINE], row[CSV_LINE];
+    char *name[CSV_COLUMNS], *field[CSV_COLUMNS];
+    int columns;
+};
+
+static inline int csv_split(char *line, char **field)
+{
+    int n = 0;
+    line[strcspn(line, "\r\n")] = '\0';
+    for (char *rest = line; rest && n < CSV_COLUMNS;)
+        field[n++] = strsep(&rest, ",");
+    return n;
+}
+
+static inline struct csv *csv_open(const char *path)
+{
+    static struct csv csv;
+    csv.file = fopen(path, "r");
+    assert_non_null(csv.file);
+    assert_non_null(fgets(csv.head, sizeof csv.head, csv.file));
+    csv.columns = csv_split(csv.head, csv.name);
+    return &csv;
+}
+
+static inline bool csv_next(struct csv *csv)
+{
+    if (!fgets(csv->row, sizeof csv->row, csv->file)) {
+        fclose(csv->file);
+        return false;
+    }
+    assert_int_equal(csv_split(csv->row, csv->field), csv->columns);
+    return true;
+}
+
+static inline const char *csv_text(const struct csv *csv, const char *name)
+{
+    for (int i = 0; i < csv->columns; i++)
+        if (strcmp(csv->name[i], name) == 0)
+            return csv->field[i];
+    fail_msg("no column %s", name);
+    return "";
+}
+
+/* NaN where the field is empty. */
+static inline double csv_number(const struct csv *csv, const char *name)
+{
+    const char *text = csv_text(csv, name);
+    return *text ? strtod(text, NULL) : (double)NAN;
+}
+
+static inline struct dom_train csv_train(const struct csv *csv)
+{
+    struct dom_train train = dom_train_default();
+    train.s = csv_number(csv, "s");
+    train.q = csv_number(csv, "q");
+    return train;
+}
+
+/* A seeded stream of numbers in [0, 1), the same on every machine (SplitMix64). */
+static inline double random_unit(uint64_t *seed)
+{
+    uint64_t z = *seed += 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+static inline double random_log(uint64_t *seed, double lo, double hi)
+{
+    return lo * pow(hi / lo, random_unit(seed));
+}
+
+/* A train anywhere in the parameter space where r s <= 1, close to the reach one time in four. */
+static inline struct dom_train random_train(uint64_t *seed)
+{
+    struct dom_train train = dom_train_default();
+    train.tol = 1e-15;
+    train.s = random_log(seed, 3e-3, 1);
+    train.d = random_log(seed, 1e-4, 2);
+    train.q = 1 + 5 * random_unit(seed);
+    double reach = fmin(1 / train.s, 50);
+    train.r = random_unit(seed) < 0.25 ? reach * (1 - random_log(seed, 1e-12, 1e-2))
+                                       : pow(reach, random_unit(seed));
+    train.r = fmax(train.r, 1);
+    return train;
+}
+
+#endif

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The barrier is the global maximum: against brute force, and in the cases that trap a simpler search. */
+#include "barrier.h"
+#include "support.h"
+
+/* The highest of many tilts, dense near both ends of [0, theta_c] and around the falling off. */
+static double brute_force(const struct lean *g, double theta_c)
+{
+    double highest = 0;
+    bool leaves;
+    struct tilt leave;
+    assert_status(chain_leave(g, CHAIN_ENDLESS, &leaves, &leave), DOM_OK);
+    double edge[3] = {0, leaves ? tilt_angle(leave) : theta_c / 2, theta_c};
+    for (int piece = 0; piece < 2; piece++) {
+        for (int k = 0; k <= 300; k++) {
+            double u = 0.5 - 0.5 * cos(k * acos(-1.0) / 300),
+                   theta = edge[piece] + u * (edge[piece + 1] - edge[piece]);
+            struct tilt head;
+            struct sums sums;
+            assert_status(lean_tilt(g, fmin(theta, theta_c), &head), DOM_OK);
+            assert_status(chain_rise(g, head, CHAIN_ENDLESS, &sums), DOM_OK);
+            highest = fmax(highest, sums.dH);
+        }
+    }
+    return highest;
+}
+
+static void no_tilt_is_higher(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    for (int i = 0; i < 500; i++) {
+        struct dom_train train = random_train(&seed);
+        struct lean g;
+        struct barrier barrier;
+        assert_status(lean_make(&train, &g), DOM_OK);
+        double theta_c = tilt_angle(g.c), brute = brute_force(&g, theta_c);
+        assert_status(barrier_search(&g, CHAIN_ENDLESS, theta_c, &barrier), DOM_OK);
+        if (barrier.height < brute * (1 - 1e-13))
+            fail_msg("s %.17g r %.17g d %.17g q %.17g: barrier %.17g, but %.17g is there", train.s, train.r,
+                     train.d, train.q, barrier.height, brute);
+    }
+}
+
+/* H falls first and rises later: the paper's scan stops at 0 there. */
+static void barrier_behind_a_valley(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_barrier barrier;
+    struct dom_energy energy;
+    train.s = 0.54;
+    train.q = 3;
+    train.r = 1.8318;
+    assert_status(dom_barrier_find(&train, &barrier), DOM_OK);
+    assert_true(barrier.barrier == 0 && barrier.theta_m == 0);
+    train.r = 1 / train.s;
+    assert_status(dom_barrier_find(&train, &barrier), DOM_OK);
+    assert_near("barrier", barrier.barrier, 0.0106, 0.01);
+    assert_true(barrier.theta_m > 0);
+    train.r = 1.85;
+    assert_status(dom_barrier_find(&train, &barrier), DOM_OK);
+    assert_status(dom_energy_find(&train, 0.003, &energy), DOM_OK);
+    assert_true(energy.dH < 0 && barrier.barrier > 0.006 && barrier.theta_m > 0.14);
+}
+
+/* Close together, with the paper's fuel, H rises up to the collision. */
+static void barrier_at_the_end(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_barrier barrier;
+    struct dom_angles angles;
+    train.s = 1e-4;
+    train.r = 1.5;
+    train.q = 3;
+    train.fuel = DOM_FUEL_PAPER;
+    enum dom_status status = dom_barrier_find(&train, &barrier);
+    assert_true(status == DOM_NO_FUEL || status == DOM_STOPS);
+    assert_status(dom_angles_find(&train, &angles), DOM_OK);
+    assert_near("theta_m", barrier.theta_m, angles.theta_c, 1e-15);
+}
+
+/* A thin domino at the reach climbs alone: hypot(1, d) - 1, which is 5e-17 for d = 1e-8. */
+static void barrier_of_one_domino(void **state)
+{
+    (void)state;
+    for (double d = 1e-8; d < 1; d *= 10) {
+        struct dom_train train = dom_train_default();
+        struct dom_barrier barrier;
+        train.s = 0.5;
+        train.r = 2;
+        train.d = d;
+        enum dom_status status = dom_barrier_find(&train, &barrier);
+        assert_true(status == DOM_OK || status == DOM_STOPS);
+        assert_near("barrier", barrier.barrier, d * d / (1 + hypot(1, d)), 1e-15);
+        assert_near("theta_m", barrier.theta_m, atan(d), 1e-14);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_tilt_is_higher),
+        cmocka_unit_test(barrier_behind_a_valley),
+        cmocka_unit_test(barrier_at_the_end),
+        cmocka_unit_test(barrier_of_one_domino),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the library refuses, with which status, and that it writes nothing then. */
+#include "support.h"
+
+static void parameters_have_ranges(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    assert_status(dom_train_check(&train), DOM_OK);
+#define REFUSE(name, default_, lowest, highest, unit, meaning)                                               \
+    for (int k = 0; k < 4; k++) {                                                                            \
+        const double bad[] = {(double)NAN, (double)INFINITY, (lowest) * (1 - 1e-9), (highest) * (1 + 1e-9)}; \
+        train = dom_train_default();                                                                         \
+        train.name = bad[k];                                                                                 \
+        assert_status(dom_train_check(&train), DOM_BAD_PARAMETER);                                           \
+    }
+    DOM_TRAIN_PARAMETERS(REFUSE)
+#undef REFUSE
+}
+
+static void head_must_reach_the_next(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_angles angles = {.theta_c = -1};
+    train.s = 0.7;
+    assert_status(dom_train_check(&train), DOM_OUT_OF_REACH);
+    assert_status(dom_angles_find(&train, &angles), DOM_OUT_OF_REACH);
+    assert_true(angles.theta_c == -1);
+    /* 1/s, rounded to a double, is the reach for every s; one unit more is not. */
+    for (double s = 0.011; s < 1; s += 0.007) {
+        train.s = s;
+        train.r = 1 / s;
+        assert_status(dom_train_check(&train), DOM_OK);
+        train.r = (1 / s) * (1 + 4e-16);
+        assert_status(dom_train_check(&train), DOM_OUT_OF_REACH);
+    }
+}
+
+static void tilts_lie_in_the_cycle(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_angles angles;
+    struct dom_energy energy = {.J = -1};
+    double w;
+    assert_status(dom_angles_find(&train, &angles), DOM_OK);
+    const double bad[] = {-1e-300, -1, angles.theta_c * (1 + 1e-14), 4, (double)NAN, (double)INFINITY};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        assert_status(dom_energy_find(&train, bad[k], &energy), DOM_BAD_TILT);
+        assert_status(dom_cycle_omegasq(&train, bad[k], &w), DOM_BAD_TILT);
+    }
+    assert_true(energy.J == -1);
+    assert_status(dom_energy_find(&train, angles.theta_c, &energy), DOM_OK);
+}
+
+/* (1) more than two million dominoes matter, (2) energies below the range of doubles. */
+static void beyond_the_arithmetic(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_energy energy;
+    train.s = 1e-12;
+    train.d = 1e-12;
+    train.r = 1;
+    assert_status(dom_energy_find(&train, 0, &energy), DOM_TOO_LONG);
+    train = dom_train_default();
+    train.s = 1e-6;
+    train.r = 1e6;
+    train.q = 60;
+    assert_status(dom_energy_find(&train, 0, &energy), DOM_UNDERFLOW);
+}
+
+static void interrupt_stops_the_work(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_limit limit;
+    struct dom_best best;
+    volatile sig_atomic_t flag = 0;
+    train.interrupt = &flag;
+    assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+    flag = 1;
+    assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_INTERRUPTED);
+    assert_status(dom_limit_best(&train, &best), DOM_INTERRUPTED);
+}
+
+/* d > h: no domino tips over far enough to topple a larger one, at any separation. */
+static void thick_dominoes_do_not_grow(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_best best;
+    struct dom_limit limit;
+    train.d = 1.5;
+    assert_status(dom_limit_best(&train, &best), DOM_NO_GROWTH);
+    assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+    assert_int_equal(limit.ends, DOM_END_NONE);
+    assert_status(dom_limit_pair(&train, &limit), DOM_OK);
+    assert_int_equal(limit.ends, DOM_END_NONE);
+}
+
+static void every_status_has_a_text(void **state)
+{
+    (void)state;
+    for (enum dom_status k = DOM_OK; k <= DOM_INTERRUPTED; k++) {
+        assert_true(strlen(dom_status_text(k)) > 5);
+        for (enum dom_status j = DOM_OK; j < k; j++)
+            assert_string_not_equal(dom_status_text(k), dom_status_text(j));
+    }
+}
+
+static void counting(void **state)
+{
+    (void)state;
+    static const struct {
+        double first, height, r, n;
+    } known[] = {
+        {0.048, 112, 1.5, 20},       {0.048, 112, 2, 12},      {0.048, 0.048, 2, 0},
+        {0.048, 0.01, 2, 0},         {0.048, 0.0481, 2, 1},    {0.1, 12.8, 2, 7},
+        {0.048, 112, 1.0001, 77555}, {0.001, 1e9, 1e6, 2},     {0.048, 0.1092, 1.5, 3},
+        {0.05, 0.16875, 1.5, 3},     {0.07, 0.093170, 1.1, 3}, {0.07, 0.093171, 1.1, 4},
+    };
+    struct dom_count count;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        assert_status(dom_count_find(known[i].first, known[i].height, known[i].r, &count), DOM_OK);
+        assert_near("dominoes", count.dominoes, known[i].n, 0);
+    }
+    /* 48 mm doubled k times, as a person would type it, with 6 to 17 digits. */
+    for (int k = 1; k < 60; k++) {
+        for (int digits = 15; digits <= 17; digits++) {
+            char text[40];
+            snprintf(text, sizeof text, "%.*g", digits, ldexp(0.048, k));
+            assert_status(dom_count_find(0.048, strtod(text, NULL), 2, &count), DOM_OK);
+            assert_near("dominoes", count.dominoes, k, 0);
+            assert_status(dom_count_find(0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count), DOM_OK);
+            assert_near("dominoes", count.dominoes, k + 1, 0);
+        }
+    }
+    assert_status(dom_count_find(0.048, 112, 1, &count), DOM_OK);
+    assert_true(isinf(count.dominoes) && isnan(count.last));
+    assert_status(dom_count_find(0.048, 112, 0.9, &count), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(0.048, -1, 2, &count), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(0.048, (double)NAN, 2, &count), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(1e-300, 1e300, 2, &count), DOM_BAD_PARAMETER);
+}
+
+static void metres_and_seconds(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
+    /* (a1) by hand: sqrt((0.048^2 + 0.007^2) / (3 9.81 0.048)) s. */
+    double tau = sqrt((0.048 * 0.048 + 0.007 * 0.007) / (3 * 9.81 * 0.048));
+    assert_near("tau", dom_scale_tau(&scale, train.d), tau, 1e-15);
+    /* Frictionless equal dominoes of 48 x 7 mm at a pitch of 20 mm run at 1.28427 m/s. */
+    double duration;
+    train.r = 1;
+    train.s = 13.0 / 48;
+    assert_status(dom_cycle_duration(&train, &duration), DOM_OK);
+    assert_near("speed", dom_scale_speed(&scale, &train, duration), 1.28427, 5e-6);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parameters_have_ranges),   cmocka_unit_test(head_must_reach_the_next),
+        cmocka_unit_test(tilts_lie_in_the_cycle),   cmocka_unit_test(beyond_the_arithmetic),
+        cmocka_unit_test(interrupt_stops_the_work), cmocka_unit_test(thick_dominoes_do_not_grow),
+        cmocka_unit_test(every_status_has_a_text),  cmocka_unit_test(counting),
+        cmocka_unit_test(metres_and_seconds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,331 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What must hold for every train, whatever its digits: identities, limits, monotony, continuity. */
+#include "chain.h"
+#include "support.h"
+#include <float.h>
+
+enum { TRAINS = 400 };
+
+/* J(0) = 1 + r^-(q+1) J(theta_c) (d8), and the train at 0 is the one at theta_c, shifted by one. */
+static void inertia_shifts_by_one(void **state)
+{
+    (void)state;
+    uint64_t seed = 1;
+    for (int i = 0; i < TRAINS; i++) {
+        struct dom_train train = random_train(&seed);
+        struct lean lean;
+        struct sums at_0, at_c;
+        assert_status(lean_make(&train, &lean), DOM_OK);
+        assert_status(chain_sum(&lean, (struct tilt){0, 1, 0}, CHAIN_ENDLESS, &at_0), DOM_OK);
+        assert_status(chain_sum(&lean, lean.c, CHAIN_ENDLESS, &at_c), DOM_OK);
+        assert_near("J(0)", at_0.J, 1 + lean.inertia * at_c.J, 1e-13);
+    }
+}
+
+/*
+ * dH/dtheta is the sum that the barrier search uses: the three-point difference quotient of dH has an
+ * error of h^2 |H'''| / 6, plus rounding of 1e-16 / h.  H''' is large where a follower is about to leave.
+ */
+static void slope_is_derivative_of_energy(void **state)
+{
+    (void)state;
+    uint64_t seed = 2;
+    int checked = 0;
+    for (int i = 0; i < TRAINS; i++) {
+        struct dom_train train = random_train(&seed);
+        struct lean g;
+        struct sums left, here, right;
+        assert_status(lean_make(&train, &g), DOM_OK);
+        double theta_c = tilt_angle(g.c), theta = theta_c * (0.1 + 0.8 * random_unit(&seed)),
+               h = 1e-5 * theta;
+        if (g.falls_off && fabs(theta - tilt_angle(g.leave)) < 0.05 * theta_c)
+            continue;
+        chain_rise(&g, tilt_make(sin(theta - h), cos(theta - h)), CHAIN_ENDLESS, &left);
+        chain_rise(&g, tilt_make(sin(theta), cos(theta)), CHAIN_ENDLESS, &here);
+        chain_rise(&g, tilt_make(sin(theta + h), cos(theta + h)), CHAIN_ENDLESS, &right);
+        double scale = fabs(here.H1) + train.d + sin(theta);
+        if (fabs((right.dH - left.dH) / (2 * h) - here.H1) > 1e-5 * scale)
+            fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: %g, not %g", train.s, train.r, train.d,
+                     train.q, theta, (right.dH - left.dH) / (2 * h), here.H1);
+        checked++;
+    }
+    assert_true(checked > TRAINS / 2);
+}
+
+/*
+ * The differences, summed term by term, agree with the difference of two sums of h, to the rounding of
+ * the latter: 1e-14 of the sum of weights.
+ */
+static void energy_agrees_with_its_definition(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    for (int i = 0; i < TRAINS; i++) {
+        struct dom_train train = random_train(&seed);
+        struct lean g;
+        struct sums sums;
+        assert_status(lean_make(&train, &g), DOM_OK);
+        double theta = random_unit(&seed) * tilt_angle(g.c), H[2] = {0, 0}, size = 0;
+        struct tilt head = tilt_make(sin(theta), cos(theta));
+        assert_status(chain_rise(&g, head, CHAIN_ENDLESS, &sums), DOM_OK);
+        for (int k = 0; k < 2; k++) {
+            struct link link = link_head(&g, k ? head : (struct tilt){0, 1, 0});
+            for (size_t n = 0; n < 4000; n++) {
+                struct tilt t = link.tilt;
+                H[k] += link.weight * (t.y + g.d * t.x);
+                size += link.weight;
+                if (!link.leads) {
+                    /* Fallen off before, they stand at theta_f in both sums, down to no weight. */
+                    for (double w = link.weight * g.weight; n < 4000; n++, w *= g.weight) {
+                        H[k] += w * (g.f.y + g.d * g.f.x);
+                        size += w;
+                    }
+                    break;
+                }
+                link_next(&g, &link);
+            }
+        }
+        /* What 4000 dominoes leave out is below rounding here, since s >= 3e-3. */
+        if (fabs(H[1] - H[0] - sums.dH) > 4e-15 * size * (1 + g.d))
+            fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: dH %.17g, by definition %.17g", train.s,
+                     train.r, train.d, train.q, theta, sums.dH, H[1] - H[0]);
+    }
+}
+
+/* At r = 1, and where r s = 1. */
+static void fuels_agree_where_they_must(void **state)
+{
+    (void)state;
+    uint64_t seed = 4;
+    for (int i = 0; i < TRAINS; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_fuels fuels;
+        train.r = 1;
+        assert_status(dom_fuel_find(&train, &fuels), DOM_OK);
+        if (fabs(fuels.exact - fuels.paper) > 1e-13 * (1 + train.d)) /* up to 7000 terms */
+            fail_msg("r = 1, s %.17g d %.17g: exact %.17g paper %.17g", train.s, train.d, fuels.exact,
+                     fuels.paper);
+        /* At the reach every follower falls off at once, at pi/2; s is a power of 2 so that r s = 1. */
+        train.s = ldexp(1, -i % 8);
+        train.r = 1 / train.s;
+        assert_status(dom_fuel_find(&train, &fuels), DOM_OK);
+        assert_near("fuel at reach", fuels.exact, 1 - train.d, 1e-15 / fabs(1 - train.d));
+        assert_near("paper fuel at reach", fuels.paper, 1 - train.d, 1e-15 / fabs(1 - train.d));
+    }
+}
+
+/* Energy is conserved along the cycle: J w + dH = K (c3), and the cycle ends with the speed that starts it.
+ */
+static void cycle_closes(void **state)
+{
+    (void)state;
+    uint64_t seed = 5;
+    int closed = 0;
+    for (int i = 0; i < TRAINS; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_launch launch;
+        struct dom_energy energy;
+        struct dom_angles angles;
+        double w = NAN;
+        if (dom_launch_find(&train, &launch) != DOM_OK)
+            continue;
+        assert_status(dom_angles_find(&train, &angles), DOM_OK);
+        double theta = random_unit(&seed) * angles.theta_c;
+        assert_status(dom_energy_find(&train, theta, &energy), DOM_OK);
+        if (dom_cycle_omegasq(&train, theta, &w) == DOM_OK)
+            assert_near("J w + dH", energy.J * w + energy.dH, launch.kinetic,
+                        1e-13 * (1 + fabs(energy.dH) / launch.kinetic));
+        if (dom_cycle_omegasq(&train, angles.theta_c, &w) != DOM_OK)
+            continue;
+        /* (c4) and (c5): J(0) omega(0) = (J(0) - 1) sqrt(r) omega(theta_c). */
+        double T = pow(train.r, -(train.q + 1)), J_c = 0;
+        assert_status(dom_energy_find(&train, angles.theta_c, &energy), DOM_OK);
+        J_c = energy.J;
+        T *= J_c;
+        assert_near("collision", T * sqrt(train.r * w), launch.J0 * sqrt(launch.omegasq), 1e-11);
+        closed++;
+    }
+    assert_true(closed > TRAINS / 4);
+}
+
+/* Cycles converge: from any other speed the collision law leads to the stationary one. */
+static void train_forgets_its_push(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_launch launch;
+    struct dom_angles angles;
+    struct dom_energy at_c;
+    assert_status(dom_launch_find(&train, &launch), DOM_OK);
+    assert_status(dom_angles_find(&train, &angles), DOM_OK);
+    assert_status(dom_energy_find(&train, angles.theta_c, &at_c), DOM_OK);
+    double w = 100 * launch.omegasq;
+    for (int cycle = 0; cycle < 40; cycle++) {
+        double w_c = (launch.J0 * w - at_c.dH) / at_c.J;
+        w = train.r * w_c * pow((launch.J0 - 1) / launch.J0, 2);
+    }
+    assert_near("stationary omega0sq", w, launch.omegasq, 1e-13);
+}
+
+/* At r_max the margin is 0, just below it is positive, just above it is negative. */
+static void margin_vanishes_at_the_limit(void **state)
+{
+    (void)state;
+    uint64_t seed = 6;
+    int met = 0;
+    for (int i = 0; i < 60; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_limit limit;
+        struct dom_barrier barrier;
+        assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+        if (limit.ends != DOM_END_BARRIER)
+            continue;
+        train.r = fmax(limit.r_max * (1 - 1e-9), 1);
+        assert_status(dom_barrier_find(&train, &barrier), DOM_OK);
+        train.r = fmin(limit.r_max * (1 + 1e-9), 1 / train.s);
+        assert_status(dom_barrier_find(&train, &barrier), DOM_STOPS);
+        met++;
+    }
+    assert_true(met > 10);
+}
+
+/* Where only two dominoes matter the pair, pushed at r_max of the train, is the train. */
+static void pair_is_train_of_two(void **state)
+{
+    (void)state;
+    for (double q = 3; q <= 4; q++) {
+        struct dom_train train = dom_train_default();
+        struct dom_limit whole, pair;
+        train.s = q == 3 ? 0.52 : 0.6; /* followers leave before the next collision, H has its top late */
+        train.q = q;
+        assert_status(dom_limit_rmax(&train, &whole, NULL), DOM_OK);
+        assert_status(dom_limit_pair(&train, &pair), DOM_OK);
+        assert_near("pair", pair.r_max, whole.r_max, 1e-12);
+    }
+}
+
+/* A massive tail is worse than a hollow one; closer to the best separation is better. */
+static void growth_is_monotone(void **state)
+{
+    (void)state;
+    double before = 1;
+    for (double s = 0.02; s < 0.44; s += 0.01) {
+        struct dom_train train = dom_train_default();
+        struct dom_limit hollow, massive;
+        train.s = s;
+        assert_status(dom_limit_rmax(&train, &massive, NULL), DOM_OK);
+        train.q = 3;
+        assert_status(dom_limit_rmax(&train, &hollow, NULL), DOM_OK);
+        assert_true(hollow.r_max > before && hollow.r_max > massive.r_max);
+        before = hollow.r_max;
+    }
+}
+
+/* No domino effect at all for s <= 2 d^3 / (1 - d^2): 0.0063378 for the standard domino. */
+static void no_fuel_below_a_separation(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_limit limit;
+    enum dom_status why = DOM_OK;
+    double edge = 2 * pow(train.d, 3) / (1 - train.d * train.d);
+    assert_near("edge", edge, 0.0063378, 1e-5);
+    train.s = edge * (1 - 1e-9);
+    assert_status(dom_limit_rmax(&train, &limit, &why), DOM_OK);
+    assert_int_equal(limit.ends, DOM_END_NONE);
+    assert_true(isnan(limit.r_max));
+    assert_status(why, DOM_NO_FUEL);
+    train.s = edge * (1 + 1e-3);
+    struct dom_fuels fuels;
+    train.r = 1;
+    assert_status(dom_fuel_find(&train, &fuels), DOM_OK);
+    assert_true(fuels.exact > 0 && fuels.paper > 0);
+}
+
+/* tol really decides: fewer dominoes at a larger one, and the error keeps below it. */
+static void tolerance_decides_the_work(void **state)
+{
+    (void)state;
+    uint64_t seed = 7;
+    static const double tols[] = {1e-2, 1e-4, 1e-6, 1e-9};
+    size_t total[4] = {0};
+    for (int i = 0; i < TRAINS; i++) {
+        struct dom_train train = random_train(&seed);
+        struct lean g;
+        struct sums exact, sums;
+        assert_status(lean_make(&train, &g), DOM_OK);
+        double theta = random_unit(&seed) * tilt_angle(g.c);
+        struct tilt head = tilt_make(sin(theta), cos(theta));
+        assert_status(chain_rise(&g, head, CHAIN_ENDLESS, &exact), DOM_OK);
+        for (int k = 0; k < 4; k++) {
+            g.tol = tols[k];
+            assert_status(chain_rise(&g, head, CHAIN_ENDLESS, &sums), DOM_OK);
+            assert_near("J at tol", sums.J, exact.J, tols[k]);
+            assert_near("dH at tol", sums.dH, exact.dH, tols[k]);
+            total[k] += sums.n;
+        }
+    }
+    for (int k = 1; k < 4; k++)
+        assert_true(total[k] > total[k - 1]);
+}
+
+/* Where the train stops, the energy is used up. */
+static void train_stops_where_its_energy_ends(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    double stop = NAN, w = NAN;
+    struct dom_energy energy;
+    struct dom_launch launch;
+    train.r = 1.7;
+    assert_status(dom_cycle_stop(&train, &stop), DOM_OK);
+    assert_status(dom_energy_find(&train, stop, &energy), DOM_OK);
+    assert_status(dom_launch_find(&train, &launch), DOM_OK);
+    assert_near("dH at the stop", energy.dH, launch.kinetic, 1e-11);
+    assert_status(dom_cycle_omegasq(&train, stop * 0.999, &w), DOM_OK);
+    assert_true(w > 0);
+    assert_status(dom_cycle_omegasq(&train, stop * 1.001, &w), DOM_STOPS);
+    assert_true(isnan(w));
+    train.r = 1.5;
+    assert_status(dom_cycle_stop(&train, &stop), DOM_OK);
+    assert_true(isnan(stop));
+}
+
+/* margin -> 0: the duration grows like ln(1 / margin), by equal steps for equal ratios. */
+static void duration_diverges_logarithmically(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_limit limit;
+    double duration[4];
+    train.tol = 1e-13;
+    assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+    for (int k = 0; k < 4; k++) {
+        train.r = limit.r_max * (1 - pow(10, -5 - k));
+        assert_status(dom_cycle_duration(&train, &duration[k]), DOM_OK);
+    }
+    assert_near("steps", duration[3] - duration[2], duration[2] - duration[1], 1e-3);
+    assert_true(duration[1] - duration[0] > 0.5);
+    train.r = limit.r_max * (1 + 1e-6);
+    assert_status(dom_cycle_duration(&train, &duration[0]), DOM_STOPS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(inertia_shifts_by_one),
+        cmocka_unit_test(slope_is_derivative_of_energy),
+        cmocka_unit_test(energy_agrees_with_its_definition),
+        cmocka_unit_test(fuels_agree_where_they_must),
+        cmocka_unit_test(cycle_closes),
+        cmocka_unit_test(train_forgets_its_push),
+        cmocka_unit_test(margin_vanishes_at_the_limit),
+        cmocka_unit_test(pair_is_train_of_two),
+        cmocka_unit_test(growth_is_monotone),
+        cmocka_unit_test(no_fuel_below_a_separation),
+        cmocka_unit_test(tolerance_decides_the_work),
+        cmocka_unit_test(train_stops_where_its_energy_ends),
+        cmocka_unit_test(duration_diverges_logarithmically),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Every quantity of the model against reference digits (tests/reference, computed with 40 digits).
+ *
+ * Bounds.  At tol = 1e-15 the points are well conditioned, with condition numbers up to about 100 (the
+ * slope just before a follower leaves, "wide"; the weights r^-qi of 6000 dominoes, "very-close"), so
+ * 100 to 200 units of 2^-53 is what conditioning allows: 3e-14.  The durations are printed with 14
+ * digits: 1e-13.  At the default tol = 1e-12 the same comparisons hold to tol.
+ */
+#include "support.h"
+
+struct bounds {
+    double tol, digits, duration;
+};
+
+static const struct bounds tight = {1e-15, 3e-14, 1e-13}, usual = {1e-12, 1e-12, 1e-12};
+
+static void check_geometry(const struct csv *csv, const struct dom_train *train, double bound)
+{
+    struct dom_angles angles;
+    struct dom_contact first, second;
+    double theta = csv_number(csv, "theta");
+    assert_status(dom_angles_find(train, &angles), DOM_OK);
+    assert_near("theta_c", angles.theta_c, csv_number(csv, "theta_c"), bound);
+    assert_near("theta_f", angles.theta_f, csv_number(csv, "theta_f"), bound);
+    double leave = csv_number(csv, "theta_leave");
+    assert_int_equal(angles.falls_off, !isnan(leave));
+    if (angles.falls_off)
+        assert_near("theta_leave", angles.theta_leave, leave, bound);
+    assert_status(dom_contact_find(train, theta, &first), DOM_OK);
+    assert_near("theta_1", first.theta_1, csv_number(csv, "theta_1"), bound);
+    assert_near("slope", first.slope, csv_number(csv, "dtheta_1"), bound);
+    assert_near("a / b", first.arm_a / first.arm_b, first.slope, 1e-12);
+    double theta_2 = csv_number(csv, "theta_2");
+    if (!isnan(theta_2) && first.theta_1 < angles.theta_c) {
+        assert_status(dom_contact_find(train, first.theta_1, &second), DOM_OK);
+        assert_near("theta_2", second.theta_1, theta_2, bound);
+    }
+}
+
+static void check_dynamics(const struct csv *csv, struct dom_train train, const struct bounds *bounds,
+                           bool paper)
+{
+    double theta = csv_number(csv, "theta"), duration = NAN, omegasq = NAN;
+    struct dom_energy energy;
+    struct dom_fuels fuels;
+    struct dom_launch launch;
+    struct dom_barrier barrier;
+    train.fuel = paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+
+    assert_status(dom_energy_find(&train, theta, &energy), DOM_OK);
+    assert_near("J0", energy.J0, csv_number(csv, "J0"), bounds->digits);
+    assert_near("J", energy.J, csv_number(csv, "J"), bounds->digits);
+    assert_near("dH", energy.dH, csv_number(csv, "dH"), bounds->digits);
+    assert_status(dom_fuel_find(&train, &fuels), DOM_OK);
+    assert_near("fuel_paper", fuels.paper, csv_number(csv, "fuel_paper"), bounds->digits);
+    assert_near("fuel_exact", fuels.exact, csv_number(csv, "fuel_exact"), bounds->digits);
+
+    double P = paper ? fuels.paper : fuels.exact;
+    double omega0sq = csv_number(csv, paper ? "omega0sq_paper" : "omega0sq_exact");
+    assert_status(dom_launch_find(&train, &launch), P > 0 ? DOM_OK : DOM_NO_FUEL);
+    enum dom_status verdict = dom_barrier_find(&train, &barrier);
+    assert_near("barrier", barrier.barrier, csv_number(csv, "barrier"), bounds->digits);
+    /* A maximum that is flat fixes its place only through the zero of H', as well as H' is conditioned. */
+    assert_near("theta_m", barrier.theta_m, csv_number(csv, "theta_m"), 10 * bounds->digits);
+    if (P <= 0) {
+        assert_status(verdict, DOM_NO_FUEL);
+        assert_true(isnan(launch.omegasq) && isnan(barrier.kinetic) && isnan(barrier.margin));
+        assert_status(dom_cycle_omegasq(&train, theta, &omegasq), DOM_NO_FUEL);
+        assert_true(isnan(omegasq));
+        assert_status(dom_cycle_duration(&train, &duration), DOM_NO_FUEL);
+        return;
+    }
+    assert_near("omega0sq", launch.omegasq, omega0sq, bounds->digits);
+    assert_near("kinetic", launch.kinetic, energy.J0 * omega0sq, bounds->digits);
+    double margin = launch.kinetic - csv_number(csv, "barrier");
+    assert_status(verdict, margin >= 0 ? DOM_OK : DOM_STOPS);
+
+    double formal = csv_number(csv, paper ? "omegasq_paper" : "omegasq_exact");
+    enum dom_status way = dom_cycle_omegasq(&train, theta, &omegasq);
+    if (way == DOM_OK)
+        assert_near("omegasq", omegasq, formal, bounds->digits);
+    else
+        assert_true(verdict == DOM_STOPS && isnan(omegasq));
+    double expected = csv_number(csv, paper ? "duration_paper" : "duration_exact");
+    enum dom_status whole = dom_cycle_duration(&train, &duration);
+    assert_status(whole, verdict);
+    if (!isnan(expected))
+        assert_near("duration", duration, expected, bounds->duration);
+}
+
+static void check_points(const struct bounds *bounds)
+{
+    int rows = 0;
+    struct csv *csv = csv_open("tests/reference/points.csv");
+    for (; csv_next(csv); rows++) {
+        struct dom_train train = csv_train(csv);
+        train.r = csv_number(csv, "r");
+        train.d = csv_number(csv, "d");
+        train.tol = bounds->tol;
+        check_geometry(csv, &train, bounds->digits);
+        check_dynamics(csv, train, bounds, false);
+        check_dynamics(csv, train, bounds, true);
+    }
+    assert_int_equal(rows, 16);
+}
+
+static void points_to_the_last_digits(void **state)
+{
+    (void)state;
+    check_points(&tight);
+}
+
+static void points_to_the_default_tolerance(void **state)
+{
+    (void)state;
+    check_points(&usual);
+}
+
+/* r_max: 1e-13 away from 1/s (there the margin is steep), and the same at the reach, where it is 1/s. */
+static void largest_growth(void **state)
+{
+    (void)state;
+    int rows = 0;
+    struct csv *csv = csv_open("tests/reference/rmax.csv");
+    for (; csv_next(csv); rows++) {
+        struct dom_limit limit;
+        struct dom_train train = csv_train(csv);
+        train.d = csv_number(csv, "d");
+        train.fuel = strcmp(csv_text(csv, "fuel"), "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+        train.tol = 1e-15;
+        assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+        assert_near("r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);
+        assert_string_equal(dom_end_text(limit.ends), csv_text(csv, "ends_by"));
+        train.tol = 1e-12;
+        assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+        assert_near("r_max at 1e-12", limit.r_max, csv_number(csv, "r_max"), 1e-12);
+    }
+    assert_int_equal(rows, 42);
+}
+
+static void largest_growth_of_a_pair(void **state)
+{
+    (void)state;
+    int rows = 0;
+    struct csv *csv = csv_open("tests/reference/pair.csv");
+    for (; csv_next(csv); rows++) {
+        struct dom_limit limit;
+        struct dom_train train = csv_train(csv);
+        train.tol = 1e-15;
+        assert_status(dom_limit_pair(&train, &limit), DOM_OK);
+        assert_near("pair r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);
+        assert_string_equal(dom_end_text(limit.ends), csv_text(csv, "ends_by"));
+    }
+    assert_int_equal(rows, 18);
+}
+
+/* The separations are known to 6 digits, the growths to 7. */
+static void best_separation(void **state)
+{
+    (void)state;
+    static const struct {
+        double q;
+        enum dom_fuel fuel;
+        double s, r_max;
+    } known[] = {
+        {3, DOM_FUEL_EXACT, 0.443615, 2.172869},
+        {3, DOM_FUEL_PAPER, 0.432413, 2.202558},
+        {4, DOM_FUEL_EXACT, 0.533651, 1.810436},
+        {4, DOM_FUEL_PAPER, 0.520419, 1.831348},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_best best;
+        struct dom_limit beside;
+        train.q = known[i].q;
+        train.fuel = known[i].fuel;
+        assert_status(dom_limit_best(&train, &best), DOM_OK);
+        assert_near("best s", best.s, known[i].s, 0.5e-6 / known[i].s);
+        assert_near("best r_max", best.r_max, known[i].r_max, 0.5e-6 / known[i].r_max);
+        for (int side = -1; side <= 1; side += 2) {
+            train.s = best.s * (1 + side * 1e-5);
+            assert_status(dom_limit_rmax(&train, &beside, NULL), DOM_OK);
+            assert_true(beside.r_max < best.r_max);
+        }
+    }
+}
+
+/* Where the barrier curve meets r = 1/s (six digits known for the exact fuel). */
+static void barrier_curve_meets_reach(void **state)
+{
+    (void)state;
+    static const double meets[][2] = {{3, 0.53929}, {4, 0.61901}};
+    for (size_t i = 0; i < 2; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_limit limit;
+        train.q = meets[i][0];
+        train.s = meets[i][1] - 1e-5;
+        assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+        assert_int_equal(limit.ends, DOM_END_BARRIER);
+        train.s = meets[i][1] + 1e-5;
+        assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+        assert_int_equal(limit.ends, DOM_END_REACH);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_to_the_last_digits),
+        cmocka_unit_test(points_to_the_default_tolerance),
+        cmocka_unit_test(largest_growth),
+        cmocka_unit_test(largest_growth_of_a_pair),
+        cmocka_unit_test(best_separation),
+        cmocka_unit_test(barrier_curve_meets_reach),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
