@@ -40,8 +40,15 @@ static bool command_run_words(struct session *session, int count, char **word)
         return session_error(session, "'%s' is one argument too many; usage: %s%s%s",
                              value_shown(word[c->most + 1], shown), c->name, usage_gap, c->usage);
     struct answer answer = {
-        .out = session->out, .format = session->output, .columns = c->columns, .rows = c->rows};
-    return c->run(session, &(struct call){count - 1, word, &answer});
+        .out = session->out,
+        .format = session->output,
+        .columns = c->columns,
+        .rows = c->rows,
+        .gap = session->answered && session->source,
+    };
+    bool done = c->run(session, &(struct call){count - 1, word, &answer});
+    session->answered = session->answered || (done && c->columns);
+    return done;
 }
 
 /* Splits one command into words in place, and runs it if there are any. */

@@ -155,8 +155,16 @@ static void row_lines(struct answer *a, const struct cell *cells)
     }
 }
 
+static void answer_gap(struct answer *a)
+{
+    if (a->gap && a->format == OUTPUT_TABLE)
+        putc('\n', a->out);
+    a->gap = false;
+}
+
 void answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
+    answer_gap(a);
     if (a->format == OUTPUT_JSON)
         row_json(a, cells, reason);
     else if (a->format == OUTPUT_CSV)
@@ -179,6 +187,7 @@ void answer_say(struct answer *a, const char *format, ...)
 {
     if (a->format != OUTPUT_TABLE)
         return;
+    answer_gap(a);
     va_list arguments;
     va_start(arguments, format);
     vfprintf(a->out, format, arguments);

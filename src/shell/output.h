@@ -36,6 +36,7 @@ struct answer {
     const struct column *columns; /* ends with a NULL key */
     bool rows;                    /* a table with a head, rather than a line a column */
     bool begun;
+    bool gap; /* set a blank line between this answer and the one before, for people */
 };
 
 /*

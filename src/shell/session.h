@@ -20,6 +20,7 @@ struct session {
     bool bail;           /* the first error ends the session */
     bool quit;
     long errors;
+    bool answered; /* something was answered before */
 };
 
 void session_init(struct session *session, FILE *out);
