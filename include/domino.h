@@ -16,6 +16,7 @@
 #ifndef DOMINO_H
 #define DOMINO_H
 
+#include <math.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,6 +26,9 @@ extern "C" {
 #endif
 
 #define DOM_VERSION "0.1.0"
+
+/* What does not exist; NAN alone is a float. */
+#define DOM_NAN ((double)NAN)
 
 /* ---- Statuses: X(name, what it means) ---- */
 

@@ -23,18 +23,18 @@ static double slope_of_H(double theta, void *context)
 {
     struct slope_context *c = context;
     struct tilt head;
-    struct sums sums;
+    struct sums sums = {0};
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK)
         c->status = chain_sum(c->lean, head, c->n, &sums);
-    return c->status == DOM_OK ? sums.H1 : (double)NAN;
+    return c->status == DOM_OK ? sums.H1 : DOM_NAN;
 }
 
 /* Keeps theta as theta_m if H is higher there. */
 static enum dom_status barrier_try(const struct slope_context *c, double theta, struct barrier *b)
 {
     struct tilt head;
-    struct sums sums;
+    struct sums sums = {0};
     enum dom_status status = lean_tilt(c->lean, theta, &head);
     if (status == DOM_OK)
         status = chain_rise(c->lean, head, c->n, &sums);
@@ -105,8 +105,8 @@ enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barri
     *barrier = (struct dom_barrier){
         .theta_m = b.theta_m,
         .barrier = b.height,
-        .kinetic = fuelled ? launch.kinetic : (double)NAN,
-        .margin = fuelled ? launch.kinetic - b.height : (double)NAN,
+        .kinetic = fuelled ? launch.kinetic : DOM_NAN,
+        .margin = fuelled ? launch.kinetic - b.height : DOM_NAN,
     };
     return !fuelled ? DOM_NO_FUEL : barrier->margin >= 0 ? DOM_OK : DOM_STOPS;
 }

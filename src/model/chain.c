@@ -179,7 +179,7 @@ enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct
 
 static struct dom_link link_public(const struct lean *g, const struct link *k)
 {
-    double b = k->leads ? k->turn.Y / g->r : (double)NAN; /* (table 1) */
+    double b = k->leads ? k->turn.Y / g->r : DOM_NAN; /* (table 1) */
     return (struct dom_link){
         .i = k->i,
         .theta = tilt_angle(k->tilt),
@@ -200,7 +200,7 @@ enum dom_status dom_chain_walk(const struct dom_train *train, double theta,
         status = lean_tilt(&g, theta, &head);
     if (status != DOM_OK)
         return status;
-    struct sums sums;
+    struct sums sums = {0};
     status = chain_sum(&g, head, CHAIN_ENDLESS, &sums);
     if (status != DOM_OK)
         return status;

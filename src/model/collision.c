@@ -24,6 +24,6 @@ enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch
         status = collision_launch(&g, train->fuel, launch);
     if (status != DOM_OK || launch->fuel > 0)
         return status;
-    launch->omegasq = launch->kinetic = NAN;
+    launch->omegasq = launch->kinetic = DOM_NAN;
     return DOM_NO_FUEL;
 }

@@ -32,7 +32,7 @@ static enum dom_status cycle_climb(struct cycle *cycle, double end)
 static enum dom_status cycle_omegasq(const struct cycle *cycle, double theta, double *omegasq)
 {
     struct tilt head;
-    struct sums sums;
+    struct sums sums = {0};
     enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
     if (status == DOM_OK)
         status = chain_rise(&cycle->lean, head, CHAIN_ENDLESS, &sums);
@@ -45,7 +45,7 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, double theta, d
 {
     struct cycle cycle;
     struct tilt head;
-    *omegasq = NAN;
+    *omegasq = DOM_NAN;
     enum dom_status status = cycle_begin(train, &cycle);
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return status;
@@ -64,7 +64,7 @@ static double energy_short(double theta, void *context)
 {
     struct cycle *cycle = context;
     cycle->status = cycle_climb(cycle, theta);
-    return cycle->status == DOM_OK ? cycle->barrier.height - cycle->kinetic : (double)NAN;
+    return cycle->status == DOM_OK ? cycle->barrier.height - cycle->kinetic : DOM_NAN;
 }
 
 enum dom_status dom_cycle_stop(const struct dom_train *train, double *theta)
@@ -75,7 +75,7 @@ enum dom_status dom_cycle_stop(const struct dom_train *train, double *theta)
         status = cycle_climb(&cycle, tilt_angle(cycle.lean.c));
     if (status != DOM_OK)
         return status;
-    *theta = NAN;
+    *theta = DOM_NAN;
     if (cycle.barrier.height <= cycle.kinetic)
         return DOM_OK;
     double lo = cycle.barrier.edge[0], hi = cycle.barrier.theta_m;
@@ -88,7 +88,7 @@ static double slowness(double theta, void *context)
     struct cycle *cycle = context;
     double omegasq = 0;
     cycle->status = cycle_omegasq(cycle, theta, &omegasq);
-    return cycle->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : (double)NAN;
+    return cycle->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : DOM_NAN;
 }
 
 enum dom_status dom_cycle_duration(const struct dom_train *train, double *duration)

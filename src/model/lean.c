@@ -72,7 +72,7 @@ enum dom_status dom_angles_find(const struct dom_train *train, struct dom_angles
         .theta_u = atan(g.d),
         .theta_inf = tilt_angle(g.inf),
         .theta_f = tilt_angle(g.f),
-        .theta_leave = g.falls_off ? tilt_angle(g.leave) : (double)NAN,
+        .theta_leave = g.falls_off ? tilt_angle(g.leave) : DOM_NAN,
         .falls_off = g.falls_off,
     };
     return DOM_OK;

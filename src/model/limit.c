@@ -57,11 +57,11 @@ static double margin_at(double r, void *context)
 {
     struct margin_context *c = context;
     struct lean g;
-    double margin = NAN;
+    double margin = DOM_NAN;
     c->status = lean_make_at(c->train, r, &g);
     if (c->status == DOM_OK)
         c->status = c->margin(&g, c->train->fuel, &margin);
-    return c->status == DOM_OK ? margin : (double)NAN;
+    return c->status == DOM_OK ? margin : DOM_NAN;
 }
 
 static double margin_below(double r, void *context)
@@ -84,7 +84,7 @@ static double scan_sample(double s, int k)
 static enum dom_status limit_scan(struct margin_context *c, int k, double margin, struct dom_limit *limit)
 {
     double s = c->train->s, reach = 1 / s;
-    double before = NAN, r_before = NAN, r = scan_sample(s, k), tol = c->train->tol / 8;
+    double before = DOM_NAN, r_before = DOM_NAN, r = scan_sample(s, k), tol = c->train->tol / 8;
     while (r < reach) {
         double r_next = scan_sample(s, ++k), next = margin_at(r_next, c);
         if (c->status != DOM_OK)
@@ -115,7 +115,7 @@ static enum dom_status limit_scan(struct margin_context *c, int k, double margin
     return DOM_OK;
 }
 
-static const struct dom_limit no_limit = {.r_max = NAN, .ends = DOM_END_NONE};
+static const struct dom_limit no_limit = {.r_max = DOM_NAN, .ends = DOM_END_NONE};
 
 enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit, enum dom_status *why)
 {
@@ -167,7 +167,7 @@ static double rmax_at(double s, void *context)
     c->train.s = s;
     c->status = dom_limit_rmax(&c->train, &limit, NULL);
     if (c->status != DOM_OK)
-        return NAN;
+        return DOM_NAN;
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 

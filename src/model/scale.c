@@ -28,7 +28,8 @@ enum dom_status dom_count_find(double first, double height, double r, struct dom
     double ratio = height / first, ln_r = log1p(r - 1), exact = log(ratio) / ln_r;
     if (r == 1) {
         bool there = ratio <= 1;
-        *count = (struct dom_count){there ? 0 : INFINITY, there ? 0 : INFINITY, there ? first : (double)NAN};
+        *count = (struct dom_count){there ? 0 : (double)INFINITY, there ? 0 : (double)INFINITY,
+                                    there ? first : DOM_NAN};
         return DOM_OK;
     }
     /* Beyond 2^53 neighbouring integers are one double. */

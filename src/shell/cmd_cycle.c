@@ -11,6 +11,7 @@ static bool tilt_argument(struct session *session, const struct call *call, doub
 {
     char shown[VALUE_SHOWN];
     struct dom_angles angles;
+    *theta = DOM_NAN;
     enum dom_status status = dom_angles_find(&session->train, &angles);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -239,7 +240,7 @@ static const struct column duration_columns[] = {
 
 static bool run_duration(struct session *session, const struct call *call)
 {
-    double duration = NAN, tau = dom_scale_tau(&session->scale, session->train.d);
+    double duration = DOM_NAN, tau = dom_scale_tau(&session->scale, session->train.d);
     char reason[160];
     enum dom_status status = dom_cycle_duration(&session->train, &duration);
     const char *why = NULL;
@@ -252,7 +253,7 @@ static bool run_duration(struct session *session, const struct call *call)
                                       "has no value here; a slightly smaller r has");
     else if (status != DOM_OK)
         return session_status(session, status);
-    double speed = why ? (double)NAN : dom_scale_speed(&session->scale, &session->train, duration);
+    double speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);
     answer_row(call->answer,
                ROW(cell_real(duration), cell_real(tau), cell_real(duration * tau), cell_real(speed)), why);
     return true;

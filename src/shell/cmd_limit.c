@@ -103,7 +103,7 @@ static const struct column best_columns[] = {
 
 static bool run_best(struct session *session, const struct call *call)
 {
-    struct dom_best best = {NAN, NAN};
+    struct dom_best best = {DOM_NAN, DOM_NAN};
     enum dom_status status = dom_limit_best(&session->train, &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return session_status(session, status);

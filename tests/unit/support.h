@@ -85,7 +85,7 @@ static inline const char *csv_text(const struct csv *csv, const char *name)
 static inline double csv_number(const struct csv *csv, const char *name)
 {
     const char *text = csv_text(csv, name);
-    return *text ? strtod(text, NULL) : (double)NAN;
+    return *text ? strtod(text, NULL) : DOM_NAN;
 }
 
 static inline struct dom_train csv_train(const struct csv *csv)

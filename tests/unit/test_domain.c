@@ -9,7 +9,7 @@ static void parameters_have_ranges(void **state)
     assert_status(dom_train_check(&train), DOM_OK);
 #define REFUSE(name, default_, lowest, highest, unit, meaning)                                               \
     for (int k = 0; k < 4; k++) {                                                                            \
-        const double bad[] = {(double)NAN, (double)INFINITY, (lowest) * (1 - 1e-9), (highest) * (1 + 1e-9)}; \
+        const double bad[] = {DOM_NAN, (double)INFINITY, (lowest) * (1 - 1e-9), (highest) * (1 + 1e-9)};     \
         train = dom_train_default();                                                                         \
         train.name = bad[k];                                                                                 \
         assert_status(dom_train_check(&train), DOM_BAD_PARAMETER);                                           \
@@ -45,7 +45,7 @@ static void tilts_lie_in_the_cycle(void **state)
     struct dom_energy energy = {.J = -1};
     double w;
     assert_status(dom_angles_find(&train, &angles), DOM_OK);
-    const double bad[] = {-1e-300, -1, angles.theta_c * (1 + 1e-14), 4, (double)NAN, (double)INFINITY};
+    const double bad[] = {-1e-300, -1, angles.theta_c * (1 + 1e-14), 4, DOM_NAN, (double)INFINITY};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         assert_status(dom_energy_find(&train, bad[k], &energy), DOM_BAD_TILT);
         assert_status(dom_cycle_omegasq(&train, bad[k], &w), DOM_BAD_TILT);
@@ -141,7 +141,7 @@ static void counting(void **state)
     assert_true(isinf(count.dominoes) && isnan(count.last));
     assert_status(dom_count_find(0.048, 112, 0.9, &count), DOM_BAD_PARAMETER);
     assert_status(dom_count_find(0.048, -1, 2, &count), DOM_BAD_PARAMETER);
-    assert_status(dom_count_find(0.048, (double)NAN, 2, &count), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(0.048, DOM_NAN, 2, &count), DOM_BAD_PARAMETER);
     assert_status(dom_count_find(1e-300, 1e300, 2, &count), DOM_BAD_PARAMETER);
 }
 

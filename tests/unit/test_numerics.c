@@ -50,7 +50,7 @@ static void roots(void **state)
         {cubic, 1.2599210498948732, 2, 1.2599210498948732, 1e-15},
     };
     for (size_t i = 0; i < sizeof problems / sizeof *problems; i++) {
-        double x = NAN;
+        double x = DOM_NAN;
         assert_int_equal(num_root(problems[i].f, NULL, problems[i].lo, problems[i].hi, 0, &x), NUM_OK);
         if (problems[i].f != flat) /* nine-fold: the values underflow around it */
             assert_near("root", x, problems[i].x, problems[i].bound);
@@ -62,7 +62,7 @@ static void roots(void **state)
 static double nan_inside(double x, void *c)
 {
     (void)c;
-    return x > 0.3 && x < 0.7 ? (double)NAN : x - 0.5;
+    return x > 0.3 && x < 0.7 ? DOM_NAN : x - 0.5;
 }
 
 static void failures_are_reported(void **state)
@@ -92,7 +92,7 @@ static double kink(double x, void *c)
 static void maxima(void **state)
 {
     (void)state;
-    double x = NAN;
+    double x = DOM_NAN;
     assert_int_equal(num_maximum(parabola, NULL, 0.39, 0.43, 0.48, 1e-12, &x), NUM_OK);
     assert_near("smooth top", x, 0.44, 1e-7);
     assert_int_equal(num_maximum(kink, NULL, 0, 0.6, 1.3, 1e-14, &x), NUM_OK);
@@ -110,7 +110,7 @@ static void integrals(void **state)
 {
     (void)state;
     for (double margin = 1; margin > 1e-25; margin /= 100) {
-        double integral = NAN;
+        double integral = DOM_NAN;
         assert_int_equal(num_integral(near_stop, &margin, 0, 1, 1e-13, &integral), NUM_OK);
         assert_near("integral", integral, asinh(1 / sqrt(margin)), 1e-13);
     }

@@ -126,7 +126,7 @@ static void cycle_closes(void **state)
         struct dom_launch launch;
         struct dom_energy energy;
         struct dom_angles angles;
-        double w = NAN;
+        double w = DOM_NAN;
         if (dom_launch_find(&train, &launch) != DOM_OK)
             continue;
         assert_status(dom_angles_find(&train, &angles), DOM_OK);
@@ -274,7 +274,7 @@ static void train_stops_where_its_energy_ends(void **state)
 {
     (void)state;
     struct dom_train train = dom_train_default();
-    double stop = NAN, w = NAN;
+    double stop = DOM_NAN, w = DOM_NAN;
     struct dom_energy energy;
     struct dom_launch launch;
     train.r = 1.7;

@@ -41,7 +41,7 @@ static void check_geometry(const struct csv *csv, const struct dom_train *train,
 static void check_dynamics(const struct csv *csv, struct dom_train train, const struct bounds *bounds,
                            bool paper)
 {
-    double theta = csv_number(csv, "theta"), duration = NAN, omegasq = NAN;
+    double theta = csv_number(csv, "theta"), duration = DOM_NAN, omegasq = DOM_NAN;
     struct dom_energy energy;
     struct dom_fuels fuels;
     struct dom_launch launch;
