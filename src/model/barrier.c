@@ -73,7 +73,7 @@ enum dom_status barrier_search(const struct lean *g, size_t n, double end, struc
     struct barrier b = {.theta_m = 0, .height = 0, .edge = {0}, .edges = 1};
     /* At r s = 1 the follower is gone for every theta > 0: H' jumps at 0, and its right limit counts. */
     if (g->short_of == 0)
-        b.edge[0] = DBL_MIN;
+        b.edge[0] = fmin(DBL_MIN, end);
     bool leaves;
     struct tilt leave;
     enum dom_status status = chain_leave(g, n, &leaves, &leave);

@@ -136,7 +136,8 @@ enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t n, str
         if (!a.leads) {
             /* The follower has left during this cycle: it keeps the energy of theta_f. */
             link_next(g, &b);
-            double t_f = (b.tilt.y - g->f.y) / (g->f.x + b.tilt.x);
+            double sine = g->f.x * b.tilt.y - g->f.y * b.tilt.x;
+            double t_f = sine / (1 + g->f.x * b.tilt.x + g->f.y * b.tilt.y);
             series_add(&state.dH, b.weight * rise(g, g->f, b.tilt, t_f));
             break;
         }

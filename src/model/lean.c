@@ -31,9 +31,10 @@ enum dom_status lean_make_at(const struct dom_train *train, double r, struct lea
     g.f = g.inf;
     if (g.falls_off) {
         g.leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
-        /* (A18) as 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L). */
+        /* (A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
+        double x_f = fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
         double one_minus_x = (2 * r * d - g.short_of) * g.short_of / (2 * r * L);
-        g.f = tilt_make(1 - one_minus_x, sqrt(one_minus_x * (2 - one_minus_x)));
+        g.f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
     }
     *lean = g;
     return DOM_OK;

@@ -148,6 +148,28 @@ static void cycle_closes(void **state)
     assert_true(closed > TRAINS / 4);
 }
 
+/* At the reach the follower is gone at once, but the collision has happened: omega(0) is the launch. */
+static void cycle_begins_at_the_reach(void **state)
+{
+    (void)state;
+    static const double train_at[][4] = {{0.5, 2, 0.1, 3},
+                                         {0.5148788313082803, 1.9422045327811441, 0.003, 4},
+                                         {0.25, 4, 0.01, 0.5},
+                                         {1, 1, 1e-7, 3}};
+    for (size_t i = 0; i < 4; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_launch launch;
+        double w = DOM_NAN;
+        train.s = train_at[i][0];
+        train.r = train_at[i][1];
+        train.d = train_at[i][2];
+        train.q = train_at[i][3];
+        assert_status(dom_launch_find(&train, &launch), DOM_OK);
+        assert_status(dom_cycle_omegasq(&train, 0, &w), DOM_OK);
+        assert_near("omegasq(0)", w, launch.omegasq, 1e-15);
+    }
+}
+
 /* Cycles converge: from any other speed the collision law leads to the stationary one. */
 static void train_forgets_its_push(void **state)
 {
@@ -318,6 +340,7 @@ int main(void)
         cmocka_unit_test(energy_agrees_with_its_definition),
         cmocka_unit_test(fuels_agree_where_they_must),
         cmocka_unit_test(cycle_closes),
+        cmocka_unit_test(cycle_begins_at_the_reach),
         cmocka_unit_test(train_forgets_its_push),
         cmocka_unit_test(margin_vanishes_at_the_limit),
         cmocka_unit_test(pair_is_train_of_two),

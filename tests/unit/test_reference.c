@@ -186,6 +186,44 @@ static void best_separation(void **state)
     }
 }
 
+/*
+ * Followers that fall off at small angles: sin theta_f cancels if it is 1 minus something, and so does
+ * the energy of the one that leaves if it is a difference of cosines.  Digits from 256-bit arithmetic.
+ */
+static void falling_off_at_small_angles(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_angles angles;
+    struct dom_fuels fuels;
+    struct dom_energy energy;
+    train.tol = 1e-15;
+    train.s = 3.3218168398828681e-05;
+    train.r = 321.25105028829063;
+    train.d = 0.14583333333333334;
+    train.q = 3;
+    assert_status(dom_angles_find(&train, &angles), DOM_OK);
+    assert_near("theta_f", angles.theta_f, 0.021341907012756661, 2e-15);
+    train.s = 3.7116290225179591e-05;
+    train.r = 76.735199681883813;
+    train.d = 2.2877715991300551;
+    train.q = 1.5150948304658971;
+    assert_status(dom_fuel_find(&train, &fuels), DOM_OK);
+    assert_near("paper", fuels.paper, -0.013015394059843347, 2e-15);
+    train.s = 1.9049790079244013e-05;
+    train.r = 407.93455594939269;
+    train.d = 0.43502259373183116;
+    train.q = 0.5;
+    assert_status(dom_fuel_find(&train, &fuels), DOM_OK);
+    assert_near("exact", fuels.exact, -0.0034097934075310566, 4e-15);
+    train.s = 2.4458569011092586e-05;
+    train.r = 414.98468406832978;
+    train.d = 2.484130149454693;
+    train.q = 0.65668514063612715;
+    assert_status(dom_energy_find(&train, 0.0014198964972401396, &energy), DOM_OK);
+    assert_near("dH", energy.dH, 0.003549098981117767, 4e-15);
+}
+
 /* Where the barrier curve meets r = 1/s (six digits known for the exact fuel). */
 static void barrier_curve_meets_reach(void **state)
 {
@@ -211,6 +249,7 @@ int main(void)
         cmocka_unit_test(points_to_the_default_tolerance),
         cmocka_unit_test(largest_growth),
         cmocka_unit_test(largest_growth_of_a_pair),
+        cmocka_unit_test(falling_off_at_small_angles),
         cmocka_unit_test(best_separation),
         cmocka_unit_test(barrier_curve_meets_reach),
     };
