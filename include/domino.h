@@ -37,11 +37,11 @@ extern "C" {
     X(BAD_PARAMETER, "a parameter is outside its range")                                                     \
     X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
     X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
-    X(NO_FUEL, "the fuel P is not positive: a fallen domino lies no lower than it stood")                    \
+    X(NO_FUEL, "the fuel P is not positive: a cycle sets no energy free")                                    \
     X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
     X(TOO_LONG, "more dominoes matter than can be followed")                                                 \
-    X(UNDERFLOW, "r^(2q+1) is beyond the range of double precision")                                         \
+    X(UNDERFLOW, "r^(2q+1) is beyond the range of double precision; a smaller r or q is not")                \
     X(NOT_FINITE, "a value on the way is not finite")                                                        \
     X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
     X(NO_MEMORY, "out of memory")                                                                            \
@@ -59,11 +59,11 @@ const char *dom_status_text(enum dom_status status);
 /* ---- Parameters: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
 
 #define DOM_TRAIN_PARAMETERS(X)                                                                              \
-    X(s, 0.4, 1e-12, 1, "h", "separation: the free gap to the next domino over the height of this one")      \
-    X(r, 1.5, 1, 1e6, "", "growth: each domino is r times as large as the one that hits it")                 \
+    X(s, 0.4, 1e-6, 1, "h", "separation: free gap to the next domino over height")                           \
+    X(r, 1.5, 1, 1e6, "", "growth: how much larger each domino is than the one before")                      \
     X(d, 7.0 / 48, 1e-12, 100, "h", "thickness over height")                                                 \
-    X(q, 4, 1e-6, 100, "", "mass exponent, mass ~ r^(q-1) a domino: hollow = 3, massive = 4")                \
-    X(tol, 1e-12, 1e-15, 0.1, "", "relative tolerance: how far the train is followed, when iterations stop")
+    X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, massive = 4")                                         \
+    X(tol, 1e-12, 1e-15, 0.1, "", "relative tolerance of the answers")
 
 #define DOM_SCALE_PARAMETERS(X)                                                                              \
     X(h, 0.048, 1e-9, 1e9, "m", "height of the first domino")                                                \
@@ -97,7 +97,7 @@ struct dom_scale dom_scale_default(void);
  */
 enum dom_status dom_train_check(const struct dom_train *train);
 
-/* ---- One domino leaning on the next (section 1 of the paper's appendix A) ---- */
+/* ---- One domino leaning on the next (section 'Two dominoes' and appendix A) ---- */
 
 struct dom_angles {
     double theta_c;     /* the head hits the next domino, sin theta_c = r s          (a2) */
@@ -149,7 +149,7 @@ struct dom_energy {
 enum dom_status dom_energy_find(const struct dom_train *train, double theta, struct dom_energy *energy);
 
 struct dom_fuels {
-    double exact; /* H(0) - H(theta_c) + what the new follower 0 adds: the energy balance of one cycle */
+    double exact; /* what all dominoes lose in one cycle, with their weights: H(0) - H(theta_c) */
     double paper; /* 1 - h(theta_f): the second equality of (c7), which holds only for r = 1 */
 };
 

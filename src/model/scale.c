@@ -14,13 +14,6 @@ double dom_scale_speed(const struct dom_scale *scale, const struct dom_train *tr
     return (train->s + train->d) * train->r * scale->h / seconds;
 }
 
-/* Is first r^n >= height?  Three rounded inputs and a pow: what is closer than that counts as equal. */
-static bool tall_enough(double first, double height, double r, double n)
-{
-    double slack = (n / 2 + 3) * DBL_EPSILON;
-    return pow(r, n) >= height / first * (1 - slack);
-}
-
 enum dom_status dom_count_find(double first, double height, double r, struct dom_count *count)
 {
     if (!(first > 0 && height > 0 && r >= 1 && isfinite(first) && isfinite(height) && isfinite(r)))
@@ -35,12 +28,12 @@ enum dom_status dom_count_find(double first, double height, double r, struct dom
     /* Beyond 2^53 neighbouring integers are one double. */
     if (!(ratio >= DBL_MIN && isfinite(ratio) && exact < 0x1p53))
         return DOM_BAD_PARAMETER;
-    double n = fmax(ceil(exact), 0);
-    /* The logarithm may be off by rounding at an exact power. */
-    if (n > 0 && tall_enough(first, height, r, n - 1))
-        n--;
-    else if (!tall_enough(first, height, r, n))
-        n++;
-    *count = (struct dom_count){n, fmax(exact, 0), first * pow(r, n)};
+    /*
+     * A power that meets the height: the typed heights and r are rounded decimals, which moves exact by
+     * the slack.  Where that is no small part of one domino, the doubles count as they are.
+     */
+    double slack = fmin(DBL_EPSILON * ((2 + fabs(exact) / 2) / ln_r + 2 * fabs(exact)), 1e-6);
+    double nearest = round(exact), n = fmax(fabs(exact - nearest) <= slack ? nearest : ceil(exact), 0);
+    *count = (struct dom_count){n, exact, first * pow(r, n)};
     return DOM_OK;
 }

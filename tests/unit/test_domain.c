@@ -60,7 +60,7 @@ static void beyond_the_arithmetic(void **state)
     (void)state;
     struct dom_train train = dom_train_default();
     struct dom_energy energy;
-    train.s = 1e-12;
+    train.s = 1e-6;
     train.d = 1e-12;
     train.r = 1;
     assert_status(dom_energy_find(&train, 0, &energy), DOM_TOO_LONG);
