@@ -1,0 +1,418 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "expression.h"
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Tables ---- */
+
+struct unit {
+    const char *name;
+    struct quantity is;
+};
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+static const struct unit units[] = {
+    {"m", {1, 1, 0, 0}},       {"mm", {1e-3, 1, 0, 0}},    {"cm", {1e-2, 1, 0, 0}}, {"km", {1e3, 1, 0, 0}},
+    {"in", {0.0254, 1, 0, 0}}, {"ft", {0.3048, 1, 0, 0}},  {"s", {1, 0, 1, 0}},     {"ms", {1e-3, 0, 1, 0}},
+    {"rad", {1, 0, 0, 1}},     {"deg", {DEGREE, 0, 0, 1}}, {NULL, {0, 0, 0, 0}},
+};
+
+enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE };
+
+struct function {
+    const char *name;
+    enum function_kind kind;
+    double (*one)(double);
+    double (*two)(double, double);
+};
+
+static const struct function functions[] = {
+    {"sin", OF_ANGLE, sin, NULL},      {"cos", OF_ANGLE, cos, NULL},      {"tan", OF_ANGLE, tan, NULL},
+    {"asin", TO_ANGLE, asin, NULL},    {"acos", TO_ANGLE, acos, NULL},    {"atan", TO_ANGLE, atan, NULL},
+    {"atan2", TO_ANGLE, NULL, atan2},  {"exp", OF_NUMBER, exp, NULL},     {"ln", OF_NUMBER, log, NULL},
+    {"log", OF_NUMBER, log, NULL},     {"log10", OF_NUMBER, log10, NULL}, {"abs", OF_NUMBER, fabs, NULL},
+    {"floor", OF_NUMBER, floor, NULL}, {"ceil", OF_NUMBER, ceil, NULL},   {"round", OF_NUMBER, round, NULL},
+    {"hypot", OF_NUMBER, NULL, hypot}, {"min", OF_NUMBER, NULL, fmin},    {"max", OF_NUMBER, NULL, fmax},
+    {NULL, OF_NUMBER, NULL, NULL},
+};
+
+/* sqrt halves dimensions, so it stands beside the table; pi is the one constant. */
+static const char *const more_names[] = {"sqrt", "pi", NULL};
+
+const char *expression_name(int k)
+{
+    for (const struct function *f = functions; f->name; f++)
+        if (k-- == 0)
+            return f->name;
+    return k <= 2 ? more_names[k] : NULL;
+}
+
+/* ---- Messages ---- */
+
+bool expression_fail(struct expression *e, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(e->message, sizeof e->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool plain(struct quantity q)
+{
+    return q.length == 0 && q.time == 0;
+}
+
+const char *expression_kind(struct quantity q, char *text, size_t size)
+{
+    static const char *const base[] = {"m", "s", "rad"};
+    const int power[] = {q.length, q.time, q.angle};
+    if (plain(q))
+        return q.angle == 1 ? "an angle" : "a plain number";
+    if (q.time == 0 && q.length == 1)
+        return "a length";
+    if (q.length == 0 && q.time == 1 && q.angle == 0)
+        return "a time";
+    text[0] = '\0';
+    for (int i = 0; i < 3; i++) {
+        size_t used = strlen(text);
+        if (power[i] != 0)
+            snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "in ",
+                     base[i], power[i]);
+    }
+    return text;
+}
+
+/* ---- Scanning ---- */
+
+static const char *skip(const char *c)
+{
+    return c + strspn(c, " \t\r\f\v");
+}
+
+static bool name_start(char c)
+{
+    return isalpha((unsigned char)c) || c == '_';
+}
+
+static size_t name_length(const char *c)
+{
+    size_t n = 0;
+    while (name_start(c[n]) || isdigit((unsigned char)c[n]))
+        n++;
+    return n;
+}
+
+static bool same(const char *name, const char *text, size_t length)
+{
+    return strlen(name) == length && strncmp(name, text, length) == 0;
+}
+
+static const struct unit *unit_at(const char *c, size_t length)
+{
+    for (const struct unit *u = units; u->name; u++)
+        if (same(u->name, c, length))
+            return u;
+    return NULL;
+}
+
+static void multiply(struct quantity *q, struct quantity by, int power)
+{
+    q->value *= power == 1 ? by.value : pow(by.value, power);
+    q->length += power * by.length;
+    q->time += power * by.time;
+    q->angle += power * by.angle;
+}
+
+/*
+ * "cm", "m/s^2": units joined without blanks; the part that begins with something else is not taken,
+ * so that 4.8 cm/h divides by the parameter h.
+ */
+static const char *unit_scan(const char *c, struct quantity *q)
+{
+    int sign = 1;
+    for (;;) {
+        size_t length = name_length(c);
+        const struct unit *u = unit_at(c, length);
+        if (!u)
+            return NULL;
+        c += length;
+        long power = 1;
+        if (c[0] == '^' && (isdigit((unsigned char)c[1]) || (c[1] == '-' && isdigit((unsigned char)c[2])))) {
+            char *stop;
+            power = strtol(c + 1, &stop, 10);
+            if (power > 9 || power < -9)
+                return NULL;
+            c = stop;
+        }
+        multiply(q, u->is, sign * (int)power);
+        if ((*c != '/' && *c != '*') || !unit_at(c + 1, name_length(c + 1)))
+            return c;
+        sign = *c == '/' ? -1 : 1;
+        c++;
+    }
+}
+
+struct quantity expression_unit(const char *unit)
+{
+    struct quantity q = {1, 0, 0, 0};
+    const char *end = *unit ? unit_scan(unit, &q) : NULL;
+    return end && *end == '\0' ? q : (struct quantity){1, 0, 0, 0};
+}
+
+/* ---- Recursive descent ---- */
+
+enum { DEPTH_MAX = 200 };
+
+static bool sum(struct expression *e, struct quantity *q);
+
+static bool finite_result(struct expression *e, const char *at, const struct quantity *q)
+{
+    if (isfinite(q->value))
+        return true;
+    e->end = at;
+    return expression_fail(e, "the value is not a finite number");
+}
+
+static bool number(struct expression *e, struct quantity *q)
+{
+    const char *begin = e->end;
+    if (begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X'))
+        return expression_fail(e, "is no number: only decimals are");
+    char *stop;
+    errno = 0;
+    *q = (struct quantity){.value = strtod(begin, &stop)};
+    if (errno == ERANGE)
+        return expression_fail(e, fabs(q->value) > 1 ? "is too large for a number"
+                                                     : "is too small for a number");
+    e->end = stop;
+    return true;
+}
+
+/* A unit behind a value, with or without a blank. */
+static bool postfix_unit(struct expression *e, struct quantity *q)
+{
+    const char *c = skip(e->end);
+    if (name_start(*c)) {
+        struct quantity with = *q;
+        const char *stop = unit_scan(c, &with);
+        if (stop) {
+            *q = with;
+            e->end = stop;
+        } else if (c == e->end) {
+            return expression_fail(e, "'%.*s' is no unit", (int)name_length(c), c);
+        }
+    }
+    return true;
+}
+
+static bool apply(struct expression *e, const struct function *f, const char *at, const struct quantity *a,
+                  int count, struct quantity *q)
+{
+    char kind[48];
+    int wanted = f->one ? 1 : 2;
+    e->end = at;
+    if (count != wanted)
+        return expression_fail(e, "%s takes %d value%s", f->name, wanted, wanted == 1 ? "" : "s");
+    bool lengths = f->two == hypot || f->two == fmin || f->two == fmax || f->two == atan2 || f->one == fabs;
+    if (!lengths && (!plain(a[0]) || (f->kind != OF_ANGLE && a[0].angle != 0)))
+        return expression_fail(e, "%s of %s is not defined", f->name,
+                               expression_kind(a[0], kind, sizeof kind));
+    if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
+        return expression_fail(e, "%s compares things of two kinds", f->name);
+    *q = a[0];
+    q->value = f->one ? f->one(a[0].value) : f->two(a[0].value, a[1].value);
+    if (f->kind != OF_NUMBER)
+        *q = (struct quantity){.value = q->value, .angle = f->kind == TO_ANGLE};
+    return finite_result(e, at, q);
+}
+
+static bool root(struct expression *e, const char *at, const struct quantity *a, int count,
+                 struct quantity *q)
+{
+    e->end = at;
+    if (count != 1)
+        return expression_fail(e, "sqrt takes 1 value");
+    if (a->length % 2 || a->time % 2 || a->value < 0)
+        return expression_fail(e, "sqrt of this is not defined");
+    *q = (struct quantity){sqrt(a->value), a->length / 2, a->time / 2, a->angle / 2};
+    return true;
+}
+
+/* "(a, b)" behind a name. */
+static bool arguments(struct expression *e, struct quantity *a, int *count)
+{
+    *count = 0;
+    e->end++;
+    while (*skip(e->end) != ')') {
+        if (*count == EXPRESSION_ARGUMENTS)
+            return expression_fail(e, "too many values");
+        e->end = skip(e->end);
+        if (!sum(e, &a[(*count)++]))
+            return false;
+        e->end = skip(e->end);
+        if (*e->end != ',' && *e->end != ')')
+            return expression_fail(e, "here ',' or ')' is missing");
+        if (*e->end == ',')
+            e->end++;
+    }
+    e->end = skip(e->end) + 1;
+    return true;
+}
+
+static bool named(struct expression *e, struct quantity *q)
+{
+    char name[32], key[32];
+    const char *at = e->end;
+    size_t length = name_length(at);
+    struct quantity a[EXPRESSION_ARGUMENTS];
+    int count = 0;
+    if (length >= sizeof name)
+        return expression_fail(e, "this name is too long");
+    snprintf(name, sizeof name, "%.*s", (int)length, at);
+    e->end += length;
+    bool called = *e->end == '(';
+    if (called && !arguments(e, a, &count))
+        return false;
+    const char *end = e->end;
+    if (called) {
+        for (const struct function *f = functions; f->name; f++)
+            if (strcmp(f->name, name) == 0)
+                return apply(e, f, at, a, count, q) && ((e->end = end), true);
+        if (strcmp(name, "sqrt") == 0)
+            return root(e, at, a, count, q) && ((e->end = end), true);
+    } else if (strcmp(name, "pi") == 0) {
+        *q = (struct quantity){.value = 3.14159265358979323846};
+        return true;
+    }
+    bool dotted = end[0] == '.' && name_start(end[1]);
+    if (dotted) {
+        size_t n = name_length(end + 1);
+        snprintf(key, sizeof key, "%.*s", (int)n, end + 1);
+        end += 1 + n;
+    }
+    e->end = at;
+    if (!e->lookup(e, name, dotted ? key : NULL, a, count, q) || !finite_result(e, at, q))
+        return false;
+    e->end = end;
+    return true;
+}
+
+static bool primary(struct expression *e, struct quantity *q)
+{
+    char c = *e->end;
+    if (isdigit((unsigned char)c) || (c == '.' && isdigit((unsigned char)e->end[1])))
+        return number(e, q) && postfix_unit(e, q);
+    if (name_start(c))
+        return named(e, q);
+    if (c != '(')
+        return expression_fail(e, c ? "here a value is missing" : "a value is missing at the end");
+    const char *open = e->end++;
+    e->end = skip(e->end);
+    if (!sum(e, q))
+        return false;
+    e->end = skip(e->end);
+    if (*e->end != ')') {
+        e->end = open;
+        return expression_fail(e, "this '(' is never closed");
+    }
+    e->end++;
+    return postfix_unit(e, q);
+}
+
+static bool factor(struct expression *e, struct quantity *q)
+{
+    if (++e->depth > DEPTH_MAX)
+        return expression_fail(e, "the expression is nested too deeply");
+    bool negative = *e->end == '-', good;
+    if (negative || *e->end == '+') {
+        e->end = skip(e->end + 1);
+        good = factor(e, q);
+        q->value = negative ? -q->value : q->value;
+    } else {
+        good = primary(e, q);
+        const char *operator= skip(e->end);
+        if (good && *operator== '^') {
+            struct quantity power;
+            e->end = skip(operator+ 1);
+            const char *at = e->end;
+            good = factor(e, &power);
+            bool whole = good && power.value == floor(power.value) && fabs(power.value) < 100;
+            if (good && (!plain(power) || power.angle || (!whole && (!plain(*q) || q->angle)))) {
+                e->end = at;
+                good = expression_fail(e, "this is no exponent for what stands before it");
+            } else if (good) {
+                int n = whole ? (int)power.value : 0;
+                *q = (struct quantity){pow(q->value, power.value), n * q->length, n * q->time, n * q->angle};
+                good = finite_result(e, operator, q);
+            }
+        }
+    }
+    e->depth--;
+    return good;
+}
+
+static bool product(struct expression *e, struct quantity *q)
+{
+    bool good = factor(e, q);
+    for (const char *operator= skip(e->end); good && (*operator== '*' || * operator== '/');
+         operator= skip(e->end)) {
+        struct quantity by;
+        e->end = skip(operator+ 1);
+        good = factor(e, &by);
+        if (good && *operator== '/' && by.value == 0) {
+            e->end = operator;
+            return expression_fail(e, "division by zero");
+        }
+        if (good) {
+            q->value = *operator== '/' ? q->value / by.value : q->value * by.value;
+            int sign = *operator== '/' ? -1 : 1;
+            q->length += sign * by.length;
+            q->time += sign * by.time;
+            q->angle += sign * by.angle;
+            good = finite_result(e, operator, q);
+        }
+    }
+    return good;
+}
+
+static bool sum(struct expression *e, struct quantity *q)
+{
+    bool good = product(e, q);
+    for (;;) {
+        const char *operator= skip(e->end);
+        if (!good || (*operator!= '+' && * operator!= '-'))
+            return good;
+        /* "1 -2" are two values: an argument, and one that begins with its sign. */
+        if (operator!= e->end && skip(operator+ 1) == operator+ 1)
+            return true;
+        struct quantity by;
+        e->end = skip(operator+ 1);
+        good = product(e, &by);
+        if (good && (q->length != by.length || q->time != by.time)) {
+            char a[48], b[48];
+            e->end = operator;
+            return expression_fail(e, "%s and %s do not add up", expression_kind(*q, a, sizeof a),
+                                   expression_kind(by, b, sizeof b));
+        }
+        if (good) {
+            q->value += *operator== '-' ? -by.value : by.value;
+            q->angle = q->angle ? q->angle : by.angle;
+            good = finite_result(e, operator, q);
+        }
+    }
+}
+
+bool expression_evaluate(struct expression *e, struct quantity *result)
+{
+    e->depth = 0;
+    e->end = e->text;
+    e->message[0] = '\0';
+    return sum(e, result);
+}

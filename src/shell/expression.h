@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Values as people write them: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin.
+ *
+ * A quantity knows its dimension, so that a length where an angle belongs is an error and not a number.
+ * Where an argument ends: at a blank that no operator bridges ("1 - 2" is one value, "1 -2" are two).
+ */
+#ifndef SHELL_EXPRESSION_H
+#define SHELL_EXPRESSION_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* In SI units and radians; exponents of metre, second and radian. */
+struct quantity {
+    double value;
+    int length, time, angle;
+};
+
+enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
+
+struct expression {
+    const char *text; /* where it begins */
+    const char *end;  /* behind it; after an error, where the error is */
+    char message[EXPRESSION_MESSAGE];
+    /*
+     * Names that are neither constants nor functions of the language: parameters, answers, the field's
+     * functions; key is what follows a dot, or NULL.  False with a message if there is no such thing.
+     */
+    bool (*lookup)(struct expression *expression, const char *name, const char *key,
+                   const struct quantity *arguments, int count, struct quantity *result);
+    void *context; /* for lookup */
+    int depth;
+};
+
+/* Evaluates the longest expression at expression->text.  False: see message and end. */
+bool expression_evaluate(struct expression *expression, struct quantity *result);
+
+/* Sets the message; returns false. */
+bool expression_fail(struct expression *expression, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1. */
+struct quantity expression_unit(const char *unit);
+
+/* "a length", "a time", "m^2 s^-1": what a quantity is, for messages. */
+const char *expression_kind(struct quantity quantity, char *text, size_t size);
+
+/* The k-th name that the language itself has, for completion; NULL behind the last. */
+const char *expression_name(int k);
+
+#endif

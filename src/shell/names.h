@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Names as people type them: exact, or an unambiguous beginning; else what they may have meant. */
+#ifndef SHELL_NAMES_H
+#define SHELL_NAMES_H
+
+#include <stddef.h>
+
+/* The k-th name of a list; NULL behind the last. */
+typedef const char *names_list(const void *context, int k);
+
+enum { NAMES_MESSAGE = 256 };
+
+/*
+ * Index of the name that text is, or is the only beginning of; -1 with a message ("unknown command
+ * 'barier'; did you mean 'barrier'?") if there is none.  what names the kind of thing.
+ */
+int names_find(names_list *list, const void *context, const char *what, const char *text,
+               char message[NAMES_MESSAGE]);
+
+/* Index of the exact name, or -1. */
+int names_exact(names_list *list, const void *context, const char *text);
+
+/* The name in the list that is closest to text, if it is close; else NULL. */
+const char *names_closest(names_list *list, const void *context, const char *text);
+
+enum { NAMES_SHOWN = 64 };
+
+/* Text as a message may quote it: nothing unprintable, nothing long. */
+const char *names_shown(const char *text, char shown[NAMES_SHOWN]);
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Files are written whole or not at all: a new one appears only when it is complete. */
+#ifndef SHELL_REDIRECT_H
+#define SHELL_REDIRECT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+struct redirect {
+    FILE *file;
+    char *path, *draft; /* draft: NULL where the file is written in place (devices, appending) */
+};
+
+/* NULL, or why the file cannot be written. */
+const char *redirect_open(struct redirect *redirect, const char *path, bool append);
+
+/* Keeps or drops what was written; NULL, or what went wrong. */
+const char *redirect_close(struct redirect *redirect, bool keep);
+
+#endif

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the terminal, the locale and the environment allow. */
+#ifndef SHELL_TERMINAL_H
+#define SHELL_TERMINAL_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+/* Colour only on a terminal that can, and if NO_COLOR is not set. */
+bool terminal_colour(FILE *stream);
+
+/* Columns of the terminal behind the stream; 0 if there is none. */
+int terminal_width(FILE *stream);
+
+/* Does the locale have UTF-8? */
+bool terminal_utf8(void);
+
+/* Columns that UTF-8 text takes: its characters, none of ours being wide. */
+int terminal_columns(const char *text);
+
+struct progress {
+    double begun, shown; /* seconds of the monotonic clock */
+};
+
+/* Seconds of the monotonic clock. */
+double terminal_clock(void);
+
+/*
+ * "12 %, 3 s left" on standard error, if that is a terminal and the work has taken more than a second;
+ * fraction 1 wipes it away.
+ */
+void progress_show(struct progress *progress, double fraction);
+
+#endif
