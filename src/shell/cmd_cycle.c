@@ -1,39 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
 #include "command.h"
-#include "value.h"
 #include <math.h>
 
-#define ROW(...) ((const struct cell[]){__VA_ARGS__})
-
-/* The first argument as a tilt in [0, theta_c]. */
-static bool tilt_argument(struct session *session, const struct call *call, double *theta)
+/* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
+static const char *no_fuel(const struct session *session)
 {
-    char shown[VALUE_SHOWN];
-    struct dom_angles angles;
-    *theta = DOM_NAN;
-    enum dom_status status = dom_angles_find(&session->train, &angles);
-    if (status != DOM_OK)
-        return session_status(session, status);
-    const char *text = call->word[1], *wrong = value_parse(text, theta);
-    if (!wrong && !(*theta >= 0 && *theta <= angles.theta_c))
-        wrong = "is outside the cycle";
-    if (wrong)
-        return session_error(session, "theta = '%s' %s; it is a number in [0, theta_c] = [0, %.17g]",
-                             value_shown(text, shown), wrong, angles.theta_c);
-    return true;
+    struct dom_fuels fuels;
+    if (dom_fuel_find(&session->train, &fuels) == DOM_OK && fuels.paper > 0)
+        return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
+               "give "
+               "less than the head takes up; 'rmax' tells how large r may be";
+    return "no domino effect: the fuel P is not positive, a fallen domino lies no lower than it stood (s is "
+           "too "
+           "small for this d)";
 }
 
-static const char no_fuel[] = "no domino effect: the fuel P is not positive, a fallen domino lies no lower "
-                              "than it stood (s is too small for this d)";
-
 static const struct column thetac_columns[] = {
-    {"theta_c", "rad", "the head hits the next domino: sin theta_c = r s (a2)", 0},
+    {"theta_c", "rad", "the head hits the next: sin theta_c = r s (a2)", 0},
     {"theta_u", "rad", "a single domino tips over: tan theta_u = d (b1)", 0},
-    {"theta_inf", "rad", "far followers rest at: cos theta_inf = d / (s + d) (A16)", 0},
-    {"theta_f", "rad", "last angle that a follower reaches (A18)", 0},
+    {"theta_inf", "rad", "far followers rest: cos theta_inf = d/(s+d) (A16)", 0},
+    {"theta_f", "rad", "last angle that a follower reaches: (A18), or theta_inf", 0},
     {"theta_leave", "rad", "a follower falls off when its leader is here", 0},
-    {"falls_off", "", "are followers too short to lean on to the end? (A17)", 0},
+    {"falls_off", "", "are followers too short to lean to the end? (A17)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -61,10 +50,8 @@ static const struct column theta1_columns[] = {
 
 static bool run_theta1(struct session *session, const struct call *call)
 {
-    double theta;
+    double theta = call->number[0];
     struct dom_contact c;
-    if (!tilt_argument(session, call, &theta))
-        return false;
     enum dom_status status = dom_contact_find(&session->train, theta, &c);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -97,27 +84,23 @@ static bool chain_row(const struct dom_link *k, void *context)
 
 static bool run_chain(struct session *session, const struct call *call)
 {
-    double theta;
-    if (!tilt_argument(session, call, &theta))
-        return false;
+    double theta = call->number[0];
     enum dom_status status = dom_chain_walk(&session->train, theta, chain_row, call->answer);
     return status == DOM_OK || session_status(session, status);
 }
 
 static const struct column energy_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
-    {"dH", "mgh/2", "potential energy H(theta) - H(0) of the train (c1)", 0},
-    {"J", "", "its inertia: kinetic energy = J tau^2 omega^2 (c2)", 0},
-    {"J0", "", "the same at theta = 0, J(0) (d8)", 0},
+    {"dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (c1)", 0},
+    {"J", "", "inertia: kinetic energy = J tau^2 omega^2 (c2)", 0},
+    {"J0", "", "the same at theta = 0 (d8, corrected)", 0},
     {NULL, NULL, NULL, 0},
 };
 
 static bool run_energy(struct session *session, const struct call *call)
 {
-    double theta;
+    double theta = call->number[0];
     struct dom_energy e;
-    if (!tilt_argument(session, call, &theta))
-        return false;
     enum dom_status status = dom_energy_find(&session->train, theta, &e);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -126,9 +109,9 @@ static bool run_energy(struct session *session, const struct call *call)
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P, the one that is in use: see 'show fuel'", 0},
+    {"fuel", "mgh/2", "P, the one in use: see 'show fuel'", 0},
     {"fuel_exact", "mgh/2", "from the energy balance of one cycle", 0},
-    {"fuel_paper", "mgh/2", "1 - h(theta_f), the closed form in (c7)", 0},
+    {"fuel_paper", "mgh/2", "closed form of (c7), 1 - cos theta_f - d sin theta_f", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -140,15 +123,15 @@ static bool run_fuel(struct session *session, const struct call *call)
         return session_status(session, status);
     double used = session->train.fuel == DOM_FUEL_PAPER ? f.paper : f.exact;
     answer_row(call->answer, ROW(cell_real(used), cell_real(f.exact), cell_real(f.paper)),
-               used > 0 ? NULL : no_fuel);
+               used > 0 ? NULL : no_fuel(session));
     return true;
 }
 
 static const struct column launch_columns[] = {
     {"omega0sq", "", "tau^2 omega(0)^2 after the collision (c6)", 0},
     {"omega0", "rad/s", "omega(0), angular velocity of the head", 0},
-    {"kinetic", "mgh/2", "kinetic energy of the train, J(0) tau^2 omega(0)^2", 0},
-    {"J0", "", "inertia of the train, J(0) (d8)", 0},
+    {"kinetic", "mgh/2", "kinetic energy, J(0) tau^2 omega(0)^2", 0},
+    {"J0", "", "inertia of the train, J(0) (d8, corrected)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -162,15 +145,15 @@ static bool run_launch(struct session *session, const struct call *call)
     answer_row(
         call->answer,
         ROW(cell_real(l.omegasq), cell_real(sqrt(l.omegasq) / tau), cell_real(l.kinetic), cell_real(l.J0)),
-        status == DOM_OK ? NULL : no_fuel);
+        status == DOM_OK ? NULL : no_fuel(session));
     return true;
 }
 
 /* "the train stops at theta = ..., below the barrier", into reason. */
-static const char *stop_reason(const struct dom_train *train, char *reason, size_t size)
+static const char *stop_reason(const struct session *session, char *reason, size_t size)
 {
     double stop;
-    if (dom_cycle_stop(train, &stop) == DOM_OK && isfinite(stop))
+    if (dom_cycle_stop(&session->train, &stop) == DOM_OK && isfinite(stop))
         snprintf(
             reason, size,
             "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %.10g",
@@ -189,26 +172,24 @@ static const struct column omega_columns[] = {
 
 static bool run_omega(struct session *session, const struct call *call)
 {
-    double theta, omegasq;
+    double theta = call->number[0], omegasq;
     char reason[160];
-    if (!tilt_argument(session, call, &theta))
-        return false;
     enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq);
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_STOPS)
         return session_status(session, status);
     double tau = dom_scale_tau(&session->scale, session->train.d);
     answer_row(call->answer, ROW(cell_real(theta), cell_real(omegasq), cell_real(sqrt(omegasq) / tau)),
                status == DOM_OK        ? NULL
-               : status == DOM_NO_FUEL ? no_fuel
-                                       : stop_reason(&session->train, reason, sizeof reason));
+               : status == DOM_NO_FUEL ? no_fuel(session)
+                                       : stop_reason(session, reason, sizeof reason));
     return true;
 }
 
 static const struct column barrier_columns[] = {
     {"theta_m", "rad", "where the train is highest", 0},
-    {"barrier", "mgh/2", "max of H(theta) - H(0), what there is to climb", 0},
-    {"kinetic", "mgh/2", "what there is to climb it with, J(0) tau^2 omega(0)^2", 0},
-    {"margin", "mgh/2", "kinetic - barrier: the train goes on if it is >= 0 (c8)", 0},
+    {"barrier", "mgh/2", "to climb: the maximum of H(theta) - H(0)", 0},
+    {"kinetic", "mgh/2", "what there is for it, J(0) tau^2 omega(0)^2", 0},
+    {"margin", "mgh/2", "kinetic - barrier, >= 0 to go on (c8, corrected)", 0},
     {"verdict", "", "goes on, stops, or no fuel", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -225,16 +206,16 @@ static bool run_barrier(struct session *session, const struct call *call)
                ROW(cell_real(b.theta_m), cell_real(b.barrier), cell_real(b.kinetic), cell_real(b.margin),
                    cell_word(verdict)),
                status == DOM_OK        ? NULL
-               : status == DOM_NO_FUEL ? no_fuel
-                                       : stop_reason(&session->train, reason, sizeof reason));
+               : status == DOM_NO_FUEL ? no_fuel(session)
+                                       : stop_reason(session, reason, sizeof reason));
     return true;
 }
 
 static const struct column duration_columns[] = {
     {"duration", "tau", "t_f / tau, from one collision to the next", 0},
-    {"tau", "s", "unit of time, sqrt((h^2 + d^2) / (3 g h)) (a1)", 0},
-    {"seconds", "s", "t_f; each next cycle lasts sqrt(r) times as long", 0},
-    {"speed", "m/s", "of the front in this cycle, (s + d) r h / t_f", 0},
+    {"tau", "s", "unit of time (a1), of a solid block: sqrt((h^2+d^2)/(3gh))", 0},
+    {"seconds", "s", "t_f; the next cycle lasts sqrt(r) times as long", 0},
+    {"speed", "m/s", "of the front in this cycle, (s+d) r h / t_f", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -245,9 +226,9 @@ static bool run_duration(struct session *session, const struct call *call)
     enum dom_status status = dom_cycle_duration(&session->train, &duration);
     const char *why = NULL;
     if (status == DOM_NO_FUEL)
-        why = no_fuel;
+        why = no_fuel(session);
     else if (status == DOM_STOPS)
-        why = stop_reason(&session->train, reason, sizeof reason);
+        why = stop_reason(session, reason, sizeof reason);
     else if (status == DOM_NOT_CONVERGED)
         return session_error(session, "the margin is 0 to rounding: the duration grows like ln(1/margin) and "
                                       "has no value here; a slightly smaller r has");
@@ -259,27 +240,94 @@ static bool run_duration(struct session *session, const struct call *call)
     return true;
 }
 
+#define TILT                                                                                                 \
+    {                                                                                                        \
+        {                                                                                                    \
+            "T", ARGUMENT_TILT, NULL, false                                                                  \
+        }                                                                                                    \
+    }
+
 const struct command cycle_commands[] = {
-    {"thetac", "", "the angles that bound a cycle", NULL, 0, 0, ARGUMENT_ANY, thetac_columns, false,
-     run_thetac},
-    {"theta1", "T", "the follower that leans on the head at tilt T (radians)", NULL, 1, 1, ARGUMENT_ANY,
-     theta1_columns, false, run_theta1},
-    {"chain", "T", "every domino that matters behind the head at tilt T", NULL, 1, 1, ARGUMENT_ANY,
-     chain_columns, true, run_chain},
-    {"energy", "T", "potential energy and inertia of the train at tilt T", NULL, 1, 1, ARGUMENT_ANY,
-     energy_columns, false, run_energy},
-    {"fuel", "", "the energy that one cycle sets free",
-     "(c7) of the paper has two right-hand sides. The sum over the train is the energy balance; the closed\n"
-     "form that the paper computes with equals it only for r = 1, since the weights r^(-q i) spoil the\n"
-     "telescoping. 'set fuel paper' gives the paper's figures.",
-     0, 0, ARGUMENT_ANY, fuel_columns, false, run_fuel},
-    {"launch", "", "the collision: with which speed a cycle begins", NULL, 0, 0, ARGUMENT_ANY, launch_columns,
-     false, run_launch},
-    {"omega", "T", "angular velocity of the head at tilt T", NULL, 1, 1, ARGUMENT_ANY, omega_columns, false,
-     run_omega},
-    {"barrier", "", "what the train must climb, and whether it can", NULL, 0, 0, ARGUMENT_ANY,
-     barrier_columns, false, run_barrier},
-    {"duration", "", "how long a cycle lasts, and how fast the front runs", NULL, 0, 0, ARGUMENT_ANY,
-     duration_columns, false, run_duration},
+    {.name = "thetac",
+     .summary = "the angles that bound a cycle",
+     .equation = "(a2) (b1) (A16) (A17) (A18)",
+     .example = "thetac",
+     .see = "theta1 chain",
+     .columns = thetac_columns,
+     .run = run_thetac},
+    {.name = "theta1",
+     .argument = TILT,
+     .summary = "the follower that leans on the head at tilt T",
+     .equation = "(b8) (b10)",
+     .example = "theta1 10 deg",
+     .see = "thetac chain",
+     .columns = theta1_columns,
+     .principal = 1,
+     .run = run_theta1},
+    {.name = "chain",
+     .argument = TILT,
+     .summary = "every domino that matters behind the head at tilt T",
+     .equation = "(A2) (A6) (A9)",
+     .help = "How many matter depends on 'tol': see 'help tol'.",
+     .example = "set tol 1e-3; chain 0.1",
+     .see = "theta1 energy",
+     .columns = chain_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_chain},
+    {.name = "energy",
+     .argument = TILT,
+     .summary = "potential energy and inertia of the train at tilt T",
+     .equation = "(c1) (c2) (d8)",
+     .example = "energy 0.1",
+     .see = "barrier omega",
+     .columns = energy_columns,
+     .principal = 1,
+     .run = run_energy},
+    {.name = "fuel",
+     .summary = "the energy that one cycle sets free",
+     .equation = "(c7)",
+     .help = "(c7) of the paper has two right-hand sides. The sum over the train is the energy balance;\n"
+             "the closed form that the paper computes with equals it only for r = 1, since the weights\n"
+             "r^(-q i) spoil the telescoping. 'set fuel paper' gives the paper's figures.",
+     .example = "fuel",
+     .see = "launch rmax",
+     .columns = fuel_columns,
+     .run = run_fuel},
+    {.name = "launch",
+     .summary = "the collision: with which speed a cycle begins",
+     .equation = "(c4) (c5) (c6)",
+     .example = "launch",
+     .see = "fuel barrier",
+     .columns = launch_columns,
+     .run = run_launch},
+    {.name = "omega",
+     .argument = TILT,
+     .summary = "angular velocity of the head at tilt T",
+     .equation = "(c3)",
+     .example = "omega 0.1",
+     .see = "launch duration",
+     .columns = omega_columns,
+     .principal = 2,
+     .run = run_omega},
+    {.name = "barrier",
+     .summary = "what the train must climb, and whether it can",
+     .equation = "(c8)",
+     .help = "The barrier is the highest point of the whole cycle: near r s = 1 the train falls first, and\n"
+             "must climb when its pushing follower has left.",
+     .example = "barrier",
+     .see = "launch rmax",
+     .columns = barrier_columns,
+     .principal = 1,
+     .run = run_barrier},
+    {.name = "duration",
+     .summary = "how long a cycle lasts, and how fast the front runs",
+     .equation = "(a1) (c3)",
+     .help =
+         "The seconds are those of solid blocks; a hollow box has a larger moment of inertia, and is slower.",
+     .example = "duration",
+     .see = "omega",
+     .columns = duration_columns,
+     .run = run_duration},
     {.name = NULL},
 };

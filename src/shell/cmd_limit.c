@@ -1,21 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
 #include "command.h"
-#include "value.h"
+#include "terminal.h"
 #include <math.h>
 
-#define ROW(...) ((const struct cell[]){__VA_ARGS__})
-
-/* The words of a parameter's range check, for an argument that stands for the parameter. */
-static bool parameter_argument(struct session *session, const struct call *call, int i, const char *name,
-                               double *value)
+/* The i-th argument, or what stands for it where it is missing. */
+static double argument_or(const struct call *call, int i, double fallback)
 {
-    const struct parameter *p = parameter_find(name);
-    if (i > call->count) {
-        *value = parameter_get(session, p);
-        return true;
-    }
-    return parameter_parse(session, p, call->word[i], value);
+    return i < call->count ? call->number[i] : fallback;
 }
 
 static const char no_growth_fuel[] =
@@ -40,8 +32,8 @@ static enum dom_status limit_with(struct dom_train train, enum dom_fuel fuel, st
 
 static const struct column rmax_columns[] = {
     {"s", "h", "separation", 0},
-    {"r_max", "", "largest growth at which the train goes on, with the fuel in use", 0},
-    {"ends_by", "", "barrier: too high to climb; reach: beyond it the next is missed", 0},
+    {"r_max", "", "largest growth at which the train goes on", 0},
+    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 0},
     {"r_max_exact", "", "with the fuel from the energy balance", 0},
     {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
     {NULL, NULL, NULL, 0},
@@ -52,8 +44,7 @@ static bool run_rmax(struct session *session, const struct call *call)
     struct dom_train train = session->train;
     struct dom_limit exact, paper;
     enum dom_status why = DOM_OK;
-    if (!parameter_argument(session, call, 1, "s", &train.s))
-        return false;
+    train.s = argument_or(call, 0, train.s);
     enum dom_status status = limit_with(train, DOM_FUEL_EXACT, &exact, &why);
     if (status == DOM_OK)
         status = limit_with(train, DOM_FUEL_PAPER, &paper, &why);
@@ -64,16 +55,17 @@ static bool run_rmax(struct session *session, const struct call *call)
                ROW(cell_real(train.s), cell_real(used.r_max), cell_word(dom_end_text(used.ends)),
                    cell_real(exact.r_max), cell_real(paper.r_max)),
                no_growth(used, why));
-    if (used.ends != DOM_END_NONE)
+    if (used.ends != DOM_END_NONE && exact.r_max == paper.r_max)
+        answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
+    else if (used.ends != DOM_END_NONE)
         answer_say(call->answer,
-                   "exact and paper differ because (c7)'s closed form of the fuel holds only for "
-                   "r = 1; the energy balance gives exact");
+                   "they differ since (c7)'s closed form of the fuel leaves out the weights r^(-q i)");
     return true;
 }
 
 static const struct column pair_columns[] = {
     {"s", "h", "separation", 0},
-    {"r_max", "", "largest growth at which a domino that just tips over topples the next", 0},
+    {"r_max", "", "largest growth at which the first topples the next", 0},
     {"ends_by", "", "barrier, reach or none", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -82,8 +74,7 @@ static bool run_pair(struct session *session, const struct call *call)
 {
     struct dom_train train = session->train;
     struct dom_limit limit;
-    if (!parameter_argument(session, call, 1, "s", &train.s))
-        return false;
+    train.s = argument_or(call, 0, train.s);
     enum dom_status status = dom_limit_pair(&train, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -123,22 +114,14 @@ static const struct column curve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-#define CURVE_MAX 10000000
-
 static bool run_curve(struct session *session, const struct call *call)
 {
-    char shown[VALUE_SHOWN];
-    double from, to, n;
-    if (!parameter_argument(session, call, 1, "s", &from) || !parameter_argument(session, call, 2, "s", &to))
-        return false;
-    const char *wrong = value_parse(call->word[3], &n);
-    if (wrong || n != floor(n) || n < 1 || n > CURVE_MAX)
-        return session_error(session, "N = '%s' %s; N, the number of rows, is an integer in 1 .. %d",
-                             value_shown(call->word[3], shown), wrong ? wrong : "is no such number",
-                             CURVE_MAX);
+    double from = call->number[0], to = call->number[1], n = call->number[2];
     if (n == 1 && from != to)
         return session_error(session, "one row cannot cover %g to %g; N is at least 2", from, to);
     struct dom_train train = session->train;
+    struct progress progress = {0, 0};
+    bool gaps = false;
     for (double k = 0; k < n && !answer_lost(call->answer); k++) {
         struct dom_limit exact, paper, pair;
         double f = n > 1 ? k / (n - 1) : 0;
@@ -148,131 +131,194 @@ static bool run_curve(struct session *session, const struct call *call)
             status = limit_with(train, DOM_FUEL_PAPER, &paper, NULL);
         if (status == DOM_OK)
             status = dom_limit_pair(&train, &pair);
+        progress_show(&progress, status == DOM_OK ? (k + 1) / n : 1);
         if (status != DOM_OK)
             return session_status(session, status);
         answer_row(call->answer,
                    ROW(cell_real(train.s), cell_real(exact.r_max), cell_real(paper.r_max),
                        cell_real(pair.r_max), cell_real(1 / train.s)),
                    NULL);
+        gaps = gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     }
+    if (gaps)
+        answer_say(call->answer, "-: no growth possible; 'rmax S' and 'pair S' say why");
     return true;
 }
 
 static const struct column count_columns[] = {
     {"height", "m", "the domino to topple is at least this tall", 0},
     {"r", "", "growth from domino to domino", 0},
-    {"dominoes", "", "how many topple it: the smallest n with first r^n >= height", 0},
-    {"exact", "", "ln(height / first) / ln r", 0},
+    {"dominoes", "", "n, the smallest with first_height r^n >= height", 0},
+    {"exact", "", "ln(height / first_height) / ln r", 0},
     {"first_height", "m", "height of the first domino", 0},
-    {"last_height", "m", "height of the toppled one, first r^n", 0},
-    {"feasible", "", "does a train with this s, d, q and r go on?", 0},
+    {"last_height", "m", "height of the toppled one, first_height r^n", 0},
+    {"feasible", "", "does a train with these s, d, q and r go on?", 0},
     {NULL, NULL, NULL, 0},
 };
 
-static const char *mass_name(double q)
+/* "hollow", "massive", or "q = 3.5". */
+static const char *mass_name(double q, char name[32])
 {
-    const char *name = parameter_word(parameter_find("q"), q);
-    return name ? name : "such";
-}
-
-/* What the largest growth of one kind of domino would make of the count. */
-static bool count_largest(struct session *session, const struct call *call, struct dom_train train,
-                          double height)
-{
-    struct dom_limit limit;
-    struct dom_count count;
-    enum dom_status why = DOM_OK, status = dom_limit_rmax(&train, &limit, &why);
-    if (status != DOM_OK)
-        return session_status(session, status);
-    if (limit.ends == DOM_END_NONE)
-        answer_say(call->answer, "  %-8s none: not even equal ones keep falling", mass_name(train.q));
-    else if (dom_count_find(session->scale.h, height, limit.r_max, &count) == DOM_OK &&
-             isfinite(count.dominoes))
-        answer_say(call->answer, "  %-8s r = %.6g, ends by %s: %.0f domino%s", mass_name(train.q),
-                   limit.r_max, dom_end_text(limit.ends), count.dominoes, count.dominoes == 1 ? "" : "es");
+    const char *word = parameter_word(parameter_find("q"), q);
+    if (word)
+        snprintf(name, 32, "%s", word);
     else
-        answer_say(call->answer, "  %-8s r = %.10g: no number of them gets there", mass_name(train.q),
-                   limit.r_max);
-    return true;
+        snprintf(name, 32, "q = %g", q);
+    return name;
 }
 
-/* Whether the train goes on, as a sentence about why; NULL text where it does. */
-static bool count_feasible(struct session *session, const struct dom_train *train, bool *feasible,
-                           const char **why)
+/* Whether a train goes on; why is the reason where it does not. */
+static enum dom_status count_feasible(const struct dom_train *train, bool *feasible, const char **why)
 {
     struct dom_barrier barrier;
     enum dom_status status = dom_barrier_find(train, &barrier);
     *feasible = status == DOM_OK;
-    *why = NULL;
-    if (status == DOM_OUT_OF_REACH)
-        *why = "r s > 1: each domino falls past the next one without touching it";
-    else if (status == DOM_STOPS)
-        *why = "the train stops below its barrier";
-    else if (status == DOM_NO_FUEL)
-        *why = "there is no fuel: a fallen domino lies no lower than it stood";
-    else if (status != DOM_OK)
+    *why = status == DOM_OUT_OF_REACH ? "r s > 1, each domino falls past the next one without touching it"
+           : status == DOM_STOPS      ? "the train stops below its barrier"
+           : status == DOM_NO_FUEL    ? "there is no fuel, a cycle sets no energy free"
+           : status == DOM_UNDERFLOW  ? "r is so large that nothing is left of the energy"
+                                      : NULL;
+    return *feasible || *why ? DOM_OK : status;
+}
+
+/* For one kind of domino: is this growth possible, and what would the largest one make of the count? */
+static bool count_kind(struct session *session, const struct call *call, struct dom_train train,
+                       double height)
+{
+    struct dom_limit limit;
+    struct dom_count count = {DOM_NAN, DOM_NAN, DOM_NAN};
+    char name[32], said[64] = "no number of them gets there";
+    bool feasible;
+    const char *why;
+    enum dom_status status = count_feasible(&train, &feasible, &why);
+    if (status == DOM_OK)
+        status = dom_limit_rmax(&train, &limit, NULL);
+    if (status != DOM_OK)
         return session_status(session, status);
+    if (limit.ends == DOM_END_NONE) {
+        answer_say(call->answer, "  %-8s no; not even equal ones keep falling", mass_name(train.q, name));
+        return true;
+    }
+    if (dom_count_find(session->scale.h, height, limit.r_max, &count) == DOM_OK && isfinite(count.dominoes))
+        snprintf(said, sizeof said, "%.0f domino%s", count.dominoes, count.dominoes == 1 ? "" : "es");
+    answer_say(call->answer, "  %-8s %-4s the largest is %.6g (ends by %s): %s", mass_name(train.q, name),
+               feasible ? "yes;" : "no;", limit.r_max, dom_end_text(limit.ends), said);
     return true;
+}
+
+/* The quiz as a person asks it: what the rows do not say. */
+static bool count_explain(struct session *session, const struct call *call, const struct dom_train *train,
+                          double height)
+{
+    bool named = false;
+    answer_say(call->answer, "\nIs a growth of %.10g possible at s = %.6g?", train->r, train->s);
+    for (const struct word *w = parameter_find("q")->words; w->name; w++) {
+        struct dom_train kind = *train;
+        kind.q = w->value;
+        named = named || kind.q == train->q;
+        if (!count_kind(session, call, kind, height))
+            return false;
+    }
+    return named || count_kind(session, call, *train, height);
 }
 
 static bool run_count(struct session *session, const struct call *call)
 {
-    char shown[VALUE_SHOWN];
-    double height, first = session->scale.h;
+    double height = call->number[0], first = session->scale.h;
     struct dom_train train = session->train;
     struct dom_count count;
-    const char *text = call->word[1], *wrong = value_parse(text, &height);
-    if (wrong || !(height > 0))
-        return session_error(session, "H = '%s' %s; H is a height in metres, larger than 0",
-                             value_shown(text, shown), wrong ? wrong : "is no height");
-    if (!parameter_argument(session, call, 2, "r", &train.r))
-        return false;
+    bool feasible;
+    const char *why;
+    train.r = argument_or(call, 1, train.r);
     if (dom_count_find(first, height, train.r, &count) != DOM_OK)
         return session_error(session,
                              "H = %g m, h = %g m, r = %.17g: the number of dominoes cannot be counted "
                              "in double precision",
                              height, first, train.r);
-    bool feasible;
-    const char *why;
-    if (!count_feasible(session, &train, &feasible, &why))
-        return false;
+    enum dom_status status = count_feasible(&train, &feasible, &why);
+    if (status != DOM_OK)
+        return session_status(session, status);
 
     struct answer *a = call->answer;
-    if (isfinite(count.dominoes))
-        answer_say(a, "%.0f domino%s, each %.6g times as large as the one before, topple%s one of %.6g m.\n",
-                   count.dominoes, count.dominoes == 1 ? "" : "es", train.r, count.dominoes == 1 ? "s" : "",
+    if (count.dominoes == 0)
+        answer_say(a, "No domino is needed: the first is %.6g m tall already.\n", first);
+    else if (isfinite(count.dominoes))
+        answer_say(a, "%.0f domino%s, each %.10g times as large as the one before, %s one of %.6g m.\n",
+                   count.dominoes, count.dominoes == 1 ? "" : "es", train.r,
+                   !feasible             ? "would be needed to topple"
+                   : count.dominoes == 1 ? "topples"
+                                         : "topple",
                    height);
+    else
+        why = "r = 1: the dominoes do not grow, no number of them is enough";
+    char reason[160], name[32];
+    if (!feasible)
+        snprintf(reason, sizeof reason, "not possible at s = %.6g with %s dominoes: %s", train.s,
+                 mass_name(train.q, name), why);
+    else if (why)
+        snprintf(reason, sizeof reason, "%s", why);
     answer_row(a,
                ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), cell_real(count.exact),
                    cell_real(first), cell_real(count.last), cell_flag(feasible)),
-               isfinite(count.dominoes) ? NULL
-                                        : "r = 1: the dominoes do not grow, no number of them is enough");
-    answer_say(a, "\nPossible? %s at s = %.6g with %s dominoes (q = %g)%s%s.", feasible ? "Yes," : "No, not",
-               train.s, mass_name(train.q), train.q, why ? ": " : "", why ? why : "");
-    if (session->output != OUTPUT_TABLE)
-        return true;
-    answer_say(a, "The largest growth at s = %.6g:", train.s);
-    for (const struct word *w = parameter_find("q")->words; w->name; w++) {
-        struct dom_train kind = train;
-        kind.q = w->value;
-        if (!count_largest(session, call, kind, height))
-            return false;
-    }
-    return parameter_word(parameter_find("q"), train.q) || count_largest(session, call, train, height);
+               why ? reason : NULL);
+    return !answer_for_people(a) || count_explain(session, call, &train, height);
 }
 
+#define SEPARATION                                                                                           \
+    {                                                                                                        \
+        {                                                                                                    \
+            "S", ARGUMENT_OF, "s", true                                                                      \
+        }                                                                                                    \
+    }
+
 const struct command limit_commands[] = {
-    {"rmax", "[S]", "the largest growth r at separation S (or s)",
-     "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s, beyond\n"
-     "which a domino falls past the next one.",
-     0, 1, ARGUMENT_ANY, rmax_columns, false, run_rmax},
-    {"pair", "[S]", "the same for two dominoes, of which the first just tips over", NULL, 0, 1, ARGUMENT_ANY,
-     pair_columns, false, run_pair},
-    {"best", "", "the separation that allows the largest growth", NULL, 0, 0, ARGUMENT_ANY, best_columns,
-     false, run_best},
-    {"curve", "FROM TO N", "the largest growth at N separations: the paper's figures", NULL, 3, 3,
-     ARGUMENT_ANY, curve_columns, true, run_curve},
-    {"count", "H [R]", "how many dominoes topple one H metres tall, at growth R (or r)", NULL, 1, 2,
-     ARGUMENT_ANY, count_columns, false, run_count},
+    {.name = "rmax",
+     .argument = SEPARATION,
+     .summary = "the largest growth r at separation S (or s)",
+     .equation = "(c8), section 'A general domino train'",
+     .help =
+         "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s,\n"
+         "beyond which a domino falls past the next one.",
+     .example = "set q hollow; rmax 0.3",
+     .see = "best curve pair count",
+     .columns = rmax_columns,
+     .principal = 1,
+     .run = run_rmax},
+    {.name = "pair",
+     .argument = SEPARATION,
+     .summary = "the largest growth for a pair, of which the first just tips over",
+     .equation = "(b5) (b11) (b13)",
+     .example = "pair 0.3",
+     .see = "rmax curve",
+     .columns = pair_columns,
+     .principal = 1,
+     .run = run_pair},
+    {.name = "best",
+     .summary = "the separation that allows the largest growth",
+     .example = "best",
+     .see = "rmax curve",
+     .columns = best_columns,
+     .run = run_best},
+    {.name = "curve",
+     .argument = {{"FROM", ARGUMENT_OF, "s", false},
+                  {"TO", ARGUMENT_OF, "s", false},
+                  {"N", ARGUMENT_COUNT, NULL, false}},
+     .summary = "the largest growth at N separations: the paper's figures",
+     .example = "set q hollow; curve 0.1 0.9 5",
+     .see = "rmax pair best",
+     .columns = curve_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_curve},
+    {.name = "count",
+     .argument = {{"H", ARGUMENT_HEIGHT, NULL, false}, {"R", ARGUMENT_OF, "r", true}},
+     .summary = "how many dominoes topple one H tall, at growth R (or r)",
+     .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is\n"
+             "at least H tall.",
+     .example = "count 112 m 2",
+     .see = "rmax best",
+     .columns = count_columns,
+     .principal = 2,
+     .run = run_count},
     {.name = NULL},
 };

@@ -1,123 +1,103 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the session itself. */
 #include "command.h"
-#include "value.h"
+#include "line.h"
+#include "redirect.h"
+#include <errno.h>
+#include <math.h>
 #include <string.h>
 
-#define ROW(...) ((const struct cell[]){__VA_ARGS__})
-
-/* The first argument as a parameter. */
-static const struct parameter *parameter_named(struct session *session, const struct call *call)
+/* The parameter that the i-th argument names. */
+static const struct parameter *parameter_of(const struct call *call, int i)
 {
-    char shown[VALUE_SHOWN];
-    const struct parameter *p = parameter_find(call->word[1]);
-    if (!p)
-        session_error(session, "unknown parameter '%s'; 'show' lists the parameters",
-                      value_shown(call->word[1], shown));
-    return p;
+    return &session_parameters[(int)call->number[i]];
 }
 
 static bool run_set(struct session *session, const struct call *call)
 {
-    double value;
-    const struct parameter *p = parameter_named(session, call);
-    if (!p || !parameter_parse(session, p, call->word[2], &value))
-        return false;
+    const struct parameter *p = parameter_of(call, 0);
+    double value = call->number[1];
+    if (p->offset == offsetof(struct session, style.digits))
+        value = floor(value);
     parameter_put(session, p, value);
     return true;
 }
 
 static const struct column show_columns[] = {
     {"name", "", "what 'set' calls it", 6},
-    {"value", "", "its value now", 14},
+    {"value", "", "its value now", 16},
     {"unit", "", "h: heights of the domino", 5},
     {"range", "", "the values that it may have", 18},
-    {"default", "", "its value at the start", 9},
-    {"meaning", "", "what it stands for", 16},
+    {"default", "", "its value at the start", 8},
+    {"meaning", "", "what it stands for", 24},
     {NULL, NULL, NULL, 0},
 };
 
-static struct cell parameter_cell(const struct parameter *p, double value)
-{
-    return p->words_only ? cell_word(parameter_word(p, value)) : cell_real(value);
-}
-
 static void show_row(const struct session *session, const struct call *call, const struct parameter *p)
 {
-    char range[64];
+    char range[64], value[32], fallback[32];
+    bool people = session->style.output == OUTPUT_TABLE, words = people || p->words_only;
     parameter_range(p, range, sizeof range);
-    struct cell fallback = parameter_cell(p, p->fallback);
-    char text[32];
-    if (fallback.kind == CELL_REAL && session->output == OUTPUT_TABLE) {
-        snprintf(text, sizeof text, "%.6g", p->fallback);
-        fallback = cell_word(text);
-    }
+    parameter_text(p, parameter_get(session, p), (int)session->style.digits, value, sizeof value);
+    parameter_text(p, p->fallback, 6, fallback, sizeof fallback);
     answer_row(call->answer,
-               ROW(cell_word(p->name), parameter_cell(p, parameter_get(session, p)), cell_word(p->unit),
-                   cell_word(range), fallback, cell_word(p->meaning)),
+               ROW(cell_word(p->name), words ? cell_word(value) : cell_real(parameter_get(session, p)),
+                   cell_word(p->unit), cell_word(range), words ? cell_word(fallback) : cell_real(p->fallback),
+                   cell_word(p->meaning)),
                NULL);
 }
 
 static bool run_show(struct session *session, const struct call *call)
 {
-    if (call->count == 1) {
-        const struct parameter *p = parameter_named(session, call);
-        if (!p)
-            return false;
-        show_row(session, call, p);
-        return true;
-    }
-    for (const struct parameter *p = session_parameters; p->name; p++)
+    if (call->count == 1)
+        show_row(session, call, parameter_of(call, 0));
+    for (const struct parameter *p = session_parameters; call->count == 0 && p->name; p++)
         show_row(session, call, p);
     return true;
 }
 
 static bool run_reset(struct session *session, const struct call *call)
 {
-    if (call->count == 1) {
-        const struct parameter *p = parameter_named(session, call);
-        if (p)
-            parameter_put(session, p, p->fallback);
-        return p != NULL;
-    }
-    for (const struct parameter *p = session_parameters; p->name; p++)
+    if (call->count == 1)
+        parameter_put(session, parameter_of(call, 0), parameter_of(call, 0)->fallback);
+    for (const struct parameter *p = session_parameters; call->count == 0 && p->name; p++)
         if (!p->setting)
             parameter_put(session, p, p->fallback);
     return true;
 }
 
-static void help_list(FILE *out)
+static bool run_save(struct session *session, const struct call *call)
 {
-    for (const struct command_group *g = command_groups; g->title; g++) {
-        fprintf(out, "%s%s\n", g == command_groups ? "" : "\n", g->title);
-        for (const struct command *c = g->commands; c->name; c++)
-            fprintf(out, "  %s %*s %s\n", c->name, (int)strlen(c->name) - 20, c->usage, c->summary);
+    struct redirect file;
+    char shown[NAMES_SHOWN], value[32];
+    const char *wrong = redirect_open(&file, call->word[0], false);
+    if (!wrong) {
+        fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
+        for (const struct parameter *p = session_parameters; p->name; p++) {
+            parameter_text(p, parameter_get(session, p), 17, value, sizeof value);
+            fprintf(file.file, "set %s %s\n", p->name, value);
+        }
+        wrong = redirect_close(&file, true);
     }
-    fputs("\nParameters: ", out);
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        fprintf(out, "%s%s", p == session_parameters ? "" : " ", p->name);
-    fputs("\n'show' explains the parameters, 'help COMMAND' a command. Angles are in radians.\n", out);
+    return !wrong ||
+           session_error(session, "cannot write '%s': %s", names_shown(call->word[0], shown), wrong);
 }
 
-static bool run_help(struct session *session, const struct call *call)
+static bool run_source(struct session *session, const struct call *call)
 {
-    char shown[VALUE_SHOWN];
-    if (call->count == 0) {
-        help_list(session->out);
-        return true;
-    }
-    const struct command *c = command_find(call->word[1]);
-    if (!c)
-        return session_error(session, "unknown command '%s'; 'help' lists the commands",
-                             value_shown(call->word[1], shown));
-    fprintf(session->out, "%s%s%s: %s\n", c->name, *c->usage ? " " : "", c->usage, c->summary);
-    if (c->help)
-        fprintf(session->out, "\n%s\n", c->help);
-    if (c->columns)
-        fprintf(session->out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
-    for (const struct column *k = c->columns; k && k->key; k++)
-        fprintf(session->out, "  %-12s %-6s %s\n", k->key, k->unit, k->meaning);
-    return true;
+    char shown[NAMES_SHOWN];
+    const char *name = call->word[0];
+    if (session->depth == SOURCE_DEPTH)
+        return session_error(session, "files are nested %d deep; does one source itself?", SOURCE_DEPTH);
+    FILE *in = line_open(name);
+    if (!in)
+        return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
+    long errors = session->errors;
+    session->depth++;
+    line_stream(session, in, name);
+    session->depth--;
+    fclose(in);
+    return session->errors == errors;
 }
 
 static bool run_quit(struct session *session, const struct call *call)
@@ -128,17 +108,46 @@ static bool run_quit(struct session *session, const struct call *call)
 }
 
 const struct command session_commands[] = {
-    {"set", "NAME VALUE", "give a parameter a value",
-     "VALUE is a number or a quotient of two (7/48), or one of the parameter's words (hollow, json).\n"
-     "Each value is judged alone; whether r s <= 1 holds is seen when a command needs it.",
-     2, 2, ARGUMENT_PARAMETER, NULL, false, run_set},
-    {"show", "[NAME]", "the parameters: value, unit, range, default, meaning", NULL, 0, 1, ARGUMENT_PARAMETER,
-     show_columns, true, run_show},
-    {"reset", "[NAME]", "the parameter NAME, or all of the model, to the defaults",
-     "Without NAME, 'output' is kept: it belongs to the session and not to the model.", 0, 1,
-     ARGUMENT_PARAMETER, NULL, false, run_reset},
-    {"help", "[COMMAND]", "the commands, or one of them", NULL, 0, 1, ARGUMENT_COMMAND, NULL, false,
-     run_help},
-    {"quit", "", "leave; so does the end of the input (^D)", NULL, 0, 0, ARGUMENT_ANY, NULL, false, run_quit},
+    {.name = "set",
+     .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, false}, {"VALUE", ARGUMENT_VALUE, NULL, false}},
+     .summary = "give a parameter a value",
+     .help =
+         "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, rmax.\n"
+         "Each value is judged alone; whether r s <= 1 holds is seen when a command needs it.",
+     .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
+     .see = "show reset",
+     .principal = -1,
+     .run = run_set},
+    {.name = "show",
+     .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, true}},
+     .summary = "the parameters: value, unit, range, default, meaning",
+     .example = "show fuel",
+     .see = "set reset",
+     .columns = show_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_show},
+    {.name = "reset",
+     .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, true}},
+     .summary = "the parameter NAME, or all of the model, to the defaults",
+     .help = "Without NAME the settings of the session are kept: output, digits, angle, timing.",
+     .see = "set show",
+     .principal = -1,
+     .run = run_reset},
+    {.name = "save",
+     .argument = {{"FILE", ARGUMENT_FILE, NULL, false}},
+     .summary = "write the parameters into FILE, for 'source'",
+     .see = "source",
+     .principal = -1,
+     .files = true,
+     .run = run_save},
+    {.name = "source",
+     .argument = {{"FILE", ARGUMENT_FILE, NULL, false}},
+     .summary = "run the commands in FILE",
+     .see = "save",
+     .principal = -1,
+     .files = true,
+     .run = run_source},
+    {.name = "quit", .summary = "leave; so does the end of the input (^D)", .principal = -1, .run = run_quit},
     {.name = NULL},
 };

@@ -1,93 +1,111 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command.h"
-#include "value.h"
-#include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 const struct command_group command_groups[] = {
     {"One cycle of the train", cycle_commands},
     {"How far it can grow", limit_commands},
     {"The session", session_commands},
+    {"Help", help_commands},
     {NULL, NULL},
 };
 
-const struct command *command_find(const char *name)
+static const struct command *command_at(int k)
 {
     for (const struct command_group *g = command_groups; g->title; g++)
         for (const struct command *c = g->commands; c->name; c++)
-            if (strcmp(c->name, name) == 0)
+            if (k-- == 0)
                 return c;
     return NULL;
 }
 
-/* More words than any command takes; those beyond are counted as surplus all the same. */
-enum { WORDS_MAX = 16 };
-
-static const char blanks[] = " \t\r\f\v";
-
-static bool command_run_words(struct session *session, int count, char **word)
+const char *command_names(const void *context, int k)
 {
-    char shown[VALUE_SHOWN];
-    const struct command *c = command_find(word[0]);
-    if (!c)
-        return session_error(session, "unknown command '%s'; 'help' lists the commands",
-                             value_shown(word[0], shown));
-    session->command = c->name;
-    const char *usage_gap = *c->usage ? " " : "";
-    if (count - 1 < c->fewest)
-        return session_error(session, "an argument is missing; usage: %s%s%s", c->name, usage_gap, c->usage);
-    if (count - 1 > c->most)
-        return session_error(session, "'%s' is one argument too many; usage: %s%s%s",
-                             value_shown(word[c->most + 1], shown), c->name, usage_gap, c->usage);
-    struct answer answer = {
-        .out = session->out,
-        .format = session->output,
-        .columns = c->columns,
-        .rows = c->rows,
-        .gap = session->answered && session->source,
-    };
-    bool done = c->run(session, &(struct call){count - 1, word, &answer});
-    session->answered = session->answered || (done && c->columns);
-    return done;
+    (void)context;
+    const struct command *c = command_at(k);
+    return c ? c->name : NULL;
 }
 
-/* Splits one command into words in place, and runs it if there are any. */
-static void command_run(struct session *session, char *text)
+const char *topic_names(const void *context, int k)
 {
-    char *word[WORDS_MAX];
-    int count = 0;
-    for (char *c = text + strspn(text, blanks); *c && *c != '#' && count < WORDS_MAX;) {
-        word[count++] = c;
-        c += strcspn(c, blanks);
-        if (*c)
-            *c++ = '\0';
-        c += strspn(c, blanks);
-    }
-    if (count > 0)
-        command_run_words(session, count, word);
-    session->command = NULL;
+    int commands = 0;
+    while (command_at(commands))
+        commands++;
+    return k < commands ? command_names(context, k) : parameter_names(context, k - commands);
 }
 
-void command_run_text(struct session *session, const char *text)
+const char *command_keys(const void *command, int k)
 {
-    char *copy = strdup(text);
-    if (!copy) {
-        session_error(session, "out of memory");
-        return;
-    }
-    bool comment = false, stop = false;
-    for (char *start = copy, *c = copy; !stop; c++) {
-        bool blank_before = c == start || strchr(blanks, c[-1]);
-        comment = (comment && *c != '\n') || (*c == '#' && blank_before);
-        if (*c != '\0' && *c != '\n' && (*c != ';' || comment))
-            continue;
-        char end = *c;
-        long errors = session->errors;
-        *c = '\0';
-        command_run(session, start);
-        start = c + 1;
-        stop = end == '\0' || session->quit || (session->bail && session->errors > errors) ||
-               ferror(session->out);
-    }
-    free(copy);
+    const struct column *columns = ((const struct command *)command)->columns;
+    return columns ? columns[k].key : NULL;
+}
+
+const struct command *command_find(const char *name)
+{
+    int k = names_exact(command_names, NULL, name);
+    return k < 0 ? NULL : command_at(k);
+}
+
+const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
+{
+    int n = snprintf(usage, USAGE_SIZE, "%s", c->name);
+    for (const struct argument *a = c->argument; a < c->argument + ARGUMENTS_MAX && a->kind; a++)
+        n += snprintf(usage + n, (size_t)(USAGE_SIZE - n), a->optional ? " [%s]" : " %s", a->name);
+    return usage;
+}
+
+static bool tilt_check(struct session *session, const struct argument *a, struct quantity q, double *number)
+{
+    struct dom_angles angles;
+    /* A number without a unit is in the session's unit of angles. */
+    double theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (asin(1) / 90);
+    enum dom_status status = dom_angles_find(&session->train, &angles);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    if (!(theta >= 0 && theta <= angles.theta_c))
+        return session_error(session,
+                             "%s = %.10g %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
+                             "%.17g], 'thetac' is its end",
+                             a->name, style_angle(&session->style, theta), style_angle_unit(&session->style),
+                             a->name, style_angle(&session->style, angles.theta_c));
+    *number = fabs(theta); /* no -0 */
+    return true;
+}
+
+bool argument_check(struct session *session, const struct argument *a, struct quantity q, double *number)
+{
+    char kind[64], wanted[64];
+    const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
+    struct quantity unit = p                            ? expression_unit(p->unit)
+                           : a->kind == ARGUMENT_HEIGHT ? (struct quantity){1, 1, 0, 0}
+                           : a->kind == ARGUMENT_TILT   ? (struct quantity){1, 0, 0, 1}
+                                                        : (struct quantity){1, 0, 0, 0};
+    bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
+    if (!bare && (q.length != unit.length || q.time != unit.time || q.angle != unit.angle))
+        return session_error(session, "%s is %s, not %s", a->name,
+                             expression_kind(unit, wanted, sizeof wanted),
+                             expression_kind(q, kind, sizeof kind));
+    *number = q.value;
+    if (a->kind == ARGUMENT_TILT)
+        return tilt_check(session, a, q, number);
+    if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
+        return session_error(session, "%s = %.10g is no height; %s is a length in metres, larger than 0",
+                             a->name, q.value, a->name);
+    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= COUNT_MAX && q.value == floor(q.value)))
+        return session_error(session, "%s = %.10g is no number of rows; %s is an integer in 1 .. %d", a->name,
+                             q.value, a->name, COUNT_MAX);
+    if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
+        return session_error(session, "%s = %.10g is out of range; %s is a value of %s, %g .. %g", a->name,
+                             q.value, a->name, p->name, p->lowest, p->highest);
+    return !p || parameter_check(session, p, q.value);
+}
+
+bool command_keep(struct session *session, const struct command *c, struct call *call, struct cell *kept)
+{
+    struct answer answer = {.style = session->style, .columns = c->columns, .rows = c->rows, .kept = kept};
+    call->answer = &answer;
+    for (int i = 0; i < ANSWER_CELLS; i++)
+        kept[i] = (struct cell){.kind = CELL_NONE};
+    return c->run(session, call);
 }

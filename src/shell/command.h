@@ -1,31 +1,60 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The command interpreter.  A row of a command table drives dispatch, arity errors, help and completion.
+ * The commands.  A row of a command table drives dispatch, arguments and their errors, help, completion
+ * and the use of a command as a name in expressions.
  */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
+#include "names.h"
 #include "session.h"
 
-/* What completion may offer for an argument. */
-enum argument { ARGUMENT_ANY, ARGUMENT_COMMAND, ARGUMENT_PARAMETER };
+/* What an argument is; it decides how it is read, what is wrong with it, and what completion offers. */
+enum argument_kind {
+    ARGUMENT_NONE,
+    ARGUMENT_TILT,      /* an angle in [0, theta_c] */
+    ARGUMENT_OF,        /* a value for the parameter argument.of */
+    ARGUMENT_HEIGHT,    /* a length > 0 */
+    ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
+    ARGUMENT_PARAMETER, /* the name of a parameter */
+    ARGUMENT_VALUE,     /* a value for the parameter before it */
+    ARGUMENT_TOPIC,     /* a command or a parameter */
+    ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
+    ARGUMENT_REST,      /* the rest of the line as it is */
+};
 
-/* A command's arguments: word[0] is the command itself. */
+#define COUNT_MAX 10000000
+
+struct argument {
+    const char *name;
+    enum argument_kind kind;
+    const char *of; /* the parameter of ARGUMENT_OF */
+    bool optional;
+};
+
+enum { ARGUMENTS_MAX = 3 };
+
+/* The arguments of one call, read. */
 struct call {
-    int count; /* of arguments, without the command */
-    char **word;
+    int count; /* of those that were given */
+    double number[ARGUMENTS_MAX];
+    char *word[ARGUMENTS_MAX];
+    int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
     struct answer *answer;
 };
 
 struct command {
     const char *name;
-    const char *usage;            /* the arguments, "[S]" for one that may be missing */
+    struct argument argument[ARGUMENTS_MAX];
     const char *summary;          /* one line */
+    const char *equation;         /* of the paper, or NULL */
     const char *help;             /* more, or NULL */
-    int fewest, most;             /* arguments */
-    enum argument first;          /* what the first argument is */
+    const char *example;          /* commands that show it, or NULL */
+    const char *see;              /* other commands, or NULL */
     const struct column *columns; /* of the answer, or NULL */
+    int principal;                /* the column that it stands for in an expression; -1 for none */
     bool rows;
+    bool files;                                                    /* touches files: not in a safe session */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
 };
 
@@ -35,11 +64,35 @@ struct command_group {
 };
 
 extern const struct command_group command_groups[]; /* ends with a NULL title */
-extern const struct command cycle_commands[], limit_commands[], session_commands[];
+extern const struct command cycle_commands[], limit_commands[], session_commands[], help_commands[];
 
+/* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */
+const char *command_names(const void *context, int k);
+const char *topic_names(const void *context, int k);
+const char *command_keys(const void *command, int k);
+
+/* The command with this very name, or NULL. */
 const struct command *command_find(const char *name);
 
-/* Runs every command of a text: lines, and ';' between commands; '#' begins a comment. */
+enum { USAGE_SIZE = 96 };
+
+/* "rmax [S]". */
+const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
+
+/* A value for an argument of this kind; what is wrong with it is an error of the session. */
+bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
+                    double *number);
+
+/* Runs a command whose arguments are read, as expressions do: the answer is kept, not written. */
+bool command_keep(struct session *session, const struct command *command, struct call *call,
+                  struct cell *kept);
+
+/*
+ * Runs every command of a text: lines, and ';' between commands; '#' begins a comment; '> FILE' and
+ * '>> FILE' send an answer to a file.
+ */
 void command_run_text(struct session *session, const char *text);
+
+#define ROW(...) ((const struct cell[]){__VA_ARGS__})
 
 #endif

@@ -1,70 +1,173 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "complete.h"
 #include "command.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <readline/readline.h>
 
-/* What may stand at the cursor; Readline asks for one candidate after the other. */
-static enum { OFFER_NOTHING, OFFER_COMMANDS, OFFER_PARAMETERS, OFFER_WORDS } offer;
-static const struct parameter *offer_parameter;
+/* What may stand at the cursor: up to three lists of names, or files. */
+struct offer {
+    names_list *list[3];
+    const void *context[3];
+    int lists;
+    bool files;
+};
 
-/* The k-th word on offer, NULL behind the last. */
-static const char *candidate(int k)
+static const char *function_names(const void *context, int k)
 {
-    if (offer == OFFER_COMMANDS) {
-        for (const struct command_group *g = command_groups; g->title; g++)
-            for (const struct command *c = g->commands; c->name; c++)
-                if (k-- == 0)
-                    return c->name;
-    } else if (offer == OFFER_PARAMETERS) {
-        return session_parameters[k].name;
-    } else if (offer == OFFER_WORDS && offer_parameter->words) {
-        return offer_parameter->words[k].name;
-    }
+    (void)context;
+    return expression_name(k);
+}
+
+/* Commands that have a value, and ans. */
+static const char *value_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
+        if (command_find(name)->principal >= 0 && k-- == 0)
+            return name;
+    return k == 0 ? "ans" : NULL;
+}
+
+/* Parameters that have a number. */
+static const char *number_names(const void *context, int k)
+{
+    (void)context;
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!p->words_only && k-- == 0)
+            return p->name;
     return NULL;
 }
 
+static void offer_list(struct offer *offer, names_list *list, const void *context)
+{
+    offer->list[offer->lists] = list;
+    offer->context[offer->lists++] = context;
+}
+
+static struct offer offer_for(const struct argument *a, const struct parameter *p)
+{
+    struct offer offer = {.files = a->kind == ARGUMENT_FILE};
+    if (a->kind == ARGUMENT_PARAMETER)
+        offer_list(&offer, parameter_names, NULL);
+    else if (a->kind == ARGUMENT_TOPIC)
+        offer_list(&offer, topic_names, NULL);
+    else if (p && p->words)
+        offer_list(&offer, parameter_words, p);
+    else if (a->kind != ARGUMENT_FILE && a->kind != ARGUMENT_REST && a->kind != ARGUMENT_NONE) {
+        offer_list(&offer, number_names, NULL);
+        offer_list(&offer, value_names, NULL);
+        offer_list(&offer, function_names, NULL);
+    }
+    return offer;
+}
+
+/* What the words before the last one call for. */
+static struct offer offer_at(const char *line, size_t length)
+{
+    struct offer offer = {.lists = 0};
+    const struct command *c = NULL;
+    const struct parameter *p = NULL;
+    char word[64], message[NAMES_MESSAGE];
+    int words = 0;
+    for (size_t i = 0; i < length;) {
+        size_t n = strcspn(line + i, " \t");
+        n = i + n > length ? length - i : n;
+        snprintf(word, sizeof word, "%.*s", (int)n, line + i);
+        i += n + strspn(line + i + n, " \t");
+        if (*word == '\0')
+            continue;
+        if (*word == '>')
+            return (struct offer){.files = true};
+        if (words == 0) {
+            int k = names_find(command_names, NULL, "command", word, message);
+            c = k < 0 ? NULL : command_find(command_names(NULL, k));
+        } else if (words == 1 && c && c->argument[0].kind == ARGUMENT_PARAMETER) {
+            int k = names_find(parameter_names, NULL, "parameter", word, message);
+            p = k < 0 ? NULL : &session_parameters[k];
+        }
+        words++;
+    }
+    if (words == 0)
+        offer_list(&offer, command_names, NULL);
+    else if (c && words <= ARGUMENTS_MAX)
+        offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL);
+    return offer;
+}
+
+void complete_line(const char *line, bool files, void (*emit)(const char *, void *), void *context)
+{
+    const char *begin = line, *last;
+    for (const char *c = line; *c; c++)
+        if (*c == ';')
+            begin = c + 1;
+    begin += strspn(begin, " \t");
+    last = begin + strlen(begin);
+    while (last > begin && !strchr(" \t", last[-1]))
+        last--;
+    struct offer offer = offer_at(begin, (size_t)(last - begin));
+    /* In an expression the name begins behind the operator. */
+    const char *name = last;
+    for (const char *c = last; *c && offer.lists == 3; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_')
+            name = c + 1;
+    for (int l = 0; l < offer.lists; l++) {
+        const char *candidate;
+        for (int k = 0; (candidate = offer.list[l](offer.context[l], k)) != NULL; k++) {
+            char whole[128];
+            snprintf(whole, sizeof whole, "%.*s%s", (int)(name - last), last, candidate);
+            if (strncmp(candidate, name, strlen(name)) == 0)
+                emit(whole, context);
+        }
+    }
+    char *file;
+    for (int state = 0; offer.files && files && (file = rl_filename_completion_function(last, state)) != NULL;
+         state = 1) {
+        emit(file, context);
+        free(file);
+    }
+}
+
+/* ---- Readline asks for one candidate after the other ---- */
+
+struct collected {
+    char **word;
+    size_t count;
+};
+
+static void collect(const char *candidate, void *context)
+{
+    struct collected *c = context;
+    char **more = realloc(c->word, (c->count + 2) * sizeof *more);
+    if (!more)
+        return;
+    c->word = more;
+    c->word[c->count] = strdup(candidate);
+    c->word[++c->count] = NULL;
+}
+
+static struct collected collected;
+
 static char *next_match(const char *text, int state)
 {
-    static int k;
-    const char *name;
-    k = state ? k : 0;
-    while ((name = candidate(k)) != NULL) {
-        k++;
-        if (strncmp(name, text, strlen(text)) == 0)
-            return strdup(name);
-    }
-    return NULL;
+    static size_t k;
+    (void)text;
+    k = state ? k + 1 : 0;
+    return k < collected.count ? collected.word[k] : NULL; /* Readline frees it */
 }
 
 char **complete_word(const char *text, int start, int end)
 {
-    (void)end;
+    char *line = strndup(rl_line_buffer, (size_t)end);
+    (void)start;
     rl_attempted_completion_over = 1; /* never fall back to file names */
-    char head[256];
-    char *word[2] = {NULL, NULL};
-    int words = 0, from = start;
-    while (from > 0 && rl_line_buffer[from - 1] != ';')
-        from--;
-    snprintf(head, sizeof head, "%.*s", start - from, rl_line_buffer + from);
-    char *rest = NULL;
-    for (char *w = strtok_r(head, " \t", &rest); w; w = strtok_r(NULL, " \t", &rest), words++)
-        if (words < 2)
-            word[words] = w;
-
-    const struct command *command = words ? command_find(word[0]) : NULL;
-    offer = OFFER_NOTHING;
-    if (words == 0) {
-        offer = OFFER_COMMANDS;
-    } else if (command && words == 1) {
-        offer = command->first == ARGUMENT_COMMAND     ? OFFER_COMMANDS
-                : command->first == ARGUMENT_PARAMETER ? OFFER_PARAMETERS
-                                                       : OFFER_NOTHING;
-    } else if (command && words == 2 && command->first == ARGUMENT_PARAMETER && command->most > 1) {
-        offer_parameter = parameter_find(word[1]);
-        offer = offer_parameter ? OFFER_WORDS : OFFER_NOTHING;
-    }
-    return rl_completion_matches(text, next_match);
+    collected = (struct collected){NULL, 0};
+    if (line)
+        complete_line(line, true, collect, &collected);
+    free(line);
+    char **matches = rl_completion_matches(text, next_match);
+    free(collected.word);
+    return matches;
 }

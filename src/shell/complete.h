@@ -2,7 +2,16 @@
 #ifndef SHELL_COMPLETE_H
 #define SHELL_COMPLETE_H
 
-/* Readline's completion function: commands, parameters, and the words that a parameter may have. */
+#include <stdbool.h>
+
+/*
+ * Everything that may stand in place of the last word of a line: commands, then what the command's
+ * arguments are, files where they belong.
+ */
+void complete_line(const char *line, bool files, void (*emit)(const char *candidate, void *context),
+                   void *context);
+
+/* The same as Readline's completion function. */
 char **complete_word(const char *text, int start, int end);
 
 #endif

@@ -4,6 +4,7 @@
 #include "line.h"
 #include <errno.h>
 #include <getopt.h>
+#include <limits.h>
 #include <locale.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@
 
 enum { EXIT_USAGE = 2 };
 
-static const char usage[] = "usage: domino [--bail] [-e COMMANDS | -f FILE | FILE] ...\n";
+static const char usage[] = "usage: domino [-n] [--bail] [--safe] [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
     "\n"
@@ -22,7 +23,9 @@ static const char help[] =
     "\n"
     "  -e, --execute COMMANDS  run these commands, ';' between them\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
+    "  -n, --no-init           do not run the start-up file, $XDG_CONFIG_HOME/domino/init.dom\n"
     "      --bail              stop at the first error\n"
+    "      --safe              commands may not read or write files\n"
     "  -h, --help              print this help\n"
     "  -V, --version           print the version\n"
     "\n"
@@ -31,8 +34,17 @@ static const char help[] =
 
 static const struct option options[] = {
     {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
-    {"bail", no_argument, NULL, 'b'},          {"help", no_argument, NULL, 'h'},
+    {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
+    {"safe", no_argument, NULL, 's'},          {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},       {NULL, 0, NULL, 0},
+};
+
+/* '-': a FILE counts in its place among the options. */
+static const char short_options[] = "-e:f:nhV";
+
+/* What the options say about the whole run. */
+struct plan {
+    bool init, prompt, sources;
 };
 
 static bool stopped(const struct session *session)
@@ -46,7 +58,7 @@ static void run_file(struct session *session, const char *name)
         line_stream(session, stdin, "stdin");
         return;
     }
-    FILE *in = fopen(name, "r");
+    FILE *in = line_open(name);
     if (!in) {
         session->source = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
@@ -63,54 +75,72 @@ static void run_text(struct session *session, const char *text)
     command_run_text(session, text);
 }
 
-/* Options are judged before the first command runs. */
-static bool options_valid(int argc, char **argv, struct session *session)
+/* Options are judged before the first command runs; false for wrong ones. */
+static bool options_judge(int argc, char **argv, struct session *session, struct plan *plan)
 {
     int option;
-    while ((option = getopt_long(argc, argv, "-e:f:hV", options, NULL)) != -1) {
-        if (option == 'b')
-            session->bail = true;
-        else if (option == 'h' || option == 'V') {
+    while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
+        session->bail = session->bail || option == 'b';
+        session->safe = session->safe || option == 's';
+        plan->init = plan->init && option != 'n';
+        plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
+        if (option == 'h' || option == 'V') {
             printf(option == 'h' ? "%s%s" : "domino " DOM_VERSION "\n", usage, help);
             session->quit = true;
             return true;
-        } else if (option == '?') {
+        }
+        if (option == '?') {
             fputs(usage, stderr);
             return false;
         }
     }
+    plan->sources = plan->sources || optind < argc;
     return true;
+}
+
+/* Runs -e, -f and FILE in their order. */
+static void run_sources(int argc, char **argv, struct session *session)
+{
+    optind = 0;
+    for (int option;
+         !stopped(session) && (option = getopt_long(argc, argv, short_options, options, NULL)) != -1;) {
+        if (option == 'e')
+            run_text(session, optarg);
+        else if (option == 'f' || option == 1)
+            run_file(session, optarg);
+    }
+    for (; !stopped(session) && optind < argc; optind++)
+        run_file(session, argv[optind]); /* those behind "--" */
+}
+
+/* The start-up file is for people: scripts do not depend on it. */
+static void run_init(struct session *session)
+{
+    char path[PATH_MAX];
+    if (line_path("XDG_CONFIG_HOME", ".config", "init.dom", path, sizeof path) && access(path, F_OK) == 0)
+        run_file(session, path);
 }
 
 int main(int argc, char **argv)
 {
     struct session session;
+    struct plan plan = {.init = true};
     setlocale(LC_CTYPE, "");  /* never LC_NUMERIC: the decimal point is a point */
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, which is reported */
     session_init(&session, stdout);
-    if (!options_valid(argc, argv, &session))
+    if (!options_judge(argc, argv, &session, &plan))
         return EXIT_USAGE;
+    plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+    if (plan.prompt && plan.init)
+        run_init(&session);
+    if (plan.sources)
+        run_sources(argc, argv, &session);
+    else if (plan.prompt && !stopped(&session))
+        line_prompt(&session);
+    else if (!stopped(&session))
+        line_stream(&session, stdin, "stdin");
 
-    bool sources = false, prompt = false;
-    optind = 0;
-    for (int option;
-         !stopped(&session) && (option = getopt_long(argc, argv, "-e:f:hV", options, NULL)) != -1;) {
-        sources = sources || option != 'b';
-        if (option == 'e')
-            run_text(&session, optarg);
-        else if (option != 'b')
-            run_file(&session, optarg);
-    }
-    for (; !stopped(&session) && optind < argc; optind++, sources = true)
-        run_file(&session, argv[optind]); /* those behind "--" */
-    if (!sources && !stopped(&session)) {
-        prompt = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-        if (prompt)
-            line_prompt(&session);
-        else
-            line_stream(&session, stdin, "stdin");
-    }
-    bool failed = session.errors > 0 && !prompt;
+    bool failed = session.errors > 0 && !plan.prompt;
     errno = 0;
     if (ferror(stdout) || fclose(stdout) != 0) {
         fprintf(stderr, "domino: cannot write the output%s%s\n", errno ? ": " : "",

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
+#include "terminal.h"
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
-/* Enough for any cell that is not a word. */
-enum { TEXT_SIZE = 32, NUMBER_WIDTH = 14, TABLE_DIGITS = 10 };
+/* Enough for any cell that is not a word; what a number needs beside its digits: "-0." and "e-300". */
+enum { TEXT_SIZE = 32, NUMBER_MARGIN = 6, COLUMNS_MAX = 16, TEXT_LINE = 512 };
 
 struct cell cell_real(double value)
 {
@@ -27,6 +28,32 @@ struct cell cell_word(const char *word)
     return (struct cell){.kind = word ? CELL_WORD : CELL_NONE, .word = word};
 }
 
+double style_angle(const struct output_style *style, double radians)
+{
+    return style->angle == ANGLE_DEG ? radians * (180 / 3.14159265358979323846) : radians;
+}
+
+const char *style_angle_unit(const struct output_style *style)
+{
+    return style->angle == ANGLE_DEG ? "deg" : "rad";
+}
+
+static bool column_angle(const struct column *c)
+{
+    return strncmp(c->unit, "rad", 3) == 0;
+}
+
+/* The unit that people see. */
+static const char *column_unit(const struct answer *a, const struct column *c, char text[TEXT_SIZE])
+{
+    if (!column_angle(c))
+        return c->unit;
+    snprintf(text, TEXT_SIZE, "%s%s", style_angle_unit(&a->style), c->unit + strlen("rad"));
+    return text;
+}
+
+/* ---- Text ---- */
+
 static const char *cell_text(struct cell cell, int digits, char text[TEXT_SIZE])
 {
     switch (cell.kind) {
@@ -46,6 +73,58 @@ static const char *cell_text(struct cell cell, int digits, char text[TEXT_SIZE])
     return "-";
 }
 
+/* On a terminal with UTF-8 the field's letters are written as such. */
+static const char *pretty(FILE *out, const char *text, char line[TEXT_LINE])
+{
+    static const char *const letters[][2] = {{"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"},
+                                             {"sqrt", "√"},  {">=", "≥"},    {"<=", "≤"}};
+    if (!terminal_utf8() || !terminal_width(out) || strlen(text) >= TEXT_LINE)
+        return text;
+    size_t n = 0;
+    while (*text) {
+        const char *with = NULL;
+        for (size_t k = 0; k < sizeof letters / sizeof *letters && !with; k++) {
+            size_t length = strlen(letters[k][0]);
+            if (strncmp(text, letters[k][0], length) == 0) {
+                with = letters[k][1];
+                text += length;
+            }
+        }
+        if (with)
+            n += (size_t)snprintf(line + n, TEXT_LINE - n, "%s", with);
+        else
+            line[n++] = *text++;
+    }
+    line[n] = '\0';
+    return line;
+}
+
+/* Text in a field, by columns rather than bytes; negative widths set it to the left. */
+static void field(FILE *out, const char *text, int width)
+{
+    int blanks = (width < 0 ? -width : width) - terminal_columns(text);
+    fprintf(out, "%*s%s%*s", width > 0 && blanks > 0 ? blanks : 0, "", text,
+            width < 0 && blanks > 0 ? blanks : 0, "");
+}
+
+/* Text whose lines end before the column `right`, and begin at `left`; 0 for no end. */
+static void wrapped(FILE *out, const char *text, int left, int right)
+{
+    int at = left;
+    while (*text) {
+        size_t length = strcspn(text, " ");
+        char word[TEXT_LINE];
+        snprintf(word, sizeof word, "%.*s", (int)length, text);
+        if (at > left && right > left + 20 && at + 1 + terminal_columns(word) > right) {
+            fprintf(out, "\n%*s", left, "");
+            at = left;
+        }
+        at += fprintf(out, at > left ? " %s" : "%s", word) - (int)strlen(word) + terminal_columns(word);
+        text += length + (text[length] == ' ');
+    }
+    putc('\n', out);
+}
+
 /* A string between quotes, as both JSON and (with "" for ") CSV want it. */
 static void quoted(FILE *out, const char *text, const char *escaped_quote)
 {
@@ -60,6 +139,8 @@ static void quoted(FILE *out, const char *text, const char *escaped_quote)
     }
     putc('"', out);
 }
+
+/* ---- json and csv ---- */
 
 static void cell_json(FILE *out, struct cell cell)
 {
@@ -80,10 +161,10 @@ static void row_json(struct answer *a, const struct cell *cells, const char *rea
         fprintf(a->out, "%s\"%s\":", i ? "," : "{", a->columns[i].key);
         cell_json(a->out, cells[i]);
     }
-    if (reason)
+    if (reason) {
         fputs(",\"reason\":", a->out);
-    if (reason)
         quoted(a->out, reason, "\\\"");
+    }
     fputs("}\n", a->out);
 }
 
@@ -110,69 +191,111 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
             putc(',', a->out);
         cell_csv(a->out, cells[i]);
     }
-    if (reason)
+    if (reason) {
         putc(',', a->out);
-    if (reason)
         cell_csv(a->out, cell_word(reason));
+    }
     putc('\n', a->out);
 }
 
-/* Words stand to the left, numbers to the right; the last column has no blanks behind it. */
-static void row_field(struct answer *a, int i, const char *text, bool left)
+/* ---- Tables ---- */
+
+/* Digits that leave room for every column of a table of rows in the width of the terminal. */
+static int row_digits(const struct answer *a, int width)
 {
-    const struct column *c = &a->columns[i];
-    int width = c->width ? c->width : NUMBER_WIDTH;
-    const char *gap = i ? "  " : "";
-    if (!a->columns[i + 1].key && left)
-        fprintf(a->out, "%s%s\n", gap, text);
-    else
-        fprintf(a->out, "%s%*s%s", gap, left ? -width : width, text, a->columns[i + 1].key ? "" : "\n");
+    int digits = (int)a->style.digits, fixed = 0, numbers = 0;
+    for (const struct column *c = a->columns; c->key; c++) {
+        fixed += c->width + (c > a->columns ? 2 : 0);
+        numbers += c->width == 0;
+    }
+    int room = numbers ? (width - fixed) / numbers - NUMBER_MARGIN : digits;
+    return width == 0 || room >= digits ? digits : room < 3 ? 3 : room;
 }
 
 static void row_table(struct answer *a, const struct cell *cells)
 {
-    char text[TEXT_SIZE];
-    for (int i = 0; !a->begun && a->columns[i].key; i++)
-        row_field(a, i, a->columns[i].key, a->columns[i].width > NUMBER_WIDTH || cells[i].kind == CELL_WORD);
-    for (int i = 0; a->columns[i].key; i++)
-        row_field(a, i, cell_text(cells[i], TABLE_DIGITS, text),
-                  a->columns[i].width > NUMBER_WIDTH || cells[i].kind == CELL_WORD);
+    char text[TEXT_SIZE], line[TEXT_LINE];
+    int width = terminal_width(a->out), digits = row_digits(a, width);
+    bool units = false;
+    for (const struct column *c = a->columns; c->key; c++)
+        units = units || *c->unit;
+    /* The head: keys, then units, if there are any. */
+    for (int head = a->begun ? 0 : 2; head >= 0; head--) {
+        int at = 0;
+        if (head == 1 && !units)
+            continue;
+        for (int i = 0; a->columns[i].key; i++) {
+            const struct column *c = &a->columns[i];
+            bool left = cells[i].kind == CELL_WORD, last = !a->columns[i + 1].key;
+            const char *said = head == 2   ? pretty(a->out, c->key, line)
+                               : head == 1 ? column_unit(a, c, text)
+                                           : pretty(a->out, cell_text(cells[i], digits, text), line);
+            int wide = c->width ? c->width : digits + NUMBER_MARGIN;
+            fputs(i ? "  " : "", a->out);
+            at += i ? 2 : 0;
+            if (left && last)
+                wrapped(a->out, said, at, width);
+            else
+                field(a->out, said, left ? -wide : wide);
+            at += wide;
+            if (last && !left)
+                putc('\n', a->out);
+        }
+    }
 }
 
 /* One line a column: key, value, unit, what it is. */
 static void row_lines(struct answer *a, const struct cell *cells)
 {
-    char text[TEXT_SIZE];
-    int width = 0, unit_width = 0;
+    char text[TEXT_SIZE], line[TEXT_LINE], unit[TEXT_SIZE];
+    int key_width = 0, unit_width = 0, digits = (int)a->style.digits, window = terminal_width(a->out);
+    const char *bold = terminal_colour(a->out) ? "\033[1m" : "", *end = *bold ? "\033[m" : "";
     for (const struct column *c = a->columns; c->key; c++) {
-        width = (int)strlen(c->key) > width ? (int)strlen(c->key) : width;
-        unit_width = (int)strlen(c->unit) > unit_width ? (int)strlen(c->unit) : unit_width;
+        int key = terminal_columns(pretty(a->out, c->key, line)), wide = (int)strlen(c->unit);
+        key_width = key > key_width ? key : key_width;
+        unit_width = wide > unit_width ? wide : unit_width;
     }
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
-        fprintf(a->out, "%-*s  %*s %-*s  %s\n", width, c->key, NUMBER_WIDTH + 2,
-                cell_text(cells[i], TABLE_DIGITS, text), unit_width, c->unit, c->meaning);
+        field(a->out, pretty(a->out, c->key, line), -key_width);
+        fprintf(a->out, "  %s", bold);
+        field(a->out, cell_text(cells[i], digits, text), digits + NUMBER_MARGIN);
+        fprintf(a->out, "%s %-*s  ", end, unit_width,
+                cells[i].kind == CELL_NONE ? "" : column_unit(a, c, unit));
+        wrapped(a->out, pretty(a->out, c->meaning, line), key_width + digits + NUMBER_MARGIN + unit_width + 5,
+                window);
     }
 }
 
 static void answer_gap(struct answer *a)
 {
-    if (a->gap && a->format == OUTPUT_TABLE)
+    if (a->gap && a->style.output == OUTPUT_TABLE)
         putc('\n', a->out);
     a->gap = false;
 }
 
 void answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
+    struct cell shown[COLUMNS_MAX];
+    int n = 0;
+    for (; a->columns[n].key; n++) {
+        shown[n] = cells[n];
+        if (column_angle(&a->columns[n]))
+            shown[n].number = style_angle(&a->style, cells[n].number);
+        if (a->kept)
+            a->kept[n] = cells[n];
+    }
+    if (!a->out)
+        return;
     answer_gap(a);
-    if (a->format == OUTPUT_JSON)
-        row_json(a, cells, reason);
-    else if (a->format == OUTPUT_CSV)
-        row_csv(a, cells, reason);
+    if (a->style.output == OUTPUT_JSON)
+        row_json(a, shown, reason);
+    else if (a->style.output == OUTPUT_CSV)
+        row_csv(a, shown, reason);
     else if (a->rows)
-        row_table(a, cells);
+        row_table(a, shown);
     else
-        row_lines(a, cells);
+        row_lines(a, shown);
     a->begun = true;
     if (reason)
         answer_say(a, "%s", reason);
@@ -180,17 +303,25 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
 
 bool answer_lost(const struct answer *a)
 {
-    return ferror(a->out) != 0;
+    return a->out && ferror(a->out) != 0;
+}
+
+bool answer_for_people(const struct answer *a)
+{
+    return a->out && a->style.output == OUTPUT_TABLE;
 }
 
 void answer_say(struct answer *a, const char *format, ...)
 {
-    if (a->format != OUTPUT_TABLE)
+    char text[TEXT_LINE], line[TEXT_LINE];
+    if (!answer_for_people(a))
         return;
     answer_gap(a);
     va_list arguments;
     va_start(arguments, format);
-    vfprintf(a->out, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    putc('\n', a->out);
+    int indent = (int)strspn(text, " ");
+    fprintf(a->out, "%*s", indent, "");
+    wrapped(a->out, pretty(a->out, text + indent, line), indent, terminal_width(a->out));
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Answers: a command names its columns once, then gives rows of cells; how they look is the session's
- * output format.  Rows are written as they come, so a long curve streams.
+ * output style.  Rows are written as they come, so a long curve streams.
  */
 #ifndef SHELL_OUTPUT_H
 #define SHELL_OUTPUT_H
@@ -10,12 +10,19 @@
 #include <stdio.h>
 
 enum output { OUTPUT_TABLE, OUTPUT_CSV, OUTPUT_JSON };
+enum angle { ANGLE_RAD, ANGLE_DEG };
+
+struct output_style {
+    enum output output;
+    enum angle angle;
+    double digits; /* in a table */
+};
 
 struct column {
     const char *key;     /* name in csv and json, head of a table */
-    const char *unit;    /* "" for a pure number */
+    const char *unit;    /* "" for a pure number; "rad" and "rad/s" follow the style's angle */
     const char *meaning; /* one line, for people */
-    int width;           /* in a table of rows; 0 for that of a number */
+    int width;           /* of words in a table of rows; 0 for a number */
 };
 
 struct cell {
@@ -31,12 +38,13 @@ struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
 struct answer {
-    FILE *out;
-    enum output format;
+    FILE *out; /* NULL: the answer is only kept */
+    struct output_style style;
     const struct column *columns; /* ends with a NULL key */
     bool rows;                    /* a table with a head, rather than a line a column */
     bool begun;
-    bool gap; /* set a blank line between this answer and the one before, for people */
+    bool gap;          /* set a blank line between this answer and the one before, for people */
+    struct cell *kept; /* where the cells of the last row stay */
 };
 
 /*
@@ -48,7 +56,14 @@ void answer_row(struct answer *answer, const struct cell *cells, const char *rea
 /* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
 bool answer_lost(const struct answer *answer);
 
+/* Is somebody there to read sentences? */
+bool answer_for_people(const struct answer *answer);
+
 /* A sentence that only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Radians in the style's unit of angles, and the name of that. */
+double style_angle(const struct output_style *style, double radians);
+const char *style_angle_unit(const struct output_style *style);
 
 #endif

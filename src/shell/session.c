@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
-#include "value.h"
+#include "terminal.h"
 #include <stdarg.h>
 #include <string.h>
 
@@ -8,6 +8,8 @@ static const struct word mass_words[] = {{"hollow", 3}, {"massive", 4}, {NULL, 0
 static const struct word fuel_words[] = {{"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}, {NULL, 0}};
 static const struct word output_words[] = {
     {"table", OUTPUT_TABLE}, {"csv", OUTPUT_CSV}, {"json", OUTPUT_JSON}, {NULL, 0}};
+static const struct word angle_words[] = {{"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}, {NULL, 0}};
+static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
 
 #define NUMBER(member, name_, default_, lowest_, highest_, unit_, meaning_)                                  \
     {.name = #name_,                                                                                         \
@@ -20,7 +22,7 @@ static const struct word output_words[] = {
      .offset = offsetof(struct session, member.name_)},
 #define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
-#define WORDS(name_, member, words_, meaning_, setting_)                                                     \
+#define WORDS(name_, member, words_, setting_, meaning_)                                                     \
     {.name = name_,                                                                                          \
      .unit = "",                                                                                             \
      .meaning = meaning_,                                                                                    \
@@ -31,18 +33,36 @@ static const struct word output_words[] = {
 
 const struct parameter session_parameters[] = {
     DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER)
-        WORDS("fuel", train.fuel, fuel_words, "the energy balance, or the paper's closed form of (c7)", false)
-            WORDS("output", output, output_words, "how answers are written", true){.name = NULL}};
+        WORDS("fuel", train.fuel, fuel_words, false, "energy balance, or the paper's closed form of (c7)")
+            WORDS("output", style.output, output_words, true,
+                  "how answers are written"){.name = "digits",
+                                             .unit = "",
+                                             .meaning = "significant digits in tables; csv and json have 17",
+                                             .fallback = 10,
+                                             .lowest = 1,
+                                             .highest = 17,
+                                             .offset = offsetof(struct session, style.digits),
+                                             .setting = true},
+    WORDS("angle", style.angle, angle_words, true, "unit of angles, typed and answered")
+        WORDS("timing", timing, switch_words, true, "does every answer end with its time?"){.name = NULL},
+};
 
 void session_init(struct session *session, FILE *out)
 {
     *session = (struct session){.train = dom_train_default(), .scale = dom_scale_default(), .out = out};
+    session->style.digits = parameter_find("digits")->fallback;
 }
 
 bool session_error(struct session *session, const char *format, ...)
 {
     fflush(session->out); /* so that both streams keep their order where they share a file */
-    if (session->source)
+    if (session->prompt_width && session->column)
+        fprintf(stderr, "%*s\n", session->prompt_width + session->column, "^");
+    const char *colour = terminal_colour(stderr) && !session->source ? "\033[31m" : "";
+    fputs(colour, stderr);
+    if (session->source && session->column)
+        fprintf(stderr, "%s:%ld:%d: ", session->source, session->line, session->column);
+    else if (session->source)
         fprintf(stderr, "%s:%ld: ", session->source, session->line);
     if (session->command)
         fprintf(stderr, "%s: ", session->command);
@@ -50,22 +70,41 @@ bool session_error(struct session *session, const char *format, ...)
     va_start(arguments, format);
     vfprintf(stderr, format, arguments);
     va_end(arguments);
-    putc('\n', stderr);
+    fputs(*colour ? "\033[m\n" : "\n", stderr);
     session->errors++;
     return false;
+}
+
+bool session_stops(const struct session *session, long errors)
+{
+    return session->quit || ferror(session->out) || (session->bail && session->errors > errors) ||
+           (session->train.interrupt && *session->train.interrupt);
 }
 
 bool session_status(struct session *session, enum dom_status status)
 {
     const struct dom_train *t = &session->train;
+    session->column = 0;
     if (status == DOM_OUT_OF_REACH)
         return session_error(session,
                              "r s = %.10g > 1: the head falls past the next domino without touching it; "
-                             "at s = %.10g r may be up to 1/s = %.10g",
+                             "at s = %.10g r may be up to 1/s = %.17g",
                              t->r * t->s, t->s, 1 / t->s);
     if (status == DOM_TOO_LONG)
         return session_error(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
     return session_error(session, "%s", dom_status_text(status));
+}
+
+const char *parameter_names(const void *context, int k)
+{
+    (void)context;
+    return session_parameters[k].name;
+}
+
+const char *parameter_words(const void *parameter, int k)
+{
+    const struct word *words = ((const struct parameter *)parameter)->words;
+    return words ? words[k].name : NULL;
 }
 
 const struct parameter *parameter_find(const char *name)
@@ -93,7 +132,8 @@ void parameter_put(struct session *session, const struct parameter *p, double va
         *(double *)(void *)place = value;
 }
 
-_Static_assert(sizeof(enum output) == sizeof(unsigned) && sizeof(enum dom_fuel) == sizeof(unsigned),
+_Static_assert(sizeof(enum output) == sizeof(unsigned) && sizeof(enum dom_fuel) == sizeof(unsigned) &&
+                   sizeof(enum angle) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned");
 
 const char *parameter_word(const struct parameter *p, double value)
@@ -117,28 +157,22 @@ void parameter_range(const struct parameter *p, char *text, size_t size)
     }
 }
 
-bool parameter_parse(struct session *session, const struct parameter *p, const char *text, double *value)
+void parameter_text(const struct parameter *p, double value, int digits, char *text, size_t size)
 {
-    char range[64], shown[VALUE_SHOWN];
+    const char *word = p->words_only ? parameter_word(p, value) : NULL;
+    if (word)
+        snprintf(text, size, "%s", word);
+    else
+        snprintf(text, size, "%.*g", digits, value);
+}
+
+bool parameter_check(struct session *session, const struct parameter *p, double value)
+{
+    char range[64];
     parameter_range(p, range, sizeof range);
-    for (const struct word *w = p->words; w && w->name; w++) {
-        if (strcmp(w->name, text) == 0) {
-            *value = w->value;
-            return true;
-        }
-    }
-    if (p->words_only)
-        return session_error(session, "%s cannot be '%s'; it is one of %s", p->name, value_shown(text, shown),
-                             range);
-    double number;
-    const char *wrong = value_parse(text, &number);
-    if (wrong)
-        return session_error(session, "%s = '%s' %s; %s is a number in %s%s", p->name,
-                             value_shown(text, shown), wrong, p->name, range,
-                             p->words == mass_words ? ", hollow or massive" : "");
-    if (!(number >= p->lowest && number <= p->highest))
-        return session_error(session, "%s = %.10g is out of range; %s is a number in %s", p->name, number,
-                             p->name, range);
-    *value = number;
-    return true;
+    if (value >= p->lowest && value <= p->highest)
+        return true;
+    return session_error(session, "%s = %.10g is out of range; %s is a number in %s%s%s%s", p->name, value,
+                         p->name, range, *p->unit ? " " : "", p->unit,
+                         p->words ? ", or one of its words" : "");
 }

@@ -1,32 +1,52 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The state of one calculator session: parameters, where input comes from, what went wrong.
- * One table knows every parameter; set, show, reset, help and completion read it.
+ * One table knows every parameter; set, show, reset, save, help and completion read it.
  */
 #ifndef SHELL_SESSION_H
 #define SHELL_SESSION_H
 
 #include "domino.h"
+#include "expression.h"
 #include "output.h"
+
+struct command;
+
+enum { ANSWER_CELLS = 8, SOURCE_DEPTH = 16 };
 
 struct session {
     struct dom_train train;
     struct dom_scale scale;
-    enum output output;
-    FILE *out;
+    struct output_style style; /* output, digits, angle */
+    unsigned timing;
+    FILE *out;          /* where answers go: standard output, or the file behind '>' */
     const char *source; /* name of the script for messages; NULL at the prompt */
     long line;
+    int column;          /* of what a message is about, from 1; 0 for none */
+    int prompt_width;    /* at the prompt: columns before the line, for the caret; else 0 */
     const char *command; /* the one that runs, for messages */
     bool bail;           /* the first error ends the session */
+    bool safe;           /* commands may not touch files */
     bool quit;
-    long errors;
     bool answered; /* something was answered before */
+    int depth;     /* of nested source commands */
+    long errors;
+    struct {
+        const struct command *command; /* that gave the last answer; NULL for none */
+        struct cell cells[ANSWER_CELLS];
+    } ans;
 };
 
 void session_init(struct session *session, FILE *out);
 
 /* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
 bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/*
+ * Is the rest of the input not to be run?  After quit, where nobody reads the output, after ^C, and with
+ * bail after an error: session->errors was `errors` before.
+ */
+bool session_stops(const struct session *session, long errors);
 
 /* Also for a library status that is not DOM_OK. */
 bool session_status(struct session *session, enum dom_status status);
@@ -41,7 +61,7 @@ struct parameter {
     const char *name, *unit, *meaning;
     double fallback, lowest, highest;
     const struct word *words; /* names for some values; NULL for none */
-    bool words_only;          /* stored as an enum */
+    bool words_only;          /* stored as an unsigned */
     size_t offset;            /* in struct session */
     bool setting;             /* of the calculator rather than of the model: a plain reset keeps it */
 };
@@ -49,21 +69,24 @@ struct parameter {
 /* All parameters in the order of show; ends with a NULL name. */
 extern const struct parameter session_parameters[];
 
+/* Lists for names.h: the parameters; the words of the parameter that is the context. */
+const char *parameter_names(const void *context, int k);
+const char *parameter_words(const void *parameter, int k);
+
 const struct parameter *parameter_find(const char *name);
 double parameter_get(const struct session *session, const struct parameter *parameter);
 void parameter_put(struct session *session, const struct parameter *parameter, double value);
 
-/*
- * Text as a value of this parameter: a number, a quotient of two, or one of its words, in its range.
- * What is wrong is an error of the session.
- */
-bool parameter_parse(struct session *session, const struct parameter *parameter, const char *text,
-                     double *value);
+/* Is the value in the range?  What is wrong is an error of the session. */
+bool parameter_check(struct session *session, const struct parameter *parameter, double value);
 
 /* The name of a value that has one, else NULL. */
 const char *parameter_word(const struct parameter *parameter, double value);
 
 /* "1e-12 .. 1", or "exact | paper". */
 void parameter_range(const struct parameter *parameter, char *text, size_t size);
+
+/* The value as 'set' would take it back. */
+void parameter_text(const struct parameter *parameter, double value, int digits, char *text, size_t size);
 
 #endif

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Help, all of it from the tables of commands and parameters. */
+#include "command.h"
+#include "complete.h"
+#include <ctype.h>
+#include <string.h>
+
+static void help_list(FILE *out)
+{
+    char usage[USAGE_SIZE];
+    for (const struct command_group *g = command_groups; g->title; g++) {
+        fprintf(out, "%s%s\n", g == command_groups ? "" : "\n", g->title);
+        for (const struct command *c = g->commands; c->name; c++)
+            fprintf(out, "  %-18s %s\n", command_usage(c, usage), c->summary);
+    }
+    fputs("\nParameters:", out);
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        fprintf(out, " %s", p->name);
+    fputs("\n'help NAME' explains a command or a parameter, 'apropos WORD' finds one.\n", out);
+}
+
+static void help_parameter(const struct session *session, const struct parameter *p)
+{
+    char range[64], value[32], fallback[32];
+    FILE *out = session->out;
+    parameter_range(p, range, sizeof range);
+    parameter_text(p, parameter_get(session, p), 17, value, sizeof value);
+    parameter_text(p, p->fallback, 6, fallback, sizeof fallback);
+    fprintf(out, "%s: %s\n\n  value    %s %s\n  range    %s\n  default  %s\n", p->name, p->meaning, value,
+            p->unit, range, fallback);
+    for (const struct word *w = p->words; !p->words_only && w && w->name; w++)
+        fprintf(out, "  %-8s %g\n", w->name, w->value);
+    fprintf(out, "\n'set %s VALUE' changes it, 'reset %s' takes it back.\n", p->name, p->name);
+}
+
+/* The example runs in a session of its own, with the defaults: its output is true. */
+static void help_example(const struct session *session, const struct command *c)
+{
+    struct session fresh;
+    session_init(&fresh, session->out);
+    fresh.train.interrupt = session->train.interrupt;
+    fresh.source = "help";
+    fresh.safe = true;
+    fprintf(session->out, "\nExample: %s\n\n", c->example);
+    command_run_text(&fresh, c->example);
+}
+
+static void help_command(const struct session *session, const struct command *c)
+{
+    char usage[USAGE_SIZE];
+    FILE *out = session->out;
+    fprintf(out, "%s: %s\n", command_usage(c, usage), c->summary);
+    if (c->equation)
+        fprintf(out, "Equation: %s\n", c->equation);
+    if (c->help)
+        fprintf(out, "\n%s\n", c->help);
+    if (c->columns)
+        fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
+    for (const struct column *k = c->columns; k && k->key; k++)
+        fprintf(out, "  %-12s %-6s %s\n", k->key, k->unit, k->meaning);
+    if (c->columns && c->principal >= 0)
+        fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->columns[c->principal].key);
+    for (const struct parameter *p = session_parameters; strcmp(c->name, "set") == 0 && p->name; p++) {
+        char value[32];
+        parameter_text(p, parameter_get(session, p), 10, value, sizeof value);
+        fprintf(out, "%s  %-8s %-14s %s\n", p == session_parameters ? "\nThe parameters now:\n" : "", p->name,
+                value, p->meaning);
+    }
+    if (c->example)
+        help_example(session, c);
+    if (c->see)
+        fprintf(out, "\nSee also: %s\n", c->see);
+}
+
+static bool run_help(struct session *session, const struct call *call)
+{
+    if (call->count == 0) {
+        help_list(session->out);
+        return true;
+    }
+    const char *topic = topic_names(NULL, (int)call->number[0]);
+    const struct command *c = command_find(topic);
+    if (c)
+        help_command(session, c);
+    else
+        help_parameter(session, parameter_find(topic));
+    return true;
+}
+
+/* Does the text have the word in it, whatever its case? */
+static bool mentions(const char *text, const char *word)
+{
+    return text && strcasestr(text, word);
+}
+
+static bool run_apropos(struct session *session, const struct call *call)
+{
+    char word[NAMES_SHOWN], usage[USAGE_SIZE];
+    int found = 0;
+    snprintf(word, sizeof word, "%s", call->word[0]);
+    for (size_t n = strlen(word); n > 0 && isspace((unsigned char)word[n - 1]); n--)
+        word[n - 1] = '\0';
+    for (const struct command_group *g = command_groups; g->title; g++) {
+        for (const struct command *c = g->commands; c->name; c++) {
+            bool hit = mentions(c->name, word) || mentions(c->summary, word) || mentions(c->help, word) ||
+                       mentions(c->equation, word);
+            for (const struct column *k = c->columns; k && k->key && !hit; k++)
+                hit = mentions(k->key, word) || mentions(k->meaning, word);
+            found += hit;
+            if (hit)
+                fprintf(session->out, "%-18s %s\n", command_usage(c, usage), c->summary);
+        }
+    }
+    for (const struct parameter *p = session_parameters; p->name; p++) {
+        bool hit = mentions(p->name, word) || mentions(p->meaning, word);
+        for (const struct word *w = p->words; w && w->name && !hit; w++)
+            hit = mentions(w->name, word);
+        found += hit;
+        if (hit)
+            fprintf(session->out, "set %-14s %s\n", p->name, p->meaning);
+    }
+    return found > 0 || session_error(session, "nothing is said about '%s'; 'help' lists everything",
+                                      names_shown(word, usage));
+}
+
+static void print_candidate(const char *candidate, void *out)
+{
+    fprintf(out, "%s\n", candidate);
+}
+
+static bool run_complete(struct session *session, const struct call *call)
+{
+    complete_line(call->word[0], !session->safe, print_candidate, session->out);
+    return true;
+}
+
+const struct command help_commands[] = {
+    {.name = "help",
+     .argument = {{"NAME", ARGUMENT_TOPIC, NULL, true}},
+     .summary = "the commands, or one command or parameter",
+     .see = "apropos show",
+     .principal = -1,
+     .run = run_help},
+    {.name = "apropos",
+     .argument = {{"WORD", ARGUMENT_REST, NULL, false}},
+     .summary = "commands and parameters that mention WORD",
+     .see = "help",
+     .principal = -1,
+     .run = run_apropos},
+    {.name = "complete",
+     .argument = {{"LINE", ARGUMENT_REST, NULL, false}},
+     .summary = "how LINE may go on, a line each, as <TAB> does",
+     .principal = -1,
+     .run = run_complete},
+    {.name = NULL},
+};
