@@ -100,6 +100,31 @@ static bool run_source(struct session *session, const struct call *call)
     return session->errors == errors;
 }
 
+static const struct column print_columns[] = {
+    {"value", "", "in SI units and radians", 0},
+    {"unit", "", "", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_print(struct session *session, const struct call *call)
+{
+    static const char *const base[] = {"m", "s", "rad"};
+    const struct quantity q = call->quantity[0];
+    const int power[] = {q.length, q.time, q.angle};
+    char unit[48] = "";
+    for (int i = 0; i < 3; i++) {
+        size_t used = strlen(unit);
+        if (power[i] != 0)
+            snprintf(unit + used, sizeof unit - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "",
+                     base[i], power[i]);
+    }
+    if (answer_for_people(call->answer))
+        answer_say(call->answer, "%.*g%s%s", (int)session->style.digits, q.value, *unit ? " " : "", unit);
+    else
+        answer_row(call->answer, ROW(cell_real(q.value), cell_word(unit)), NULL);
+    return true;
+}
+
 static bool run_quit(struct session *session, const struct call *call)
 {
     (void)call;
@@ -134,6 +159,19 @@ const struct command session_commands[] = {
      .see = "set show",
      .principal = -1,
      .run = run_reset},
+    {.name = "print",
+     .argument = {{"VALUE", ARGUMENT_ANY, NULL, false}},
+     .summary = "the value of an expression",
+     .help =
+         "Numbers, + - * / ^ and parentheses; units m mm cm km in ft s ms rad deg; pi; sin cos tan asin "
+         "acos\n"
+         "atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; the parameters; 'ans' and\n"
+         "'ans.KEY', the last answer; commands, with a key or without: rmax, rmax(0.3).r_max_paper.",
+     .example = "print ln(112 m / h) / ln(rmax)",
+     .see = "set",
+     .columns = print_columns,
+     .principal = -1,
+     .run = run_print},
     {.name = "save",
      .argument = {{"FILE", ARGUMENT_FILE, NULL, false}},
      .summary = "write the parameters into FILE, for 'source'",
@@ -148,6 +186,7 @@ const struct command session_commands[] = {
      .principal = -1,
      .files = true,
      .run = run_source},
+    {.name = "exit", .summary = "the same as quit", .see = "quit", .principal = -1, .run = run_quit},
     {.name = "quit", .summary = "leave; so does the end of the input (^D)", .principal = -1, .run = run_quit},
     {.name = NULL},
 };

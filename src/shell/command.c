@@ -82,11 +82,14 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
                            : a->kind == ARGUMENT_TILT   ? (struct quantity){1, 0, 0, 1}
                                                         : (struct quantity){1, 0, 0, 0};
     bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
-    if (!bare && (q.length != unit.length || q.time != unit.time || q.angle != unit.angle))
+    if (!bare && a->kind != ARGUMENT_ANY &&
+        (q.length != unit.length || q.time != unit.time || q.angle != unit.angle))
         return session_error(session, "%s is %s, not %s", a->name,
                              expression_kind(unit, wanted, sizeof wanted),
                              expression_kind(q, kind, sizeof kind));
     *number = q.value;
+    if (a->kind == ARGUMENT_ANY)
+        return true;
     if (a->kind == ARGUMENT_TILT)
         return tilt_check(session, a, q, number);
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))

@@ -16,6 +16,7 @@ enum argument_kind {
     ARGUMENT_OF,        /* a value for the parameter argument.of */
     ARGUMENT_HEIGHT,    /* a length > 0 */
     ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
+    ARGUMENT_ANY,       /* any value */
     ARGUMENT_PARAMETER, /* the name of a parameter */
     ARGUMENT_VALUE,     /* a value for the parameter before it */
     ARGUMENT_TOPIC,     /* a command or a parameter */
@@ -38,6 +39,7 @@ enum { ARGUMENTS_MAX = 3 };
 struct call {
     int count; /* of those that were given */
     double number[ARGUMENTS_MAX];
+    struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
     struct answer *answer;

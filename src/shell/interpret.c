@@ -131,14 +131,13 @@ static char *read_word(struct reader *r, bool quotes)
     return strndup(begin, length);
 }
 
-static bool read_number(struct reader *r, const struct argument *a, double *number)
+static bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, double *number)
 {
     struct session *session = r->session;
-    struct quantity q = {0, 0, 0, 0};
     struct expression e = {.text = r->at, .lookup = lookup, .context = session};
     int begin = session->column;
     long errors = session->errors;
-    if (!expression_evaluate(&e, &q)) {
+    if (!expression_evaluate(&e, q)) {
         session->column = column_of(r, e.end);
         if (session->errors > errors && e.message[0] == '\0')
             return false;
@@ -155,7 +154,7 @@ static bool read_number(struct reader *r, const struct argument *a, double *numb
     }
     r->at = e.end;
     session->column = begin;
-    return argument_check(session, a, q, number);
+    return argument_check(session, a, *q, number);
 }
 
 /* A value for a parameter: one of its words, or an expression. */
@@ -181,7 +180,9 @@ static bool read_value(struct reader *r, const struct parameter *p, double *numb
         return session_error(r->session, "%s (%s is one of %s)", message, p->name, range);
     }
     r->at = begin;
-    return read_number(r, &(struct argument){.name = p->name, .kind = ARGUMENT_OF, .of = p->name}, number);
+    struct quantity q = {0, 0, 0, 0};
+    return read_quantity(r, &(struct argument){.name = p->name, .kind = ARGUMENT_OF, .of = p->name}, &q,
+                         number);
 }
 
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
@@ -213,7 +214,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         r->at += strlen(r->at);
         return call->word[i] != NULL;
     default:
-        return read_number(r, a, &call->number[i]);
+        return read_quantity(r, a, &call->quantity[i], &call->number[i]);
     }
 }
 
@@ -264,6 +265,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     bool done = c->run(session, call);
     double seconds = terminal_clock() - begun;
     session->answered = session->answered || (done && c->columns);
+    session->write_error = answer.lost ? answer.lost : session->write_error;
     if (done && c->principal >= 0) {
         session->ans.command = c;
         memcpy(session->ans.cells, kept, sizeof kept);

@@ -141,10 +141,13 @@ int main(int argc, char **argv)
         line_stream(&session, stdin, "stdin");
 
     bool failed = session.errors > 0 && !plan.prompt;
+    /* Buffered output may fail as late as here. */
     errno = 0;
-    if (ferror(stdout) || fclose(stdout) != 0) {
-        fprintf(stderr, "domino: cannot write the output%s%s\n", errno ? ": " : "",
-                errno ? strerror(errno) : "");
+    bool lost = ferror(stdout) != 0;
+    if (fclose(stdout) != 0 || lost) {
+        int reason = session.write_error ? session.write_error : errno;
+        fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
+                reason ? strerror(reason) : "");
         failed = true;
     }
     return failed ? EXIT_FAILURE : EXIT_SUCCESS;

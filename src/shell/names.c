@@ -41,7 +41,7 @@ static size_t distance(const char *a, const char *b)
 const char *names_closest(names_list *list, const void *context, const char *text)
 {
     const char *name, *best = NULL;
-    size_t least = strlen(text) / 3 + 1; /* a third of the letters may be wrong */
+    size_t least = (strlen(text) + 1) / 3; /* a third of the letters may be wrong */
     for (int k = 0; (name = list(context, k)) != NULL; k++) {
         size_t d = distance(text, name);
         if (d <= least && d < strlen(name)) {

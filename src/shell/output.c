@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
 #include "terminal.h"
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -74,11 +75,11 @@ static const char *cell_text(struct cell cell, int digits, char text[TEXT_SIZE])
 }
 
 /* On a terminal with UTF-8 the field's letters are written as such. */
-static const char *pretty(FILE *out, const char *text, char line[TEXT_LINE])
+static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
 {
     static const char *const letters[][2] = {{"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"},
                                              {"sqrt", "√"},  {">=", "≥"},    {"<=", "≤"}};
-    if (!terminal_utf8() || !terminal_width(out) || strlen(text) >= TEXT_LINE)
+    if (!a->letters || strlen(text) >= TEXT_LINE)
         return text;
     size_t n = 0;
     while (*text) {
@@ -201,9 +202,9 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
 /* ---- Tables ---- */
 
 /* Digits that leave room for every column of a table of rows in the width of the terminal. */
-static int row_digits(const struct answer *a, int width)
+static int row_digits(const struct answer *a)
 {
-    int digits = (int)a->style.digits, fixed = 0, numbers = 0;
+    int width = a->width, digits = (int)a->style.digits, fixed = 0, numbers = 0;
     for (const struct column *c = a->columns; c->key; c++) {
         fixed += c->width + (c > a->columns ? 2 : 0);
         numbers += c->width == 0;
@@ -215,7 +216,7 @@ static int row_digits(const struct answer *a, int width)
 static void row_table(struct answer *a, const struct cell *cells)
 {
     char text[TEXT_SIZE], line[TEXT_LINE];
-    int width = terminal_width(a->out), digits = row_digits(a, width);
+    int digits = row_digits(a);
     bool units = false;
     for (const struct column *c = a->columns; c->key; c++)
         units = units || *c->unit;
@@ -227,14 +228,14 @@ static void row_table(struct answer *a, const struct cell *cells)
         for (int i = 0; a->columns[i].key; i++) {
             const struct column *c = &a->columns[i];
             bool left = cells[i].kind == CELL_WORD, last = !a->columns[i + 1].key;
-            const char *said = head == 2   ? pretty(a->out, c->key, line)
+            const char *said = head == 2   ? pretty(a, c->key, line)
                                : head == 1 ? column_unit(a, c, text)
-                                           : pretty(a->out, cell_text(cells[i], digits, text), line);
+                                           : pretty(a, cell_text(cells[i], digits, text), line);
             int wide = c->width ? c->width : digits + NUMBER_MARGIN;
             fputs(i ? "  " : "", a->out);
             at += i ? 2 : 0;
             if (left && last)
-                wrapped(a->out, said, at, width);
+                wrapped(a->out, said, at, a->width);
             else
                 field(a->out, said, left ? -wide : wide);
             at += wide;
@@ -248,30 +249,37 @@ static void row_table(struct answer *a, const struct cell *cells)
 static void row_lines(struct answer *a, const struct cell *cells)
 {
     char text[TEXT_SIZE], line[TEXT_LINE], unit[TEXT_SIZE];
-    int key_width = 0, unit_width = 0, digits = (int)a->style.digits, window = terminal_width(a->out);
-    const char *bold = terminal_colour(a->out) ? "\033[1m" : "", *end = *bold ? "\033[m" : "";
+    int key_width = 0, unit_width = 0, digits = (int)a->style.digits;
+    const char *bold = a->bold ? "\033[1m" : "", *end = *bold ? "\033[m" : "";
     for (const struct column *c = a->columns; c->key; c++) {
-        int key = terminal_columns(pretty(a->out, c->key, line)), wide = (int)strlen(c->unit);
+        int key = terminal_columns(pretty(a, c->key, line)), wide = (int)strlen(c->unit);
         key_width = key > key_width ? key : key_width;
         unit_width = wide > unit_width ? wide : unit_width;
     }
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
-        field(a->out, pretty(a->out, c->key, line), -key_width);
+        field(a->out, pretty(a, c->key, line), -key_width);
         fprintf(a->out, "  %s", bold);
         field(a->out, cell_text(cells[i], digits, text), digits + NUMBER_MARGIN);
         fprintf(a->out, "%s %-*s  ", end, unit_width,
                 cells[i].kind == CELL_NONE ? "" : column_unit(a, c, unit));
-        wrapped(a->out, pretty(a->out, c->meaning, line), key_width + digits + NUMBER_MARGIN + unit_width + 5,
-                window);
+        wrapped(a->out, pretty(a, c->meaning, line), key_width + digits + NUMBER_MARGIN + unit_width + 5,
+                a->width);
     }
 }
 
-static void answer_gap(struct answer *a)
+/* Before the first line: what the terminal can do, and the blank line between answers. */
+static void answer_prepare(struct answer *a)
 {
+    if (a->prepared)
+        return;
+    a->prepared = true;
+    a->width = terminal_width(a->out);
+    a->letters = a->width && terminal_utf8();
+    a->bold = terminal_colour(a->out);
+    errno = 0; /* asking what is no terminal sets it */
     if (a->gap && a->style.output == OUTPUT_TABLE)
         putc('\n', a->out);
-    a->gap = false;
 }
 
 void answer_row(struct answer *a, const struct cell *cells, const char *reason)
@@ -287,7 +295,8 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
     }
     if (!a->out)
         return;
-    answer_gap(a);
+    answer_prepare(a);
+    errno = 0;
     if (a->style.output == OUTPUT_JSON)
         row_json(a, shown, reason);
     else if (a->style.output == OUTPUT_CSV)
@@ -297,6 +306,8 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
     else
         row_lines(a, shown);
     a->begun = true;
+    if (ferror(a->out) && !a->lost)
+        a->lost = errno;
     if (reason)
         answer_say(a, "%s", reason);
 }
@@ -316,12 +327,12 @@ void answer_say(struct answer *a, const char *format, ...)
     char text[TEXT_LINE], line[TEXT_LINE];
     if (!answer_for_people(a))
         return;
-    answer_gap(a);
+    answer_prepare(a);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     int indent = (int)strspn(text, " ");
     fprintf(a->out, "%*s", indent, "");
-    wrapped(a->out, pretty(a->out, text + indent, line), indent, terminal_width(a->out));
+    wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
 }

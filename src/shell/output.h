@@ -43,7 +43,12 @@ struct answer {
     const struct column *columns; /* ends with a NULL key */
     bool rows;                    /* a table with a head, rather than a line a column */
     bool begun;
+    bool prepared; /* width and the two below are known */
+    bool letters;  /* the field's letters can be shown */
+    bool bold;
+    int width;         /* of the terminal; 0 for none */
     bool gap;          /* set a blank line between this answer and the one before, for people */
+    int lost;          /* errno of the first write that failed; 0 for none */
     struct cell *kept; /* where the cells of the last row stay */
 };
 

@@ -31,6 +31,7 @@ struct session {
     bool answered; /* something was answered before */
     int depth;     /* of nested source commands */
     long errors;
+    int write_error; /* errno of the first answer that could not be written; 0 for none */
     struct {
         const struct command *command; /* that gave the last answer; NULL for none */
         struct cell cells[ANSWER_CELLS];
