@@ -12,6 +12,7 @@ DESTDIR ?=
 B       ?= .build
 
 CC      ?= gcc
+OBJCOPY ?= objcopy
 OPTIM   ?= -O2 -g
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wvla
 CFLAGS  ?= $(OPTIM)
@@ -27,16 +28,18 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit sessions sanitize deps lint format install uninstall clean
+.PHONY: all run test unit sessions sanitize fuzz bench deps lint format install uninstall clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc
 
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_RUN  := libgsl-dev libreadline-dev
-DEPS_TEST := libcmocka-dev bats expect
+DEPS_TEST := libcmocka-dev bats expect tmux
 DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
+DEPS_FUZZ := clang
 NEEDED    := $(DEPS_RUN) $(if $(filter test unit sessions sanitize,$(MAKECMDGOALS)),$(DEPS_TEST)) \
-             $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev)
+             $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev) \
+             $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),bc)
 
 deps:
 	@missing=; for p in $(NEEDED); do \
@@ -60,10 +63,18 @@ $(B)/obj/%.o: %.c | $(FIRST)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
 
-$(B)/libdomino.a: $(call OBJ,$(MODEL))
+# The whole model, for our own tests; and the library, which shows no other names than dom_*.
+$(B)/libmodel.a: $(call OBJ,$(MODEL))
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
 	$(Q)$(AR) rcs $@ $^
+
+$(B)/libdomino.a: $(call OBJ,$(MODEL))
+	$(call SAY,AR,$@)
+	$(Q)rm -f $@
+	$(Q)$(LD) -r -o $(B)/domino.o $^
+	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='dom_*' $(B)/domino.o
+	$(Q)$(AR) rcs $@ $(B)/domino.o
 
 $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
@@ -80,7 +91,7 @@ run: all
 
 # ---- Tests ----
 
-$(B)/unit/%: $(B)/obj/tests/unit/%.o $(B)/libdomino.a
+$(B)/unit/%: $(B)/obj/tests/unit/%.o $(B)/libmodel.a
 	@mkdir -p $(@D)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
@@ -102,9 +113,33 @@ sanitize: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/sanitize \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 
+# ---- Fuzzing and speed ----
+
+# The line interpreter under libFuzzer, ASan and UBSan, from a seeded corpus.
+FUZZ_SECONDS ?= 600
+FUZZ_FLAGS   := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+fuzz: | $(FIRST)
+	$(Q)$(MAKE) --no-print-directory B=$(B)/fuzz CC=clang CFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' \
+	  $(B)/fuzz/fuzz_line
+	$(Q)rm -rf $(B)/fuzz/corpus && cp -r tests/fuzz/corpus $(B)/fuzz/corpus
+	$(B)/fuzz/fuzz_line -seed=1 -max_total_time=$(FUZZ_SECONDS) -max_len=400 -timeout=10 -rss_limit_mb=2048 \
+	  -close_fd_mask=3 -dict=tests/fuzz/words.dict -artifact_prefix=$(B)/fuzz/ -print_final_stats=1 $(B)/fuzz/corpus
+
+$(B)/fuzz_line: $(B)/obj/tests/fuzz/fuzz_line.o $(filter-out %/main.o,$(call OBJ,$(SHELL_C))) $(B)/libmodel.a
+	$(call SAY,LD,$@)
+	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
+
+# Ratios, side by side in one run.
+bench: all $(B)/bench_start
+	@$(B)/bench_start $(B)/domino
+
+$(B)/bench_start: $(B)/obj/tests/bench/bench_start.o
+	$(call SAY,LD,$@)
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ -o $@
+
 # ---- Checks ----
 
-C_FILES := $(MODEL) $(SHELL_C) $(UNIT)
+C_FILES := $(MODEL) $(SHELL_C) $(UNIT) $(wildcard tests/bench/*.c tests/fuzz/*.c)
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/unit/*.h)
 
 lint: | $(FIRST)
@@ -114,8 +149,8 @@ lint: | $(FIRST)
 	clang-tidy --quiet $(MODEL) $(SHELL_C) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem -Iinclude -Isrc/model src
-	mandoc -T lint -W warning man/domino.1
-	shellcheck tests/run .ci/run tests/shell/*.bash
+	mandoc -T lint man/domino.1
+	shellcheck tests/run .ci/run tests/shell/*.bash src/shell/domino.bash
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
@@ -124,7 +159,9 @@ format:
 
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig \
-	  $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/doc/domino/examples
+	  $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/doc/domino/examples \
+	  $(DESTDIR)$(PREFIX)/share/bash-completion/completions
+	install -m 644 src/shell/domino.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/domino
 	install -m 755 $(B)/domino $(DESTDIR)$(PREFIX)/bin/domino
 	install -m 644 include/domino.h $(DESTDIR)$(PREFIX)/include/domino.h
 	install -m 644 $(B)/libdomino.a $(DESTDIR)$(PREFIX)/lib/libdomino.a
@@ -137,7 +174,8 @@ install: all
 uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/bin/domino $(DESTDIR)$(PREFIX)/include/domino.h \
 	  $(DESTDIR)$(PREFIX)/lib/libdomino.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc \
-	  $(DESTDIR)$(PREFIX)/share/man/man1/domino.1
+	  $(DESTDIR)$(PREFIX)/share/man/man1/domino.1 \
+	  $(DESTDIR)$(PREFIX)/share/bash-completion/completions/domino
 	rm -rf $(DESTDIR)$(PREFIX)/share/doc/domino
 
 clean:

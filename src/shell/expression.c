@@ -258,7 +258,7 @@ static bool arguments(struct expression *e, struct quantity *a, int *count)
             return false;
         e->end = skip(e->end);
         if (*e->end != ',' && *e->end != ')')
-            return expression_fail(e, "here ',' or ')' is missing");
+            return expression_fail(e, "',' or ')' is missing");
         if (*e->end == ',')
             e->end++;
     }
@@ -312,7 +312,7 @@ static bool primary(struct expression *e, struct quantity *q)
     if (name_start(c))
         return named(e, q);
     if (c != '(')
-        return expression_fail(e, c ? "here a value is missing" : "a value is missing at the end");
+        return expression_fail(e, c ? "a value is missing" : "a value is missing at the end");
     const char *open = e->end++;
     e->end = skip(e->end);
     if (!sum(e, q))

@@ -143,8 +143,9 @@ static bool read_quantity(struct reader *r, const struct argument *a, struct qua
             return false;
         char shown[NAMES_SHOWN], word[NAMES_SHOWN];
         snprintf(word, sizeof word, "%.*s", (int)strcspn(e.end, " \t;"), e.end);
-        return session_error(session, *word ? "%s: %s, at '%s'" : "%s: %s", a->name, e.message,
-                             names_shown(word, shown));
+        if (*word == '\0')
+            return session_error(session, "%s: %s", a->name, e.message);
+        return session_error(session, "%s at '%s': %s", a->name, names_shown(word, shown), e.message);
     }
     if (!isspace((unsigned char)*e.end) && !ends(e.end) && *e.end != '>') {
         char shown[NAMES_SHOWN];
