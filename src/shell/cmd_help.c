@@ -80,10 +80,13 @@ static bool run_help(struct session *session, const struct call *call)
     }
     const char *topic = topic_names(NULL, (int)call->number[0]);
     const struct command *c = command_find(topic);
+    const struct parameter *p = parameter_find(topic);
     if (c)
         help_command(session, c);
-    else
-        help_parameter(session, parameter_find(topic));
+    if (c && p)
+        fputs("\nThe parameter of this name:\n\n", session->out);
+    if (p)
+        help_parameter(session, p);
     return true;
 }
 

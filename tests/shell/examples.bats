@@ -25,18 +25,60 @@ golden() {
     done
 }
 
-@test "the man page covers every command, parameter and option" {
+# "The largest growth.": a line of the page from a line of help.
+sentence() {
+    sed -E 's/^(.)(.*)$/\U\1\E\2./'
+}
+
+@test "the man page says of every command what help says" {
     page=$root/man/domino.1
-    "$DOMINO" -e help | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' >"$BATS_TEST_TMPDIR/names"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/names")" -ge 19 ]
-    while read -r name; do
-        grep -q "^\.It Ic $name\b" "$page" || { echo "command $name"; false; }
-    done <"$BATS_TEST_TMPDIR/names"
-    "$DOMINO" -e 'set output csv; show' | tail -n +2 | cut -d, -f1 | while read -r name; do
-        grep -q "^\.It Va $name\b" "$page" || { echo "parameter $name"; false; }
+    "$DOMINO" -e help | sed -n '/^Parameters/q;s/^  //p' >"$BATS_TEST_TMPDIR/commands"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/commands")" -ge 25 ]
+    while IFS= read -r line; do
+        usage=$(sed -E 's/  +.*//' <<<"$line")
+        summary=$(sed -E 's/^.{19}//' <<<"$line" | sentence)
+        # "rmax [S]" is ".It Ic rmax Op Ar S" in the page.
+        macro=${usage%% *}
+        for word in $(cut -s -d ' ' -f 2- <<<"$usage"); do
+            case $word in
+            "["*) word=${word#?} macro="$macro Op Ar ${word%?}" ;;
+            *) macro="$macro Ar $word" ;;
+            esac
+        done
+        grep -A 1 -Fx ".It Ic $macro" "$page" | grep -qFx -- "$summary" || { echo "$macro: $summary"; false; }
+        for key in $("$DOMINO" -e "help ${usage%% *}" | sed -n '/^It answers/,/^$/s/^  \([^ ]*\).*/\1/p'); do
+            awk -v item=".It Ic $macro" '$0 == item { on = 1; next } /^\.It|^\.El/ { on = 0 } on' "$page" |
+                grep -qE "\b$key\b" || { echo "$usage: key $key"; false; }
+        done
+    done <"$BATS_TEST_TMPDIR/commands"
+}
+
+@test "the man page has every parameter, option and environment variable" {
+    page=$root/man/domino.1
+    "$DOMINO" -e 'set output json; show' | while IFS= read -r row; do
+        name=$(sed -E 's/.*"name":"([^"]*)".*/\1/' <<<"$row")
+        meaning=$(sed -E 's/.*"meaning":"([^"]*)".*/\1/' <<<"$row" | sentence)
+        grep -A 1 -Fx ".It Va $name" "$page" | grep -qFx -- "$meaning" || { echo "$name: $meaning"; false; }
     done
-    "$DOMINO" --help | grep -o -- '--[a-z]*' | sort -u | while read -r option; do
-        grep -q -- "Fl Fl ${option#--}" "$page" || { echo "option $option"; false; }
+    "$DOMINO" --help | grep -o -- '--[a-z-]*' | sort -u | while read -r option; do
+        grep -qE -- "(Fl Fl|Fl) ${option#--}( |$)" "$page" || { echo "option $option"; false; }
+    done
+    grep -ho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell/*.c | sed 's/.*"\(.*\)".*/\1/' | sort -u |
+        while read -r name; do
+            grep -q "^\.It Ev $name\$" "$page" || { echo "environment $name"; false; }
+        done
+}
+
+@test "help NAME shows an example whose output is what the command line gives" {
+    "$DOMINO" -e 'complete help ' | while read -r name; do
+        "$DOMINO" -e "help $name" >"$BATS_TEST_TMPDIR/help"
+        example=$(sed -n 's/^Example: //p' "$BATS_TEST_TMPDIR/help")
+        if [ -n "$example" ]; then
+            sed '1,/^Example: /d' "$BATS_TEST_TMPDIR/help" | sed -e 1d -e '/^See also/,$d' -e '/^The parameter/,$d' |
+                sed -e '${/^$/d}' >"$BATS_TEST_TMPDIR/shown"
+            "$DOMINO" -e "$example" >"$BATS_TEST_TMPDIR/true"
+            diff -u "$BATS_TEST_TMPDIR/true" "$BATS_TEST_TMPDIR/shown"
+        fi
     done
 }
 
