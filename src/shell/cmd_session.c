@@ -25,7 +25,7 @@ static bool run_set(struct session *session, const struct call *call)
 
 static const struct column show_columns[] = {
     {"name", "", "what 'set' calls it", 6},
-    {"value", "", "its value now", 16},
+    {"value", "", "its value now", 12},
     {"unit", "", "h: heights of the domino", 5},
     {"range", "", "the values that it may have", 18},
     {"default", "", "its value at the start", 8},

@@ -116,7 +116,7 @@ static void wrapped(FILE *out, const char *text, int left, int right)
         size_t length = strcspn(text, " ");
         char word[TEXT_LINE];
         snprintf(word, sizeof word, "%.*s", (int)length, text);
-        if (at > left && right > left + 20 && at + 1 + terminal_columns(word) > right) {
+        if (at > left && right > left + 12 && at + 1 + terminal_columns(word) > right) {
             fprintf(out, "\n%*s", left, "");
             at = left;
         }
