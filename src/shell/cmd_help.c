@@ -45,7 +45,17 @@ static void help_example(const struct session *session, const struct command *c)
     command_run_text(&fresh, c->example);
 }
 
-static void help_command(const struct session *session, const struct command *c)
+/* Runs another command for its answer to people. */
+static void run_topic(struct session *session, const char *name)
+{
+    const struct command *c = command_find(name);
+    struct answer answer = {
+        .out = session->out, .style = session->style, .columns = c->columns, .rows = c->rows};
+    answer.style.output = OUTPUT_TABLE;
+    c->run(session, &(struct call){.answer = &answer});
+}
+
+static void help_command(struct session *session, const struct command *c)
 {
     char usage[USAGE_SIZE];
     FILE *out = session->out;
@@ -60,11 +70,9 @@ static void help_command(const struct session *session, const struct command *c)
         fprintf(out, "  %-12s %-6s %s\n", k->key, k->unit, k->meaning);
     if (c->columns && c->principal >= 0)
         fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->columns[c->principal].key);
-    for (const struct parameter *p = session_parameters; strcmp(c->name, "set") == 0 && p->name; p++) {
-        char value[32];
-        parameter_text(p, parameter_get(session, p), 10, value, sizeof value);
-        fprintf(out, "%s  %-8s %-14s %s\n", p == session_parameters ? "\nThe parameters now:\n" : "", p->name,
-                value, p->meaning);
+    if (strcmp(c->name, "set") == 0) {
+        fputs("\nThe parameters now:\n", out);
+        run_topic(session, "show");
     }
     if (c->example)
         help_example(session, c);

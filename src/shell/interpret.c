@@ -263,7 +263,9 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     call->answer = &answer;
     session->column = 0;
     double begun = terminal_clock();
+    ticker_start();
     bool done = c->run(session, call);
+    ticker_stop();
     double seconds = terminal_clock() - begun;
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "terminal.h"
 #include <langinfo.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/time.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -40,9 +42,51 @@ double terminal_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* ---- The ticker: a signal handler that writes a few bytes ---- */
+
+static volatile sig_atomic_t ticks, ticker_quiet;
+
+static void on_tick(int number)
+{
+    (void)number;
+    if (ticker_quiet || ticks > 99999)
+        return;
+    char text[] = "\r      s; ^C stops it ";
+    int n = (int)++ticks;
+    for (char *digit = text + 5; n > 0; n /= 10)
+        *digit-- = (char)('0' + n % 10);
+    (void)!write(STDERR_FILENO, text, sizeof text - 1);
+}
+
+static void ticker_set(long first)
+{
+    const struct itimerval timer = {.it_value = {.tv_sec = first}, .it_interval = {.tv_sec = first}};
+    setitimer(ITIMER_REAL, &timer, NULL);
+}
+
+void ticker_start(void)
+{
+    if (!isatty(STDERR_FILENO))
+        return;
+    const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
+    ticks = ticker_quiet = 0;
+    sigaction(SIGALRM, &action, NULL);
+    ticker_set(1);
+}
+
+void ticker_stop(void)
+{
+    if (!isatty(STDERR_FILENO))
+        return;
+    ticker_set(0);
+    if (ticks > 0 && !ticker_quiet)
+        fputs("\r\033[K", stderr);
+}
+
 void progress_show(struct progress *p, double fraction)
 {
     double now = terminal_clock();
+    ticker_quiet = 1;
     if (p->begun == 0)
         p->begun = now;
     if (fraction >= 1 && p->shown > 0) {

@@ -18,6 +18,13 @@ bool terminal_utf8(void);
 /* Columns that UTF-8 text takes: its characters, none of ours being wide. */
 int terminal_columns(const char *text);
 
+/*
+ * Says "3 s; ^C stops it" on standard error while a command works on, second by second, if that is a
+ * terminal; progress_show knows better and takes over.
+ */
+void ticker_start(void);
+void ticker_stop(void);
+
 struct progress {
     double begun, shown; /* seconds of the monotonic clock */
 };
