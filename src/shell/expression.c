@@ -23,7 +23,8 @@ static const struct unit units[] = {
     {"rad", {1, 0, 0, 1}},     {"deg", {DEGREE, 0, 0, 1}}, {NULL, {0, 0, 0, 0}},
 };
 
-enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE };
+/* KEEPS: the value is of the same kind as the arguments, which are of one kind. */
+enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS };
 
 struct function {
     const char *name;
@@ -36,9 +37,9 @@ static const struct function functions[] = {
     {"sin", OF_ANGLE, sin, NULL},      {"cos", OF_ANGLE, cos, NULL},      {"tan", OF_ANGLE, tan, NULL},
     {"asin", TO_ANGLE, asin, NULL},    {"acos", TO_ANGLE, acos, NULL},    {"atan", TO_ANGLE, atan, NULL},
     {"atan2", TO_ANGLE, NULL, atan2},  {"exp", OF_NUMBER, exp, NULL},     {"ln", OF_NUMBER, log, NULL},
-    {"log", OF_NUMBER, log, NULL},     {"log10", OF_NUMBER, log10, NULL}, {"abs", OF_NUMBER, fabs, NULL},
+    {"log", OF_NUMBER, log, NULL},     {"log10", OF_NUMBER, log10, NULL}, {"abs", KEEPS, fabs, NULL},
     {"floor", OF_NUMBER, floor, NULL}, {"ceil", OF_NUMBER, ceil, NULL},   {"round", OF_NUMBER, round, NULL},
-    {"hypot", OF_NUMBER, NULL, hypot}, {"min", OF_NUMBER, NULL, fmin},    {"max", OF_NUMBER, NULL, fmax},
+    {"hypot", KEEPS, NULL, hypot},     {"min", KEEPS, NULL, fmin},        {"max", KEEPS, NULL, fmax},
     {NULL, OF_NUMBER, NULL, NULL},
 };
 
@@ -55,13 +56,12 @@ const char *expression_name(int k)
 
 /* ---- Messages ---- */
 
-bool expression_fail(struct expression *e, const char *format, ...)
+void expression_message(struct expression *e, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(e->message, sizeof e->message, format, arguments);
     va_end(arguments);
-    return false;
 }
 
 static bool plain(struct quantity q)
@@ -220,16 +220,17 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     e->end = at;
     if (count != wanted)
         return expression_fail(e, "%s takes %d value%s", f->name, wanted, wanted == 1 ? "" : "s");
-    bool lengths = f->two == hypot || f->two == fmin || f->two == fmax || f->two == atan2 || f->one == fabs;
-    if (!lengths && (!plain(a[0]) || (f->kind != OF_ANGLE && a[0].angle != 0)))
+    bool number = plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
+    if (f->one && f->kind != KEEPS && !number)
         return expression_fail(e, "%s of %s is not defined", f->name,
                                expression_kind(a[0], kind, sizeof kind));
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
-        return expression_fail(e, "%s compares things of two kinds", f->name);
-    *q = a[0];
-    q->value = f->one ? f->one(a[0].value) : f->two(a[0].value, a[1].value);
-    if (f->kind != OF_NUMBER)
-        *q = (struct quantity){.value = q->value, .angle = f->kind == TO_ANGLE};
+        return expression_fail(e, "%s takes two of a kind", f->name);
+    *q = f->kind == KEEPS ? a[0] : (struct quantity){.angle = f->kind == TO_ANGLE};
+    if (f->two)
+        q->value = f->two(a[0].value, a[1].value);
+    else if (f->one)
+        q->value = f->one(a[0].value);
     return finite_result(e, at, q);
 }
 
@@ -334,13 +335,14 @@ static bool factor(struct expression *e, struct quantity *q)
     if (negative || *e->end == '+') {
         e->end = skip(e->end + 1);
         good = factor(e, q);
-        q->value = negative ? -q->value : q->value;
+        if (good && negative)
+            q->value = -q->value;
     } else {
         good = primary(e, q);
-        const char *operator= skip(e->end);
-        if (good && *operator== '^') {
-            struct quantity power;
-            e->end = skip(operator+ 1);
+        const char *op = skip(e->end);
+        if (good && *op == '^') {
+            struct quantity power = {0, 0, 0, 0};
+            e->end = skip(op + 1);
             const char *at = e->end;
             good = factor(e, &power);
             bool whole = good && power.value == floor(power.value) && fabs(power.value) < 100;
@@ -350,7 +352,7 @@ static bool factor(struct expression *e, struct quantity *q)
             } else if (good) {
                 int n = whole ? (int)power.value : 0;
                 *q = (struct quantity){pow(q->value, power.value), n * q->length, n * q->time, n * q->angle};
-                good = finite_result(e, operator, q);
+                good = finite_result(e, op, q);
             }
         }
     }
@@ -361,22 +363,21 @@ static bool factor(struct expression *e, struct quantity *q)
 static bool product(struct expression *e, struct quantity *q)
 {
     bool good = factor(e, q);
-    for (const char *operator= skip(e->end); good && (*operator== '*' || * operator== '/');
-         operator= skip(e->end)) {
+    for (const char *op = skip(e->end); good && (*op == '*' || *op == '/'); op = skip(e->end)) {
         struct quantity by;
-        e->end = skip(operator+ 1);
+        e->end = skip(op + 1);
         good = factor(e, &by);
-        if (good && *operator== '/' && by.value == 0) {
-            e->end = operator;
+        if (good && *op == '/' && by.value == 0) {
+            e->end = op;
             return expression_fail(e, "division by zero");
         }
         if (good) {
-            q->value = *operator== '/' ? q->value / by.value : q->value * by.value;
-            int sign = *operator== '/' ? -1 : 1;
+            q->value = *op == '/' ? q->value / by.value : q->value * by.value;
+            int sign = *op == '/' ? -1 : 1;
             q->length += sign * by.length;
             q->time += sign * by.time;
             q->angle += sign * by.angle;
-            good = finite_result(e, operator, q);
+            good = finite_result(e, op, q);
         }
     }
     return good;
@@ -386,25 +387,25 @@ static bool sum(struct expression *e, struct quantity *q)
 {
     bool good = product(e, q);
     for (;;) {
-        const char *operator= skip(e->end);
-        if (!good || (*operator!= '+' && * operator!= '-'))
+        const char *op = skip(e->end);
+        if (!good || (*op != '+' && *op != '-'))
             return good;
         /* "1 -2" are two values: an argument, and one that begins with its sign. */
-        if (operator!= e->end && skip(operator+ 1) == operator+ 1)
+        if (op != e->end && skip(op + 1) == op + 1)
             return true;
         struct quantity by;
-        e->end = skip(operator+ 1);
+        e->end = skip(op + 1);
         good = product(e, &by);
         if (good && (q->length != by.length || q->time != by.time)) {
             char a[48], b[48];
-            e->end = operator;
+            e->end = op;
             return expression_fail(e, "%s and %s do not add up", expression_kind(*q, a, sizeof a),
                                    expression_kind(by, b, sizeof b));
         }
         if (good) {
-            q->value += *operator== '-' ? -by.value : by.value;
+            q->value += *op == '-' ? -by.value : by.value;
             q->angle = q->angle ? q->angle : by.angle;
-            good = finite_result(e, operator, q);
+            good = finite_result(e, op, q);
         }
     }
 }

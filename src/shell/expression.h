@@ -36,9 +36,12 @@ struct expression {
 /* Evaluates the longest expression at expression->text.  False: see message and end. */
 bool expression_evaluate(struct expression *expression, struct quantity *result);
 
-/* Sets the message; returns false. */
-bool expression_fail(struct expression *expression, const char *format, ...)
+/* Sets the message. */
+void expression_message(struct expression *expression, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
+
+/* The same, as the value false. */
+#define expression_fail(...) (expression_message(__VA_ARGS__), false)
 
 /* The unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1. */
 struct quantity expression_unit(const char *unit);

@@ -35,9 +35,10 @@ bool text_make(struct text *text, const char *typed, size_t length)
             }
         }
         column += ((unsigned char)typed[i] & 0xc0) != 0x80;
-        for (size_t k = 0; k < (plain ? strlen(plain) : 1); k++) {
+        const char *from = plain ? plain : typed + i;
+        for (size_t k = 0, bytes = plain ? strlen(plain) : 1; k < bytes; k++) {
             text->column[n] = column;
-            text->line[n++] = plain ? plain[k] : typed[i];
+            text->line[n++] = from[k];
         }
         i += taken;
     }
