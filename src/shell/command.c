@@ -110,5 +110,7 @@ bool command_keep(struct session *session, const struct command *c, struct call 
     call->answer = &answer;
     for (int i = 0; i < ANSWER_CELLS; i++)
         kept[i] = (struct cell){.kind = CELL_NONE};
-    return c->run(session, call);
+    bool done = c->run(session, call);
+    call->answer = NULL;
+    return done;
 }

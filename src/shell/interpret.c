@@ -266,6 +266,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     ticker_start();
     bool done = c->run(session, call);
     ticker_stop();
+    call->answer = NULL;
     double seconds = terminal_clock() - begun;
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
