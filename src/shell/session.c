@@ -2,6 +2,7 @@
 #include "session.h"
 #include "terminal.h"
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct word mass_words[] = {{"hollow", 3}, {"massive", 4}, {NULL, 0}};
@@ -160,10 +161,16 @@ void parameter_range(const struct parameter *p, char *text, size_t size)
 void parameter_text(const struct parameter *p, double value, int digits, char *text, size_t size)
 {
     const char *word = p->words_only ? parameter_word(p, value) : NULL;
-    if (word)
+    if (word) {
         snprintf(text, size, "%s", word);
-    else
-        snprintf(text, size, "%.*g", digits, value);
+        return;
+    }
+    /* Where all digits are wanted, the fewest that read back to the same double. */
+    for (int n = digits < 17 ? digits : 15; n <= digits; n++) {
+        snprintf(text, size, "%.*g", n, value);
+        if (strtod(text, NULL) == value)
+            return;
+    }
 }
 
 bool parameter_check(struct session *session, const struct parameter *p, double value)
