@@ -2,7 +2,6 @@
 /* Help, all of it from the tables of commands and parameters. */
 #include "command.h"
 #include "complete.h"
-#include <ctype.h>
 #include <string.h>
 
 static void help_list(FILE *out)
@@ -106,11 +105,9 @@ static bool mentions(const char *text, const char *word)
 
 static bool run_apropos(struct session *session, const struct call *call)
 {
-    char word[NAMES_SHOWN], usage[USAGE_SIZE];
+    const char *word = call->word[0];
+    char usage[USAGE_SIZE];
     int found = 0;
-    snprintf(word, sizeof word, "%s", call->word[0]);
-    for (size_t n = strlen(word); n > 0 && isspace((unsigned char)word[n - 1]); n--)
-        word[n - 1] = '\0';
     for (const struct command_group *g = command_groups; g->title; g++) {
         for (const struct command *c = g->commands; c->name; c++) {
             bool hit = mentions(c->name, word) || mentions(c->summary, word) || mentions(c->help, word) ||
@@ -141,7 +138,7 @@ static void print_candidate(const char *candidate, void *out)
 
 static bool run_complete(struct session *session, const struct call *call)
 {
-    complete_line(call->word[0], !session->safe, print_candidate, session->out);
+    complete_line(call->count ? call->word[0] : "", !session->safe, print_candidate, session->out);
     return true;
 }
 
@@ -153,13 +150,13 @@ const struct command help_commands[] = {
      .principal = -1,
      .run = run_help},
     {.name = "apropos",
-     .argument = {{"WORD", ARGUMENT_REST, NULL, false}},
+     .argument = {{"WORD", ARGUMENT_WORD, NULL, false}},
      .summary = "commands and parameters that mention WORD",
      .see = "help",
      .principal = -1,
      .run = run_apropos},
     {.name = "complete",
-     .argument = {{"LINE", ARGUMENT_REST, NULL, false}},
+     .argument = {{"LINE", ARGUMENT_REST, NULL, true}},
      .summary = "how LINE may go on, a line each, as <TAB> does",
      .principal = -1,
      .run = run_complete},

@@ -4,7 +4,6 @@
 #include "line.h"
 #include "redirect.h"
 #include <errno.h>
-#include <math.h>
 #include <string.h>
 
 /* The parameter that the i-th argument names. */
@@ -15,11 +14,7 @@ static const struct parameter *parameter_of(const struct call *call, int i)
 
 static bool run_set(struct session *session, const struct call *call)
 {
-    const struct parameter *p = parameter_of(call, 0);
-    double value = call->number[1];
-    if (p->offset == offsetof(struct session, style.digits))
-        value = floor(value);
-    parameter_put(session, p, value);
+    parameter_put(session, parameter_of(call, 0), call->number[1]);
     return true;
 }
 

@@ -32,7 +32,13 @@ const char *topic_names(const void *context, int k)
     int commands = 0;
     while (command_at(commands))
         commands++;
-    return k < commands ? command_names(context, k) : parameter_names(context, k - commands);
+    if (k < commands)
+        return command_names(context, k);
+    /* 'fuel' is a command and a parameter: once is enough. */
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!command_find(p->name) && k-- == commands)
+            return p->name;
+    return NULL;
 }
 
 const char *command_keys(const void *command, int k)

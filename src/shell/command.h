@@ -20,6 +20,7 @@ enum argument_kind {
     ARGUMENT_PARAMETER, /* the name of a parameter */
     ARGUMENT_VALUE,     /* a value for the parameter before it */
     ARGUMENT_TOPIC,     /* a command or a parameter */
+    ARGUMENT_WORD,      /* any word, or several between "..." */
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
     ARGUMENT_REST,      /* the rest of the line as it is */
 };

@@ -97,6 +97,22 @@ static struct offer offer_at(const char *line, size_t length)
     return offer;
 }
 
+/* The command before the dot at the end of text: 'rmax.' or 'rmax(0.3).'; NULL if there is none. */
+static const struct command *command_before_dot(const char *text, const char *dot)
+{
+    const char *end = dot;
+    if (end > text && end[-1] == ')')
+        while (end > text && *end != '(')
+            end--;
+    const char *begin = end;
+    while (begin > text && (isalnum((unsigned char)begin[-1]) || begin[-1] == '_'))
+        begin--;
+    char name[32];
+    snprintf(name, sizeof name, "%.*s", (int)(end - begin), begin);
+    const struct command *c = command_find(name);
+    return c && c->principal >= 0 ? c : NULL;
+}
+
 void complete_line(const char *line, bool files, void (*emit)(const char *, void *), void *context)
 {
     const char *begin = line, *last;
@@ -113,6 +129,12 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
     for (const char *c = last; *c && offer.lists == 3; c++)
         if (!isalnum((unsigned char)*c) && *c != '_')
             name = c + 1;
+    if (name > last && name[-1] == '.') {
+        const struct command *c = command_before_dot(last, name - 1);
+        offer = (struct offer){.lists = 0};
+        if (c)
+            offer_list(&offer, command_keys, c);
+    }
     for (int l = 0; l < offer.lists; l++) {
         const char *candidate;
         for (int k = 0; (candidate = offer.list[l](offer.context[l], k)) != NULL; k++) {

@@ -73,8 +73,8 @@ const char *expression_kind(struct quantity q, char *text, size_t size)
 {
     static const char *const base[] = {"m", "s", "rad"};
     const int power[] = {q.length, q.time, q.angle};
-    if (plain(q))
-        return q.angle == 1 ? "an angle" : "a plain number";
+    if (plain(q) && (q.angle == 0 || q.angle == 1))
+        return q.angle ? "an angle" : "a plain number";
     if (q.time == 0 && q.length == 1)
         return "a length";
     if (q.length == 0 && q.time == 1 && q.angle == 0)
@@ -246,24 +246,26 @@ static bool root(struct expression *e, const char *at, const struct quantity *a,
     return true;
 }
 
-/* "(a, b)" behind a name. */
+/* "(a, b)" behind a name; "()" has no values. */
 static bool arguments(struct expression *e, struct quantity *a, int *count)
 {
     *count = 0;
-    e->end++;
-    while (*skip(e->end) != ')') {
+    e->end = skip(e->end + 1);
+    while (*e->end != ')') {
         if (*count == EXPRESSION_ARGUMENTS)
             return expression_fail(e, "too many values");
-        e->end = skip(e->end);
         if (!sum(e, &a[(*count)++]))
             return false;
         e->end = skip(e->end);
-        if (*e->end != ',' && *e->end != ')')
+        if (*e->end == ')')
+            break;
+        if (*e->end != ',')
             return expression_fail(e, "',' or ')' is missing");
-        if (*e->end == ',')
-            e->end++;
+        e->end = skip(e->end + 1);
+        if (*e->end == ')')
+            return expression_fail(e, "a value is missing behind ','");
     }
-    e->end = skip(e->end) + 1;
+    e->end++;
     return true;
 }
 
@@ -396,17 +398,21 @@ static bool sum(struct expression *e, struct quantity *q)
         struct quantity by;
         e->end = skip(op + 1);
         good = product(e, &by);
-        if (good && (q->length != by.length || q->time != by.time)) {
+        if (!good)
+            return false;
+        /* thetac - 1: the bare one is in the session's unit of angles. */
+        if (plain(*q) && q->angle == 0 && plain(by) && by.angle == 1)
+            *q = (struct quantity){.value = q->value * e->angle, .angle = 1};
+        else if (plain(by) && by.angle == 0 && plain(*q) && q->angle == 1)
+            by = (struct quantity){.value = by.value * e->angle, .angle = 1};
+        if (q->length != by.length || q->time != by.time || q->angle != by.angle) {
             char a[48], b[48];
             e->end = op;
             return expression_fail(e, "%s and %s do not add up", expression_kind(*q, a, sizeof a),
                                    expression_kind(by, b, sizeof b));
         }
-        if (good) {
-            q->value += *op == '-' ? -by.value : by.value;
-            q->angle = q->angle ? q->angle : by.angle;
-            good = finite_result(e, op, q);
-        }
+        q->value += *op == '-' ? -by.value : by.value;
+        good = finite_result(e, op, q);
     }
 }
 

@@ -30,6 +30,7 @@ struct expression {
     bool (*lookup)(struct expression *expression, const char *name, const char *key,
                    const struct quantity *arguments, int count, struct quantity *result);
     void *context; /* for lookup */
+    double angle;  /* what a bare number is that is added to an angle, in radians */
     int depth;
 };
 

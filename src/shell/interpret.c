@@ -5,6 +5,7 @@
 #include "terminal.h"
 #include "text.h"
 #include <ctype.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -116,25 +117,29 @@ static bool lookup(struct expression *e, const char *name, const char *key, cons
 
 /* ---- Arguments ---- */
 
-/* A run of characters without blanks, or what stands between "...". */
+static const char unclosed[] = "this '\"' is never closed";
+
+/* A run of characters without blanks, or what stands between "..."; NULL where a '"' is never closed. */
 static char *read_word(struct reader *r, bool quotes)
 {
     const char *begin = r->at;
-    size_t length;
+    size_t length = strcspn(begin, " \t\r\f\v;");
     if (quotes && *begin == '"') {
         length = strcspn(++begin, "\"");
-        r->at = begin + length + (begin[length] == '"');
-    } else {
-        length = strcspn(begin, " \t\r\f\v;");
-        r->at = begin + length;
+        if (begin[length] == '\0')
+            return NULL;
     }
+    r->at = begin + length + (quotes && begin[length] == '"');
     return strndup(begin, length);
 }
 
 static bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, double *number)
 {
     struct session *session = r->session;
-    struct expression e = {.text = r->at, .lookup = lookup, .context = session};
+    struct expression e = {.text = r->at,
+                           .lookup = lookup,
+                           .context = session,
+                           .angle = session->style.angle == ANGLE_DEG ? asin(1) / 90 : 1};
     int begin = session->column;
     long errors = session->errors;
     if (!expression_evaluate(&e, q)) {
@@ -147,7 +152,7 @@ static bool read_quantity(struct reader *r, const struct argument *a, struct qua
             return session_error(session, "%s: %s", a->name, e.message);
         return session_error(session, "%s at '%s': %s", a->name, names_shown(word, shown), e.message);
     }
-    if (!isspace((unsigned char)*e.end) && !ends(e.end) && *e.end != '>') {
+    if (!isspace((unsigned char)*e.end) && (!ends(e.end) || *e.end == '#') && *e.end != '>') {
         char shown[NAMES_SHOWN];
         session->column = column_of(r, e.end);
         return session_error(session, "%s ends before '%s'; here an operator or a blank is missing", a->name,
@@ -158,27 +163,37 @@ static bool read_quantity(struct reader *r, const struct argument *a, struct qua
     return argument_check(session, a, *q, number);
 }
 
+/* Is the word a name that expressions know? */
+static bool is_value_name(const char *word)
+{
+    return names_exact(value_names, NULL, word) >= 0;
+}
+
 /* A value for a parameter: one of its words, or an expression. */
 static bool read_value(struct reader *r, const struct parameter *p, double *number)
 {
     const char *begin = r->at;
-    char message[NAMES_MESSAGE], what[32];
+    char message[NAMES_MESSAGE] = "", what[32];
     char *word = read_word(r, false);
     int k = -1;
+    /* A word for a number may not hide a name: 'set q h' is the parameter h. */
+    bool wordlike = word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' && *word;
     if (word && p->words) {
         snprintf(what, sizeof what, "value of %s", p->name);
-        k = p->words_only ? names_find(parameter_words, p, what, word, message)
-                          : names_exact(parameter_words, p, word);
+        k = p->words_only || (wordlike && !is_value_name(word))
+                ? names_find(parameter_words, p, what, word, message)
+                : names_exact(parameter_words, p, word);
     }
     free(word);
     if (k >= 0) {
         *number = p->words[k].value;
         return true;
     }
-    if (p->words_only) {
+    if (*message) {
         char range[64];
         parameter_range(p, range, sizeof range);
-        return session_error(r->session, "%s (%s is one of %s)", message, p->name, range);
+        return session_error(r->session, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
+                             message, p->name, range);
     }
     r->at = begin;
     struct quantity q = {0, 0, 0, 0};
@@ -207,9 +222,11 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
                               : -1;
         call->number[i] = k;
         return k >= 0 || session_error(session, "%s", message);
+    case ARGUMENT_WORD:
     case ARGUMENT_FILE:
         call->word[i] = read_word(r, true);
-        return call->word[i] && *call->word[i] ? true : session_error(session, "a file name is missing");
+        return call->word[i] ? *call->word[i] || session_error(session, "%s is missing", a->name)
+                             : session_error(session, unclosed);
     case ARGUMENT_REST:
         call->word[i] = strdup(r->at);
         r->at += strlen(r->at);
@@ -294,7 +311,9 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
     r->at = skip_blanks(r->at);
     const char *wrong = NULL;
     bool done = false;
-    if (!path || !*path)
+    if (!path)
+        session_error(session, unclosed);
+    else if (!*path)
         session_error(session, "the file behind '>' is missing");
     else if (!ends(r->at))
         session_error(session,
@@ -375,6 +394,7 @@ static void run_line(struct session *session, const char *line, size_t length)
         if (begin < end) {
             r.at = begin;
             run_command(&r);
+            end = r.at > end ? r.at : end; /* 'complete LINE' takes the rest */
         }
         if (*end != ';' || session_stops(session, errors))
             break;

@@ -8,7 +8,8 @@
 
 struct redirect {
     FILE *file;
-    char *path, *draft; /* draft: NULL where the file is written in place (devices, appending) */
+    char *path, *draft; /* draft: NULL for a device, which is written as it comes */
+    bool append;
 };
 
 /* NULL, or why the file cannot be written. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
 #include "terminal.h"
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,6 +43,7 @@ const struct parameter session_parameters[] = {
                                              .fallback = 10,
                                              .lowest = 1,
                                              .highest = 17,
+                                             .whole = true,
                                              .offset = offsetof(struct session, style.digits),
                                              .setting = true},
     WORDS("angle", style.angle, angle_words, true, "unit of angles, typed and answered")
@@ -177,6 +179,9 @@ bool parameter_check(struct session *session, const struct parameter *p, double 
 {
     char range[64];
     parameter_range(p, range, sizeof range);
+    if (p->whole && value != floor(value))
+        return session_error(session, "%s = %.10g is no whole number; %s is one in %s", p->name, value,
+                             p->name, range);
     if (value >= p->lowest && value <= p->highest)
         return true;
     return session_error(session, "%s = %.10g is out of range; %s is a number in %s%s%s%s", p->name, value,

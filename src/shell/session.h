@@ -63,6 +63,7 @@ struct parameter {
     double fallback, lowest, highest;
     const struct word *words; /* names for some values; NULL for none */
     bool words_only;          /* stored as an unsigned */
+    bool whole;               /* a whole number */
     size_t offset;            /* in struct session */
     bool setting;             /* of the calculator rather than of the model: a plain reset keeps it */
 };

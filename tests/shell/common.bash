@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
+# What the session suites share. "$DOMINO" is the program; nothing is written outside $BATS_TEST_TMPDIR.
+
+bats_require_minimum_version 1.5.0
+
+# The command table of the calculator: a call of each command, and the keys of its answer in their order.
+# shellcheck disable=SC2034
+commands='thetac|theta_c theta_u theta_inf theta_f theta_leave falls_off
+theta1 0.1|theta theta_1 slope arm_a arm_b
+chain 0.1|i theta_i slope_i arm_a arm_b weight
+energy 0.1|theta dH J J0
+fuel|fuel fuel_exact fuel_paper
+launch|omega0sq omega0 kinetic J0
+omega 0.1|theta omegasq omega
+barrier|theta_m barrier kinetic margin verdict
+duration|duration tau seconds speed
+rmax|s r_max ends_by r_max_exact r_max_paper
+rmax 0.3|s r_max ends_by r_max_exact r_max_paper
+pair|s r_max ends_by
+pair 0.3|s r_max ends_by
+best|s r_max
+curve 0.3 0.5 3|s exact paper pair reach
+count 112|height r dominoes exact first_height last_height feasible
+count 112 2|height r dominoes exact first_height last_height feasible reason
+print 0.1|value unit'
+
+# Runs commands (with ';' or newlines) in one of the ways that need no terminal.
+session() { # WAY COMMANDS
+    local way=$1 text=$2 script=$BATS_TEST_TMPDIR/session.dom
+    case $way in
+    -e) "$DOMINO" -e "$text" ;;
+    stdin) printf '%s\n' "$text" | "$DOMINO" ;;
+    -f) printf '%s\n' "$text" >"$script" && "$DOMINO" -f "$script" ;;
+    '#!')
+        ln -sf "$DOMINO" "$BATS_TEST_TMPDIR/domino" # its path has no blanks that '#!' would split
+        printf '#!%s -f\n%s\n' "$BATS_TEST_TMPDIR/domino" "$text" >"$script"
+        chmod +x "$script"
+        "$script"
+        ;;
+    esac
+}
+
+json() { "$DOMINO" -e "set output json; $1"; }
+
+# Of json answers on stdin: the keys of the first one; the value of a key in each one that has it.
+keys() { head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
+values() { sed -En "s/^(.*,|\{)\"$1\":(\"[^\"]*\"|[^,}]*).*/\2/p" | tr -d '"'; }
+
+# Equal, or this says what differs.
+same() { # WHAT EXPECTED OBTAINED
+    [ "$2" = "$3" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
+}
+
+# Equal numbers up to a relative error of 1e-10, and 1e-15 where the value is 0; empty is null.
+close() { # WHAT EXPECTED OBTAINED
+    awk -v e="${2:-null}" -v o="$3" 'BEGIN {
+        if (e == "null" || o == "null" || o == "") exit !(e == o)
+        error = e - o; if (error < 0) error = -error
+        size = e < 0 ? -e : +e
+        exit !(error <= 1e-10 * size + 1e-15)
+    }' || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "${2:-null}" "$3" && false; }
+}
