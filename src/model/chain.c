@@ -196,9 +196,7 @@ enum dom_status dom_chain_walk(const struct dom_train *train, double theta,
 {
     struct lean g;
     struct tilt head;
-    enum dom_status status = lean_make(train, &g);
-    if (status == DOM_OK)
-        status = lean_tilt(&g, theta, &head);
+    enum dom_status status = lean_make_tilted(train, theta, &g, &head);
     if (status != DOM_OK)
         return status;
     struct sums sums = {0};
@@ -218,9 +216,7 @@ enum dom_status dom_contact_find(const struct dom_train *train, double theta, st
 {
     struct lean g;
     struct tilt head;
-    enum dom_status status = lean_make(train, &g);
-    if (status == DOM_OK)
-        status = lean_tilt(&g, theta, &head);
+    enum dom_status status = lean_make_tilted(train, theta, &g, &head);
     if (status != DOM_OK)
         return status;
     struct link k = link_head(&g, head);

@@ -28,6 +28,13 @@ static enum dom_status cycle_climb(struct cycle *cycle, double end)
     return barrier_search(&cycle->lean, CHAIN_ENDLESS, end, &cycle->barrier);
 }
 
+/* The cycle from its beginning to theta_c, with its barrier. */
+static enum dom_status cycle_whole(const struct dom_train *train, struct cycle *cycle)
+{
+    enum dom_status status = cycle_begin(train, cycle);
+    return status == DOM_OK ? cycle_climb(cycle, tilt_angle(cycle->lean.c)) : status;
+}
+
 /* (c3), solved for tau^2 omega(theta)^2. */
 static enum dom_status cycle_omegasq(const struct cycle *cycle, double theta, double *omegasq)
 {
@@ -70,9 +77,7 @@ static double energy_short(double theta, void *context)
 enum dom_status dom_cycle_stop(const struct dom_train *train, double *theta)
 {
     struct cycle cycle;
-    enum dom_status status = cycle_begin(train, &cycle);
-    if (status == DOM_OK)
-        status = cycle_climb(&cycle, tilt_angle(cycle.lean.c));
+    enum dom_status status = cycle_whole(train, &cycle);
     if (status != DOM_OK)
         return status;
     *theta = DOM_NAN;
@@ -94,9 +99,7 @@ static double slowness(double theta, void *context)
 enum dom_status dom_cycle_duration(const struct dom_train *train, double *duration)
 {
     struct cycle cycle;
-    enum dom_status status = cycle_begin(train, &cycle);
-    if (status == DOM_OK)
-        status = cycle_climb(&cycle, tilt_angle(cycle.lean.c));
+    enum dom_status status = cycle_whole(train, &cycle);
     if (status != DOM_OK)
         return status;
     const struct barrier *b = &cycle.barrier;

@@ -35,9 +35,7 @@ enum dom_status dom_energy_find(const struct dom_train *train, double theta, str
     struct lean g;
     struct tilt head;
     struct sums at, at_c;
-    enum dom_status status = lean_make(train, &g);
-    if (status == DOM_OK)
-        status = lean_tilt(&g, theta, &head);
+    enum dom_status status = lean_make_tilted(train, theta, &g, &head);
     if (status == DOM_OK)
         status = chain_rise(&g, head, CHAIN_ENDLESS, &at);
     if (status == DOM_OK)

@@ -54,6 +54,13 @@ enum dom_status lean_tilt(const struct lean *lean, double theta, struct tilt *ti
     return DOM_OK;
 }
 
+enum dom_status lean_make_tilted(const struct dom_train *train, double theta, struct lean *lean,
+                                 struct tilt *head)
+{
+    enum dom_status status = lean_make(train, lean);
+    return status == DOM_OK ? lean_tilt(lean, theta, head) : status;
+}
+
 struct tilt lean_leader(const struct lean *g, struct tilt follower)
 {
     /* (b8) with the follower given: A cos theta + B sin theta = d, of whose two roots the smaller. */

@@ -42,6 +42,10 @@ enum dom_status lean_make_at(const struct dom_train *train, double r, struct lea
 /* theta in [0, theta_c] as a tilt; theta_c rounded to a double is taken as theta_c. */
 enum dom_status lean_tilt(const struct lean *lean, double theta, struct tilt *tilt);
 
+/* A checked train and theta in [0, theta_c] as the tilt of its head. */
+enum dom_status lean_make_tilted(const struct dom_train *train, double theta, struct lean *lean,
+                                 struct tilt *head);
+
 /* The leader's tilt at which its follower has this one: theta_1 inverted, follower >= theta_c. */
 struct tilt lean_leader(const struct lean *lean, struct tilt follower);
 
