@@ -1,0 +1,90 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The calculator at a terminal; the scenarios are in prompt.exp.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+prompt() { timeout 300 expect -f "$BATS_TEST_DIRNAME/prompt.exp" "$@" </dev/null; }
+
+# All commands of the table at one prompt: the answers are those of -e, byte for byte.
+same_at_the_prompt() { # FORMAT
+    local ask=("set output $1") all="set output $1" call
+    while IFS='|' read -r call _; do
+        ask+=("$call")
+        all+="; $call"
+    done <<<"$commands"
+    prompt answers "${ask[@]}" >"$BATS_TEST_TMPDIR/obtained"
+    # For people, answers in a script are set apart by a blank line.
+    "$DOMINO" -e "$all" | grep . >"$BATS_TEST_TMPDIR/expected"
+    grep . "$BATS_TEST_TMPDIR/obtained" | diff "$BATS_TEST_TMPDIR/expected" -
+}
+
+@test "every command answers at the prompt: table" { same_at_the_prompt table; }
+@test "every command answers at the prompt: json" { same_at_the_prompt json; }
+@test "every command answers at the prompt: csv" { same_at_the_prompt csv; }
+@test "help and show at the prompt" {
+    prompt answers help 'help rmax' show 'show s' >"$BATS_TEST_TMPDIR/obtained"
+    "$DOMINO" -e 'help; help rmax; show; show s' | grep . >"$BATS_TEST_TMPDIR/expected"
+    grep . "$BATS_TEST_TMPDIR/obtained" | diff "$BATS_TEST_TMPDIR/expected" -
+}
+@test "a banner that names help, a prompt, and no more" { prompt banner; }
+@test "'quit' leaves with status 0" { prompt quit; }
+@test "^D leaves with status 0, but only on an empty line" { prompt end_of_input; }
+@test "the status is 0 also after an error" { prompt leave_with_status_0; }
+@test "an error is a caret and one line, and the session goes on" { prompt error_goes_on; }
+@test "the caret counts columns, not bytes" { prompt caret_utf8; }
+@test "TAB completes commands, parameters and words, and nothing else" { prompt complete; }
+@test "TAB TAB lists what there is" { prompt complete_list; }
+@test "TAB completes files where a file belongs" { prompt complete_files; }
+@test "TAB completes a file name with blanks so that it can be used" { prompt complete_files_blank; }
+@test "^C on a half-typed line clears it" { prompt interrupt_typed; }
+@test "^C on an empty line says how to leave" { prompt interrupt_empty; }
+@test "^C in a history search ends the search" { prompt interrupt_search; }
+@test "^C stops a long computation" { prompt interrupt_computation; }
+@test "^C drops the rest of the line" { prompt interrupt_rest; }
+@test "^C drops the rest of a file" { prompt interrupt_source; }
+@test "^C stops a search that writes no rows" { prompt interrupt_silent; }
+@test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
+@test "SIGHUP ends the session during a long computation" { prompt terminate HUP; }
+@test "the session ends when its terminal goes away" { prompt hang_up; }
+@test "^Z suspends, and fg resumes with the half-typed line" { prompt suspend "set s 0.4; " "0.4; \$"; }
+@test "^Z during a computation suspends when it is done" { prompt suspend $'curve 0.1 0.9 200\r' '\n +0.1 '; }
+@test "the arrow keys bring lines back" { prompt history; }
+@test "several lines pasted at once run one after the other" { prompt paste; }
+@test "a bracketed paste of several lines runs them all" { prompt paste_bracketed; }
+@test "hundreds of lines typed ahead" { prompt many; }
+@test "no prompt unless input and output are terminals" { prompt no_prompt; }
+
+@test "history: from session to session, 0600, nothing twice in a row" { prompt history_sessions; }
+@test "history: DOMINO_HISTORY says where" { prompt history_override; }
+@test "history: an empty DOMINO_HISTORY means none" { prompt history_none; }
+@test "history: without XDG_STATE_HOME it is in the home folder" { prompt history_home; }
+@test "history: a signal and a lost terminal keep it" { prompt history_signal; }
+@test "history: two sessions at once" { prompt history_two; }
+@test "history: where it cannot be written, that is said" { prompt history_cannot; }
+@test "history and start-up file: neither in pipes" {
+    export XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
+    export HOME=$BATS_TEST_TMPDIR DOMINO_HISTORY=$BATS_TEST_TMPDIR/own
+    mkdir -p "$XDG_CONFIG_HOME/domino"
+    echo 'set s 0.3' >"$XDG_CONFIG_HOME/domino/init.dom"
+    for way in -e stdin -f; do
+        run --separate-stderr session "$way" 'print s'
+        [ "$status" -eq 0 ]
+        same "$way" 0.4 "$output"
+    done
+    [ ! -e "$XDG_STATE_HOME" ]
+    [ ! -e "$DOMINO_HISTORY" ]
+}
+@test "start-up file: it runs, -n skips it" { prompt init_file; }
+@test "start-up file: an error says where, and the session opens" { prompt init_error; }
+@test "inputrc: \$if Domino" { prompt inputrc; }
+@test "inputrc: vi keys" { prompt inputrc_vi; }
+@test "letters: ASCII in an ASCII locale" { prompt ascii; }
+@test "letters: the field's own on a UTF-8 terminal, not in files, csv and json" { prompt letters; }
+@test "colour: on a terminal that has it, not in pipes" { prompt colour; }
+@test "colour: off with NO_COLOR, TERM=dumb, and without TERM" { prompt no_colour; }
+@test "progress: on stderr, for a terminal only" { prompt progress; }
+@test "lines of 4000 letters" { prompt long_line; }
+@test "NUL bytes" { prompt nul; }
+@test "control characters" { prompt control; }

@@ -1,0 +1,343 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The calculator on a real screen: tmux is the terminal, and what is judged is what one sees.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+setup() {
+    socket=$BATS_TEST_TMPDIR/tmux
+    prompt='domino❯'
+    export HOME=$BATS_TEST_TMPDIR XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
+    export INPUTRC=/dev/null DOMINO_HISTORY='' LC_ALL=C.UTF-8 NO_COLOR=1
+    unset TMUX TMUX_TMPDIR BASH_ENV ENV PROMPT_COMMAND
+}
+teardown() {
+    terminal kill-server 2>/dev/null || true
+}
+
+terminal() { tmux -u -S "$socket" -f /dev/null "$@"; }
+
+open_terminal() { # WIDTH HEIGHT COMMAND...
+    terminal start-server \; set -g history-limit 50000 \; new-session -d -x "$1" -y "$2" -- "${@:3}"
+    terminal set -g window-size manual
+}
+open_session() { # WIDTH HEIGHT
+    open_terminal "$1" "$2" "$DOMINO"
+    see "or 'help'\."
+    see_last "$prompt"
+}
+
+# What is on the screen, without the blanks at its end; with -J what wrapped is one line.
+screen() {
+    local text
+    text=$(terminal capture-pane -p "$@" | sed 's/ *$//')
+    printf '%s\n' "$text"
+}
+cursor() { terminal display-message -p '#{cursor_x}'; }
+
+# Repeats a test until it holds; only a failure waits so long.
+until_true() { # COMMAND...
+    local end=$((SECONDS + 60))
+    until "$@"; do
+        if ((SECONDS > end)); then
+            printf 'in vain: %s\nscreen:\n' "$*"
+            screen
+            return 1
+        fi
+        sleep 0.02
+    done
+}
+shows() { screen -J | grep -Eq -- "$1"; }
+hides() { ! shows "$1"; }
+last_is() { [ "$(screen -J | tail -n 1)" = "$1" ]; }
+see() { until_true shows "$1"; }
+see_last() { until_true last_is "$1"; }
+
+press() { terminal send-keys "$@"; }
+type_in() { # TEXT: waits for its echo
+    local before
+    before=$(screen -J | tail -n 1)
+    case $before in *[!\ ]) [ "$before" = "$prompt" ] && before+=' ' ;; esac
+    press -l -- "$1"
+    see_last "$before$1"
+}
+# Runs a command and waits for the next prompt.
+ask() {
+    type_in "$1"
+    press Enter
+    see_last "$prompt"
+}
+clear_screen() {
+    press C-l
+    until_true only "$prompt"
+}
+only() { [ "$(screen)" = "$1" ]; }
+
+# Does every line of the answers to these commands fit in the width?
+fits() { # WIDTH COMMAND...
+    local width=$1 command wide=''
+    open_session "$width" 70
+    for command in "${@:2}"; do
+        clear_screen
+        ask "$command"
+        screen -J >"$BATS_TEST_TMPDIR/joined"
+        screen | diff - "$BATS_TEST_TMPDIR/joined" >"$BATS_TEST_TMPDIR/wrapped" ||
+            wide+="$command:"$'\n'"$(grep '^>' "$BATS_TEST_TMPDIR/wrapped")"$'\n'
+    done
+    same "wider than $width columns" '' "$wide"
+}
+
+answers=('chain 0.1' show 'show s' thetac 'theta1 0.1' rmax 'rmax 0.3' pair best 'count 112' 'count 112 2' 'curve 0.1 0.9 3'
+    barrier duration 'energy 0.1' fuel launch 'omega 0.1')
+helps=(help apropos\ barrier)
+for topic in apropos barrier best chain complete count curve duration energy exit fuel help launch omega pair print \
+    quit reset rmax save set show source theta1 thetac s r d q tol h g fuel output digits angle timing; do
+    helps+=("help $topic")
+done
+errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'print sqrt(2' 'set d 0.7/' 'set s 0.9; thetac')
+
+@test "answers fit in 60 columns" { fits 60 "${answers[@]}"; }
+@test "answers fit in 80 columns" { fits 80 "${answers[@]}"; }
+@test "answers fit in 120 columns" { fits 120 "${answers[@]}"; }
+@test "answers with 17 digits fit in 80 columns" { fits 80 'set digits 17' "${answers[@]}"; }
+@test "help fits in 80 columns" { fits 80 "${helps[@]}"; }
+@test "errors fit in 80 columns" { fits 80 "${errors[@]}"; }
+
+@test "tables follow the width of the terminal" {
+    open_session 120 70
+    ask 'chain 0.1'
+    for width in 60 100 72; do
+        terminal resize-window -x "$width"
+        clear_screen
+        for command in 'chain 0.1' show thetac; do ask "$command"; done
+        same "$width columns" "$(screen -J)" "$(screen)"
+    done
+}
+
+@test "the first screen: banner and prompt, nothing else" {
+    open_session 80 24
+    [ "$(screen | wc -l)" -eq 2 ]
+    same 'the cursor is behind the prompt' 8 "$(cursor)"
+}
+
+@test "a long line is drawn again when the terminal is resized" {
+    local line
+    line="print 1$(printf ' + %d' {2..40})" # 194 letters
+    open_session 80 24
+    type_in "$line"
+    for width in 50 100 61 80; do
+        terminal resize-window -x "$width"
+        see_last "$prompt $line"
+        until_true at_end "$line" "$width"
+    done
+    press -l -- ' + 1000'
+    see_last "$prompt $line + 1000"
+    press Enter
+    see '^1820$'
+    see_last "$prompt"
+}
+at_end() { # LINE WIDTH: is the cursor behind the line?
+    [ "$(cursor)" -eq $(((8 + ${#1}) % $2)) ]
+}
+
+@test "resizing during a computation and on an empty line" {
+    open_session 80 24
+    type_in 'curve 0.01 0.9 10000000 > /dev/null'
+    press Enter
+    see 'left'
+    terminal resize-window -x 60
+    terminal resize-window -x 90
+    press C-c
+    see interrupted
+    see_last "$prompt"
+    terminal resize-window -x 50 -y 10
+    see_last "$prompt"
+    ask 'print 6*7'
+    see '^42$'
+}
+
+@test "a line longer than the screen" {
+    local line
+    line="print 7$(printf '+0%.0s' {1..2000})"
+    open_session 80 24
+    press -l -- "$line"
+    press Enter
+    see '^7$'
+    see_last "$prompt"
+    press Up
+    press Enter
+    until_true twice '7'
+}
+twice() { [ "$(terminal capture-pane -p -S - | grep -c "^$1 *$")" -eq 2 ]; }
+
+@test "50 lines pasted, between brackets and without" {
+    for i in {1..49}; do echo "set s 0.0$((100 + i))"; done >"$BATS_TEST_TMPDIR/lines"
+    echo 'print s*10000' >>"$BATS_TEST_TMPDIR/lines"
+    for option in -p -d; do # -p: as terminals of today paste
+        open_session 80 24
+        terminal load-buffer "$BATS_TEST_TMPDIR/lines"
+        terminal paste-buffer "$option"
+        [ "$option" = -d ] || press Enter
+        see '^149$'
+        see_last "$prompt"
+        ask 'print 6*7'
+        see '^42$'
+        terminal kill-server
+    done
+}
+
+# ^Z and fg under a shell with jobs.
+suspended_session() {
+    open_terminal 80 24 bash --norc --noprofile -i
+    press -l "PS1='shell> '"
+    press Enter
+    see_last 'shell>'
+    press -l -- "\"\$DOMINO\""
+    press Enter
+    see "or 'help'\."
+    see_last "$prompt"
+}
+
+@test "^Z and fg: the session and the half-typed line are still there" {
+    suspended_session
+    ask 'set s 0.3'
+    type_in 'print s*10'
+    press C-z
+    see Stopped
+    see_last 'shell>'
+    press -l 'expr 6 \* 7' # the shell has its terminal back
+    press Enter
+    see '^42$'
+    see_last 'shell>'
+    press -l fg
+    press Enter
+    see_last "$prompt print s*10"
+    press -l 0
+    see_last "$prompt print s*100"
+    press Enter
+    see '^30$'
+    see_last "$prompt"
+}
+
+@test "^Z and fg on an empty line, twice, and resized in between" {
+    suspended_session
+    for width in 70 60; do
+        press C-z
+        see_last 'shell>'
+        terminal resize-window -x "$width"
+        press -l fg
+        press Enter
+        see_last "$prompt"
+    done
+    clear_screen
+    ask show
+    same 'the table fits' "$(screen -J)" "$(screen)"
+    press C-d
+    see_last 'shell>'
+    press -l 'stty -a; echo stty=$?' # a terminal as it was
+    press Enter
+    see 'stty=0'
+    see '[^-]icanon'
+    see '[^-]echo '
+}
+
+@test "^C during a computation leaves one line, and a prompt below it" {
+    open_session 80 24
+    type_in 'curve 0.01 0.9 10000000 > /dev/null; set s 0.3'
+    press Enter
+    see '[0-9] %, .*left'
+    press C-c
+    see_last "$prompt"
+    same 'the screen' "$prompt curve 0.01 0.9 10000000 > /dev/null; set s 0.3
+curve: interrupted
+$prompt" "$(screen | tail -n 3)"
+    ask 'print s'
+    see '^0.4$'
+}
+
+@test "progress is shown after a second, and wiped" {
+    open_session 80 24
+    type_in 'curve 0.01 0.9 10000 > /dev/null'
+    press Enter
+    see '^ *[0-9]+ %, .*left'
+    see_last "$prompt"
+    hides 'left'
+    same 'nothing is left of it' "$prompt curve 0.01 0.9 10000 > /dev/null
+$prompt" "$(screen | tail -n 2)"
+}
+
+@test "progress does not mix with rows" {
+    open_session 80 24
+    type_in 'curve 0.1 0.9 6000'
+    press Enter
+    see_last "$prompt"
+    terminal capture-pane -p -S - | sed 's/ *$//' >"$BATS_TEST_TMPDIR/all"
+    same 'rows' 6000 "$(grep -Ec '^ +0\.[0-9]+( +[0-9.-]+){4}$' "$BATS_TEST_TMPDIR/all")"
+    same 'progress' '' "$(grep -E 'left|\^C' "$BATS_TEST_TMPDIR/all")"
+}
+
+@test "the caret stands under its place" {
+    open_session 80 24
+    for line in 'set s 9' 'theta1 π/18 + x' 'set s 0.3; foo'; do
+        clear_screen
+        ask "$line"
+        case $line in *9) word=9 ;; *x) word=x ;; *) word=foo ;; esac
+        before=${line%"$word"}
+        same "$line" "$(printf '%*s^' $((8 + ${#before})) '')" "$(screen | sed -n 2p)"
+    done
+}
+
+@test "the caret stands under its place in a line that wraps" {
+    open_session 80 24
+    line="print 1$(printf ' + %d' {2..30}) + fooo"
+    clear_screen
+    ask "$line"
+    place=$(((8 + ${#line} - 4) % 80))
+    # Directly below the row of the screen that has the word.
+    same caret "$(printf '%*s^' "$place" '')" "$(screen | grep -A 1 'fooo$' | sed -n 2p)"
+}
+
+@test "the caret never points at an answer" {
+    open_session 80 24
+    ask 'show s; foo'
+    row=$(screen | grep -n '^ *^$' | cut -d : -f 1)
+    [ -z "$row" ] || same 'the line above the caret' 'foo' "$(screen | sed -n "$((row - 1))p" | grep -o foo)"
+}
+
+@test "^L, ^U and ^R do what they do everywhere" {
+    open_session 80 24
+    ask 'print 6*7'
+    type_in 'print 1'
+    press C-l
+    until_true only "$prompt print 1"
+    press C-u
+    see_last "$prompt"
+    press C-r
+    press -l 6
+    see '6.7'
+    press Enter
+    see '^42$'
+}
+
+@test "bold prompt and numbers, red errors, none of it with NO_COLOR or TERM=dumb" {
+    unset NO_COLOR
+    open_session 80 24
+    ask 'set s 9'
+    ask thetac
+    screen -e | grep -q $'^\033\\[1mdomino❯'
+    screen -e | grep -q $'\033\\[31mset: s = 9'
+    terminal kill-server
+    for setting in NO_COLOR=1 TERM=dumb; do
+        open_terminal 80 24 env "$setting" "$DOMINO"
+        see_last "$prompt"
+        press -l 'set s 9'
+        press Enter
+        see 'out of range'
+        press -l thetac
+        press Enter
+        see falls_off
+        same "$setting" '' "$(screen -e | grep $'\033')"
+        terminal kill-server
+    done
+}
