@@ -64,7 +64,7 @@ static bool run_theta1(struct session *session, const struct call *call)
 }
 
 static const struct column chain_columns[] = {
-    {"i", "", "number of the domino, 0 is the head", 6},
+    {"i", "", "number of the domino, 0 is the head", 5},
     {"theta_i", "rad", "its tilt (A2)", 0},
     {"slope_i", "", "d theta_i / d theta (A9)", 0},
     {"arm_a", "h", "arm of the force from its follower", 0},
@@ -156,8 +156,8 @@ static const char *stop_reason(const struct session *session, char *reason, size
     if (dom_cycle_stop(&session->train, &stop) == DOM_OK && isfinite(stop))
         snprintf(
             reason, size,
-            "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %.10g",
-            stop);
+            "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %.10g %s",
+            style_angle(&session->style, stop), style_angle_unit(&session->style));
     else
         snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
     return reason;
@@ -287,8 +287,8 @@ const struct command cycle_commands[] = {
     {.name = "fuel",
      .summary = "the energy that one cycle sets free",
      .equation = "(c7)",
-     .help = "(c7) of the paper has two right-hand sides. The sum over the train is the energy balance;\n"
-             "the closed form that the paper computes with equals it only for r = 1, since the weights\n"
+     .help = "(c7) of the paper has two right-hand sides. The sum over the train is the energy balance; "
+             "the closed form that the paper computes with equals it only for r = 1, since the weights "
              "r^(-q i) spoil the telescoping. 'set fuel paper' gives the paper's figures.",
      .example = "fuel",
      .see = "launch rmax",
@@ -313,7 +313,7 @@ const struct command cycle_commands[] = {
     {.name = "barrier",
      .summary = "what the train must climb, and whether it can",
      .equation = "(c8)",
-     .help = "The barrier is the highest point of the whole cycle: near r s = 1 the train falls first, and\n"
+     .help = "The barrier is the highest point of the whole cycle: near r s = 1 the train falls first, and "
              "must climb when its pushing follower has left.",
      .example = "barrier",
      .see = "launch rmax",

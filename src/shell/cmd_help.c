@@ -2,7 +2,15 @@
 /* Help, all of it from the tables of commands and parameters. */
 #include "command.h"
 #include "complete.h"
+#include "terminal.h"
 #include <string.h>
+
+/* Of the terminal, but not wider than reads well. */
+static int help_width(FILE *out)
+{
+    int width = terminal_width(out);
+    return width && width < 100 ? width : 100;
+}
 
 static void help_list(FILE *out)
 {
@@ -61,12 +69,17 @@ static void help_command(struct session *session, const struct command *c)
     fprintf(out, "%s: %s\n", command_usage(c, usage), c->summary);
     if (c->equation)
         fprintf(out, "Equation: %s\n", c->equation);
-    if (c->help)
-        fprintf(out, "\n%s\n", c->help);
+    if (c->help) {
+        putc('\n', out);
+        output_wrapped(out, c->help, 0, help_width(out));
+        putc('\n', out);
+    }
     if (c->columns)
         fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
-    for (const struct column *k = c->columns; k && k->key; k++)
-        fprintf(out, "  %-12s %-6s %s\n", k->key, k->unit, k->meaning);
+    for (const struct column *k = c->columns; k && k->key; k++) {
+        output_wrapped(out, k->meaning, fprintf(out, "  %-12s %-6s ", k->key, k->unit), help_width(out));
+        putc('\n', out);
+    }
     if (c->columns && c->principal >= 0)
         fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->columns[c->principal].key);
     if (strcmp(c->name, "set") == 0) {

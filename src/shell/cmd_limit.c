@@ -121,6 +121,7 @@ static bool run_curve(struct session *session, const struct call *call)
         return session_error(session, "one row cannot cover %g to %g; N is at least 2", from, to);
     struct dom_train train = session->train;
     struct progress progress = {0, 0};
+    bool rows_seen = call->answer->out && terminal_width(call->answer->out); /* they are progress enough */
     bool gaps = false;
     for (double k = 0; k < n && !answer_lost(call->answer); k++) {
         struct dom_limit exact, paper, pair;
@@ -131,7 +132,8 @@ static bool run_curve(struct session *session, const struct call *call)
             status = limit_with(train, DOM_FUEL_PAPER, &paper, NULL);
         if (status == DOM_OK)
             status = dom_limit_pair(&train, &pair);
-        progress_show(&progress, status == DOM_OK ? (k + 1) / n : 1);
+        if (!rows_seen)
+            progress_show(&progress, status == DOM_OK ? (k + 1) / n : 1);
         if (status != DOM_OK)
             return session_status(session, status);
         answer_row(call->answer,
@@ -276,9 +278,8 @@ const struct command limit_commands[] = {
      .argument = SEPARATION,
      .summary = "the largest growth r at separation S (or s)",
      .equation = "(c8), section 'A general domino train'",
-     .help =
-         "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s,\n"
-         "beyond which a domino falls past the next one.",
+     .help = "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s, "
+             "beyond which a domino falls past the next one.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
      .columns = rmax_columns,
@@ -286,7 +287,7 @@ const struct command limit_commands[] = {
      .run = run_rmax},
     {.name = "pair",
      .argument = SEPARATION,
-     .summary = "the largest growth for a pair, of which the first just tips over",
+     .summary = "the largest growth for two: the first just tips over",
      .equation = "(b5) (b11) (b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
@@ -313,7 +314,7 @@ const struct command limit_commands[] = {
     {.name = "count",
      .argument = {{"H", ARGUMENT_HEIGHT, NULL, false}, {"R", ARGUMENT_OF, "r", true}},
      .summary = "how many dominoes topple one H tall, at growth R (or r)",
-     .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is\n"
+     .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is "
              "at least H tall.",
      .example = "count 112 m 2",
      .see = "rmax best",

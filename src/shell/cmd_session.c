@@ -132,7 +132,7 @@ const struct command session_commands[] = {
      .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, false}, {"VALUE", ARGUMENT_VALUE, NULL, false}},
      .summary = "give a parameter a value",
      .help =
-         "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, rmax.\n"
+         "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, rmax. "
          "Each value is judged alone; whether r s <= 1 holds is seen when a command needs it.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
@@ -157,11 +157,10 @@ const struct command session_commands[] = {
     {.name = "print",
      .argument = {{"VALUE", ARGUMENT_ANY, NULL, false}},
      .summary = "the value of an expression",
-     .help =
-         "Numbers, + - * / ^ and parentheses; units m mm cm km in ft s ms rad deg; pi; sin cos tan asin "
-         "acos\n"
-         "atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; the parameters; 'ans' and\n"
-         "'ans.KEY', the last answer; commands, with a key or without: rmax, rmax(0.3).r_max_paper.",
+     .help = "Numbers, + - * / ^ and parentheses; units m mm cm km in ft s ms rad deg; pi; sin cos tan asin "
+             "acos "
+             "atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; the parameters; 'ans' and "
+             "'ans.KEY', the last answer; commands, with a key or without: rmax, rmax(0.3).r_max_paper.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "set",
      .columns = print_columns,

@@ -123,7 +123,13 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
     last = begin + strlen(begin);
     while (last > begin && !strchr(" \t", last[-1]))
         last--;
-    struct offer offer = offer_at(begin, (size_t)(last - begin));
+    /* A file name that is being quoted begins behind its '"'. */
+    const char *quote = NULL;
+    for (const char *c = begin; *c; c++)
+        if (*c == '"')
+            quote = quote ? NULL : c + 1;
+    last = quote ? quote : last;
+    struct offer offer = offer_at(begin, (size_t)(last - (quote != NULL) - begin));
     /* In an expression the name begins behind the operator. */
     const char *name = last;
     for (const char *c = last; *c && offer.lists == 3; c++)
@@ -147,6 +153,7 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
     char *file;
     for (int state = 0; offer.files && files && (file = rl_filename_completion_function(last, state)) != NULL;
          state = 1) {
+        rl_filename_completion_desired = 1; /* a '/' behind folders, '"' around blanks */
         emit(file, context);
         free(file);
     }

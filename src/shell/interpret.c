@@ -5,9 +5,12 @@
 #include "terminal.h"
 #include "text.h"
 #include <ctype.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <readline/tilde.h>
 
 /* One line that is being run. */
 struct reader {
@@ -133,6 +136,14 @@ static char *read_word(struct reader *r, bool quotes)
     return strndup(begin, length);
 }
 
+/* A file name, '~' being the home folder. */
+static char *read_file(struct reader *r)
+{
+    char *word = read_word(r, true), *path = word ? tilde_expand(word) : NULL;
+    free(word);
+    return path;
+}
+
 static bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, double *number)
 {
     struct session *session = r->session;
@@ -221,10 +232,13 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
                                            call->word[i], message)
                               : -1;
         call->number[i] = k;
+        char *equals = k < 0 && call->word[i] ? strchr(call->word[i], '=') : NULL;
+        if (equals)
+            return session_error(session, "a blank stands between a name and its value, and no '='");
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
-        call->word[i] = read_word(r, true);
+        call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);
         return call->word[i] ? *call->word[i] || session_error(session, "%s is missing", a->name)
                              : session_error(session, unclosed);
     case ARGUMENT_REST:
@@ -284,6 +298,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     bool done = c->run(session, call);
     ticker_stop();
     call->answer = NULL;
+    session->fresh = session->fresh && done && !c->columns;
     double seconds = terminal_clock() - begun;
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
@@ -293,7 +308,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     }
     if (done && session->timing && c->columns) {
         /* Programs that read csv or json find it where it does not disturb. */
-        bool people = session->style.output == OUTPUT_TABLE;
+        bool people = session->style.output == OUTPUT_TABLE && !session->redirected;
         fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * seconds);
     }
     return done;
@@ -307,7 +322,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
     bool append = r->at[1] == '>';
     r->at = skip_blanks(r->at + (append ? 2 : 1));
     session->column = column_of(r, r->at);
-    char *path = read_word(r, true), shown[NAMES_SHOWN];
+    char *path = read_file(r), shown[NAMES_SHOWN];
     r->at = skip_blanks(r->at);
     const char *wrong = NULL;
     bool done = false;
@@ -326,9 +341,11 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         FILE *out = session->out;
         bool answered = session->answered;
         session->out = redirect.file;
+        session->redirected = true;
         session->answered = false;
         done = run_call(session, c, call);
         session->out = out;
+        session->redirected = false;
         session->answered = answered;
         wrong = redirect_close(&redirect, done);
         if (done && wrong)
@@ -349,6 +366,8 @@ static void run_command(struct reader *r)
     int k = name ? names_find(command_names, NULL, "command", name, message) : -1;
     if (k < 0) {
         bool known = name && strstr(message, "did you mean");
+        if (name && strcspn(name, "0123456789(+-*/^=") == 0)
+            snprintf(message, sizeof message, "an expression is no command; 'print' evaluates it");
         session_error(session, known || !strstr(message, "unknown") ? "%s" : "%s; 'help' lists the commands",
                       message);
     } else {
@@ -388,6 +407,9 @@ static void run_line(struct session *session, const char *line, size_t length)
         return;
     }
     struct reader r = {.session = session, .text = &text, .at = text.line};
+    session->typed = line;
+    session->typed_length = (int)(length < INT_MAX ? length : INT_MAX);
+    session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
     for (;;) {
         long errors = session->errors;
         const char *begin = skip_blanks(r.at), *end = command_end(begin);
@@ -400,6 +422,7 @@ static void run_line(struct session *session, const char *line, size_t length)
             break;
         r.at = end + 1;
     }
+    session->typed = NULL;
     text_free(&text);
 }
 

@@ -135,12 +135,13 @@ int main(int argc, char **argv)
         run_init(&session);
     if (plan.sources)
         run_sources(argc, argv, &session);
-    else if (plan.prompt && !stopped(&session))
+    else if (plan.prompt && !stopped(&session)) {
         line_prompt(&session);
-    else if (!stopped(&session))
+        session.errors = 0; /* the person has seen them */
+    } else if (!stopped(&session))
         line_stream(&session, stdin, "stdin");
 
-    bool failed = session.errors > 0 && !plan.prompt;
+    bool failed = session.errors > 0;
     /* Buffered output may fail as late as here. */
     errno = 0;
     bool lost = ferror(stdout) != 0;

@@ -7,7 +7,14 @@
 #include <string.h>
 
 /* Enough for any cell that is not a word; what a number needs beside its digits: "-0." and "e-300". */
-enum { TEXT_SIZE = 32, NUMBER_MARGIN = 6, COLUMNS_MAX = 16, TEXT_LINE = 512 };
+enum {
+    TEXT_SIZE = 32,
+    NUMBER_MARGIN = 6,
+    COLUMNS_MAX = 16,
+    TEXT_LINE = 512,
+    WORDS_ROOM = 30,
+    WORDS_INDENT = 8
+};
 
 struct cell cell_real(double value)
 {
@@ -109,7 +116,7 @@ static void field(FILE *out, const char *text, int width)
 }
 
 /* Text whose lines end before the column `right`, and begin at `left`; 0 for no end. */
-static void wrapped(FILE *out, const char *text, int left, int right)
+void output_wrapped(FILE *out, const char *text, int left, int right)
 {
     int at = left;
     while (*text) {
@@ -123,7 +130,6 @@ static void wrapped(FILE *out, const char *text, int left, int right)
         at += fprintf(out, at > left ? " %s" : "%s", word) - (int)strlen(word) + terminal_columns(word);
         text += length + (text[length] == ' ');
     }
-    putc('\n', out);
 }
 
 /* A string between quotes, as both JSON and (with "" for ") CSV want it. */
@@ -213,35 +219,58 @@ static int row_digits(const struct answer *a)
     return width == 0 || room >= digits ? digits : room < 3 ? 3 : room;
 }
 
+/* Where the last column of words begins, or -1 if it finds too little room and stands below its row. */
+static int row_words(const struct answer *a, int digits)
+{
+    int at = 0;
+    for (const struct column *c = a->columns; c[1].key; c++)
+        at += (c->width ? c->width : digits + NUMBER_MARGIN) + 2;
+    return a->width && a->width - at < WORDS_ROOM ? -1 : at;
+}
+
+/* One line of a table; said gives the text of a column. */
+static void row_line(struct answer *a, const struct cell *cells, int digits, const char *const *said,
+                     bool head)
+{
+    int words = row_words(a, digits), end = 0;
+    for (int i = 0; a->columns[i].key; i++)
+        end = *said[i] ? i + 1 : end; /* no blanks behind the last unit */
+    for (int i = 0; i < end; i++) {
+        const struct column *c = &a->columns[i];
+        bool left = cells[i].kind == CELL_WORD, last = !a->columns[i + 1].key;
+        int wide = c->width ? c->width : digits + NUMBER_MARGIN;
+        if (left && last && words >= 0) {
+            fputs("  ", a->out);
+            output_wrapped(a->out, said[i], words, a->width);
+        } else if (left && last) {
+            fprintf(a->out, head ? "" : "\n%*s", WORDS_INDENT, "");
+            output_wrapped(a->out, head ? "" : said[i], WORDS_INDENT, a->width);
+        } else {
+            bool open = left && !a->columns[i + 2].key && words < 0; /* no blanks at the end of the line */
+            fputs(i ? "  " : "", a->out);
+            field(a->out, said[i], open ? 0 : left ? -wide : wide);
+        }
+    }
+    putc('\n', a->out);
+}
+
 static void row_table(struct answer *a, const struct cell *cells)
 {
-    char text[TEXT_SIZE], line[TEXT_LINE];
+    char text[COLUMNS_MAX][TEXT_SIZE], line[COLUMNS_MAX][TEXT_LINE];
+    const char *said[COLUMNS_MAX];
     int digits = row_digits(a);
     bool units = false;
     for (const struct column *c = a->columns; c->key; c++)
         units = units || *c->unit;
-    /* The head: keys, then units, if there are any. */
     for (int head = a->begun ? 0 : 2; head >= 0; head--) {
-        int at = 0;
+        /* The head: keys, then units, if there are any. */
         if (head == 1 && !units)
             continue;
-        for (int i = 0; a->columns[i].key; i++) {
-            const struct column *c = &a->columns[i];
-            bool left = cells[i].kind == CELL_WORD, last = !a->columns[i + 1].key;
-            const char *said = head == 2   ? pretty(a, c->key, line)
-                               : head == 1 ? column_unit(a, c, text)
-                                           : pretty(a, cell_text(cells[i], digits, text), line);
-            int wide = c->width ? c->width : digits + NUMBER_MARGIN;
-            fputs(i ? "  " : "", a->out);
-            at += i ? 2 : 0;
-            if (left && last)
-                wrapped(a->out, said, at, a->width);
-            else
-                field(a->out, said, left ? -wide : wide);
-            at += wide;
-            if (last && !left)
-                putc('\n', a->out);
-        }
+        for (int i = 0; a->columns[i].key; i++)
+            said[i] = head == 2   ? pretty(a, a->columns[i].key, line[i])
+                      : head == 1 ? column_unit(a, &a->columns[i], text[i])
+                                  : pretty(a, cell_text(cells[i], digits, text[i]), line[i]);
+        row_line(a, cells, digits, said, head > 0);
     }
 }
 
@@ -263,8 +292,9 @@ static void row_lines(struct answer *a, const struct cell *cells)
         field(a->out, cell_text(cells[i], digits, text), digits + NUMBER_MARGIN);
         fprintf(a->out, "%s %-*s  ", end, unit_width,
                 cells[i].kind == CELL_NONE ? "" : column_unit(a, c, unit));
-        wrapped(a->out, pretty(a, c->meaning, line), key_width + digits + NUMBER_MARGIN + unit_width + 5,
-                a->width);
+        output_wrapped(a->out, pretty(a, c->meaning, line),
+                       key_width + digits + NUMBER_MARGIN + unit_width + 5, a->width);
+        putc('\n', a->out);
     }
 }
 
@@ -274,6 +304,7 @@ static void answer_prepare(struct answer *a)
     if (a->prepared)
         return;
     a->prepared = true;
+    ticker_stop(); /* before it mixes with the answer */
     a->width = terminal_width(a->out);
     a->letters = a->width && terminal_utf8();
     a->bold = terminal_colour(a->out);
@@ -334,5 +365,6 @@ void answer_say(struct answer *a, const char *format, ...)
     va_end(arguments);
     int indent = (int)strspn(text, " ");
     fprintf(a->out, "%*s", indent, "");
-    wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
+    output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
+    putc('\n', a->out);
 }

@@ -5,6 +5,7 @@
 #include "line.h"
 #include "terminal.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -48,17 +49,23 @@ static void make_folders(char *path)
     }
 }
 
+/* Lines of this session; another one may have written its own meanwhile. */
+static int history_added;
+
 static void history_save(struct session *session)
 {
     char path[PATH_MAX];
-    if (!history_path(path) || history_length == 0)
+    if (history_added == 0 || !history_path(path))
         return;
     make_folders(path);
-    mode_t mask = umask(0077); /* what one typed is nobody else's business */
-    int wrong = write_history(path);
-    umask(mask);
+    /* What one typed is nobody else's business. */
+    int file = open(path, O_WRONLY | O_CREAT | O_APPEND, 0600), wrong = file < 0 ? errno : 0;
+    if (file >= 0 && (fchmod(file, 0600) != 0 || close(file) != 0))
+        wrong = errno;
     if (!wrong)
-        wrong = chmod(path, 0600) != 0 ? errno : 0;
+        wrong = append_history(history_added, path);
+    if (!wrong)
+        history_truncate_file(path, HISTORY_LINES);
     if (wrong)
         session_error(session, "cannot keep the history in '%s': %s", path, strerror(wrong));
 }
@@ -66,8 +73,10 @@ static void history_save(struct session *session)
 static void history_keep(const char *text)
 {
     HIST_ENTRY *last = history_length ? history_get(history_base + history_length - 1) : NULL;
-    if (text[strspn(text, " \t")] && !(last && strcmp(last->line, text) == 0))
+    if (text[strspn(text, " \t")] && !(last && strcmp(last->line, text) == 0)) {
         add_history(text);
+        history_added++;
+    }
 }
 
 /* ---- Signals ---- */
@@ -135,6 +144,7 @@ static void on_line(char *text)
     } else {
         history_keep(text);
         interrupted = 0;
+        session->fresh = !strchr(text, '\n');
         command_run_text(session, text);
         free(text);
         interrupted = 0;
@@ -161,6 +171,8 @@ static void readline_begin(void)
     rl_catch_sigwinch = 0;
     rl_attempted_completion_function = complete_word;
     rl_completer_word_break_characters = " \t;";
+    rl_completer_quote_characters = "\"";
+    rl_filename_quote_characters = " \t;#>";
     rl_variable_bind("enable-bracketed-paste", "on");
 }
 

@@ -50,30 +50,57 @@ const struct parameter session_parameters[] = {
         WORDS("timing", timing, switch_words, true, "does every answer end with its time?"){.name = NULL},
 };
 
+/* Blanks before a line that is repeated above its caret. */
+enum { CARET_INDENT = 2 };
+
 void session_init(struct session *session, FILE *out)
 {
     *session = (struct session){.train = dom_train_default(), .scale = dom_scale_default(), .out = out};
     session->style.digits = parameter_find("digits")->fallback;
 }
 
+/*
+ * At the prompt a caret points at the place: in the typed line, if that stands right above, else in a
+ * copy of it.
+ */
+static void session_caret(const struct session *session)
+{
+    int width = terminal_width(stderr), at = session->prompt_width + session->column;
+    if (!session->prompt_width || !session->column || !session->typed)
+        return;
+    bool above = session->fresh && width > 0;
+    if (!above && session->typed_columns + CARET_INDENT >= width)
+        return;
+    if (above) /* a long line goes on in the next row */
+        at = (at - 1) % width + 1;
+    if (!above)
+        fprintf(stderr, "%*s%.*s\n", CARET_INDENT, "", session->typed_length, session->typed);
+    fprintf(stderr, "%*s\n", above ? at : session->column + CARET_INDENT, "^");
+}
+
 bool session_error(struct session *session, const char *format, ...)
 {
+    char text[1024];
+    int n = 0;
     fflush(session->out); /* so that both streams keep their order where they share a file */
-    if (session->prompt_width && session->column)
-        fprintf(stderr, "%*s\n", session->prompt_width + session->column, "^");
-    const char *colour = terminal_colour(stderr) && !session->source ? "\033[31m" : "";
-    fputs(colour, stderr);
+    ticker_stop();
+    session_caret(session);
     if (session->source && session->column)
-        fprintf(stderr, "%s:%ld:%d: ", session->source, session->line, session->column);
+        n = snprintf(text, sizeof text, "%s:%ld:%d: ", session->source, session->line, session->column);
     else if (session->source)
-        fprintf(stderr, "%s:%ld: ", session->source, session->line);
+        n = snprintf(text, sizeof text, "%s:%ld: ", session->source, session->line);
+    n = n < (int)sizeof text / 2 ? n : (int)sizeof text / 2;
     if (session->command)
-        fprintf(stderr, "%s: ", session->command);
+        n += snprintf(text + n, sizeof text - (size_t)n, "%s: ", session->command);
     va_list arguments;
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(text + n, sizeof text - (size_t)n, format, arguments);
     va_end(arguments);
-    fputs(*colour ? "\033[m\n" : "\n", stderr);
+    bool colour = terminal_colour(stderr) && !session->source;
+    fputs(colour ? "\033[31m" : "", stderr);
+    output_wrapped(stderr, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
+    fputs(colour ? "\033[m\n" : "\n", stderr);
+    session->fresh = false;
     session->errors++;
     return false;
 }

@@ -22,8 +22,12 @@ struct session {
     FILE *out;          /* where answers go: standard output, or the file behind '>' */
     const char *source; /* name of the script for messages; NULL at the prompt */
     long line;
-    int column;          /* of what a message is about, from 1; 0 for none */
-    int prompt_width;    /* at the prompt: columns before the line, for the caret; else 0 */
+    int column;        /* of what a message is about, from 1; 0 for none */
+    int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
+    const char *typed; /* the line that runs, as it was typed, not ended */
+    int typed_length, typed_columns;
+    bool fresh;          /* at the prompt: nothing stands below the typed line yet */
+    bool redirected;     /* out is the file behind '>' */
     const char *command; /* the one that runs, for messages */
     bool bail;           /* the first error ends the session */
     bool safe;           /* commands may not touch files */

@@ -42,6 +42,12 @@ double terminal_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* Blanks rather than a control sequence: a dumb terminal has none. */
+static void wipe(void)
+{
+    fprintf(stderr, "\r%*s\r", 30, "");
+}
+
 /* ---- The ticker: a signal handler that writes a few bytes ---- */
 
 static volatile sig_atomic_t ticks, ticker_quiet;
@@ -80,7 +86,8 @@ void ticker_stop(void)
         return;
     ticker_set(0);
     if (ticks > 0 && !ticker_quiet)
-        fputs("\r\033[K", stderr);
+        wipe();
+    ticks = 0;
 }
 
 void progress_show(struct progress *p, double fraction)
@@ -90,7 +97,7 @@ void progress_show(struct progress *p, double fraction)
     if (p->begun == 0)
         p->begun = now;
     if (fraction >= 1 && p->shown > 0) {
-        fputs("\r\033[K", stderr);
+        wipe();
         p->shown = 0;
     }
     if (fraction >= 1 || now - p->begun < 1 || now - p->shown < 0.2 || !isatty(STDERR_FILENO))
