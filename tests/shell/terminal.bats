@@ -36,6 +36,8 @@ screen() {
 }
 cursor() { terminal display-message -p '#{cursor_x}'; }
 
+tty_is() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 2)" = "$1" ]; }
+
 # Repeats a test until it holds; only a failure waits so long.
 until_true() { # COMMAND...
     local end=$((SECONDS + 60))
@@ -109,6 +111,7 @@ errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'prin
     ask 'chain 0.1'
     for width in 60 100 72; do
         terminal resize-window -x "$width"
+        until_true tty_is "$width"
         clear_screen
         for command in 'chain 0.1' show thetac; do ask "$command"; done
         same "$width columns" "$(screen -J)" "$(screen)"
@@ -128,6 +131,7 @@ errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'prin
     type_in "$line"
     for width in 50 100 61 80; do
         terminal resize-window -x "$width"
+        until_true tty_is "$width"
         see_last "$prompt $line"
         until_true at_end "$line" "$width"
     done
@@ -226,6 +230,7 @@ suspended_session() {
         press C-z
         see_last 'shell>'
         terminal resize-window -x "$width"
+        until_true tty_is "$width" # tmux tells the tty a moment later
         press -l fg
         press Enter
         see_last "$prompt"
