@@ -96,7 +96,7 @@ static bool run_source(struct session *session, const struct call *call)
 }
 
 static const struct column print_columns[] = {
-    {"value", "", "in SI units and radians", 0},
+    {"value", "", "in SI units, and the unit of angles", 0},
     {"unit", "", "", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -104,7 +104,7 @@ static const struct column print_columns[] = {
 static bool run_print(struct session *session, const struct call *call)
 {
     static const char *const base[] = {"m", "s", "rad"};
-    const struct quantity q = call->quantity[0];
+    struct quantity q = call->quantity[0];
     const int power[] = {q.length, q.time, q.angle};
     char unit[48] = "";
     for (int i = 0; i < 3; i++) {
@@ -112,6 +112,10 @@ static bool run_print(struct session *session, const struct call *call)
         if (power[i] != 0)
             snprintf(unit + used, sizeof unit - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "",
                      base[i], power[i]);
+    }
+    if (q.length == 0 && q.time == 0 && q.angle == 1) {
+        q.value = style_angle(&session->style, q.value);
+        snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
     }
     if (answer_for_people(call->answer))
         answer_say(call->answer, "%.*g%s%s", (int)session->style.digits, q.value, *unit ? " " : "", unit);

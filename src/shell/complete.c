@@ -52,7 +52,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     struct offer offer = {.files = a->kind == ARGUMENT_FILE};
     if (a->kind == ARGUMENT_PARAMETER)
         offer_list(&offer, parameter_names, NULL);
-    else if (a->kind == ARGUMENT_TOPIC)
+    else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
         offer_list(&offer, topic_names, NULL);
     else if (p && p->words)
         offer_list(&offer, parameter_words, p);

@@ -2,11 +2,17 @@
 # shellcheck shell=bash
 # Completion of domino's command line in bash; what may stand in -e comes from domino itself.
 _domino() {
-    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} words
+    local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]} text last head word
+    COMPREPLY=()
     case $prev in
     -e | --execute)
-        words=$("$1" --safe -e "complete ${cur#[\"\']}" 2>/dev/null)
-        mapfile -t COMPREPLY < <(compgen -W "$words" -- "${cur#[\"\']}")
+        # Only the last word of the commands is completed; what stands before it is kept.
+        text=${cur#[\"\']}
+        last=${text##*[ ;]}
+        head=${text%"$last"}
+        while IFS= read -r word; do
+            [ -n "$word" ] && COMPREPLY+=("$head$word")
+        done < <("$1" --safe -e "complete $text" 2>/dev/null)
         return
         ;;
     esac

@@ -43,6 +43,11 @@ static const struct function functions[] = {
     {NULL, OF_NUMBER, NULL, NULL},
 };
 
+const char *expression_unit_name(int k)
+{
+    return units[k].name;
+}
+
 /* sqrt halves dimensions, so it stands beside the table; pi is the one constant. */
 static const char *const more_names[] = {"sqrt", "pi", NULL};
 
@@ -227,10 +232,11 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
         return expression_fail(e, "%s takes two of a kind", f->name);
     *q = f->kind == KEEPS ? a[0] : (struct quantity){.angle = f->kind == TO_ANGLE};
+    double one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
     if (f->two)
         q->value = f->two(a[0].value, a[1].value);
     else if (f->one)
-        q->value = f->one(a[0].value);
+        q->value = f->one(one);
     return finite_result(e, at, q);
 }
 

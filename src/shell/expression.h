@@ -30,7 +30,7 @@ struct expression {
     bool (*lookup)(struct expression *expression, const char *name, const char *key,
                    const struct quantity *arguments, int count, struct quantity *result);
     void *context; /* for lookup */
-    double angle;  /* what a bare number is that is added to an angle, in radians */
+    double angle;  /* what 1 is in radians where a bare number stands for an angle */
     int depth;
 };
 
@@ -49,6 +49,9 @@ struct quantity expression_unit(const char *unit);
 
 /* "a length", "a time", "m^2 s^-1": what a quantity is, for messages. */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
+
+/* The k-th unit; NULL behind the last. */
+const char *expression_unit_name(int k);
 
 /* The k-th name that the language itself has, for completion; NULL behind the last. */
 const char *expression_name(int k);

@@ -17,6 +17,7 @@ struct reader {
     struct session *session;
     struct text *text;
     const char *at;
+    bool last; /* the argument that is read is the command's last */
 };
 
 static int column_of(const struct reader *r, const char *place)
@@ -144,6 +145,34 @@ static char *read_file(struct reader *r)
     return path;
 }
 
+static const char *unit_names(const void *context, int k)
+{
+    (void)context;
+    return expression_unit_name(k);
+}
+
+/* Is the word behind a value a value itself?  If not, it was meant as a unit. */
+static bool known_word(struct session *session, struct reader *r, const char *at)
+{
+    struct reader behind = {.session = session, .text = r->text, .at = at};
+    char *word = read_word(&behind, false), shown[NAMES_SHOWN];
+    size_t name = word ? strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
+    if (word)
+        word[name] = '\0';
+    bool known = word && names_exact(value_names, NULL, word) >= 0;
+    if (!known && word) {
+        const char *close = names_closest(unit_names, NULL, word);
+        session->column = column_of(r, at);
+        names_shown(word, shown);
+        if (close)
+            session_error(session, "'%s' is no unit; did you mean '%s'?", shown, close);
+        else
+            session_error(session, "'%s' is no unit and has no value", shown);
+    }
+    free(word);
+    return known;
+}
+
 static bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, double *number)
 {
     struct session *session = r->session;
@@ -169,6 +198,9 @@ static bool read_quantity(struct reader *r, const struct argument *a, struct qua
         return session_error(session, "%s ends before '%s'; here an operator or a blank is missing", a->name,
                              names_shown(e.end, shown));
     }
+    const char *next = skip_blanks(e.end);
+    if (r->last && isalpha((unsigned char)*next) && next > e.end && !known_word(session, r, next))
+        return false;
     r->at = e.end;
     session->column = begin;
     return argument_check(session, a, *q, number);
@@ -181,7 +213,7 @@ static bool is_value_name(const char *word)
 }
 
 /* A value for a parameter: one of its words, or an expression. */
-static bool read_value(struct reader *r, const struct parameter *p, double *number)
+static bool read_value(struct reader *r, const struct parameter *p, const char *name, double *number)
 {
     const char *begin = r->at;
     char message[NAMES_MESSAGE] = "", what[32];
@@ -208,8 +240,18 @@ static bool read_value(struct reader *r, const struct parameter *p, double *numb
     }
     r->at = begin;
     struct quantity q = {0, 0, 0, 0};
-    return read_quantity(r, &(struct argument){.name = p->name, .kind = ARGUMENT_OF, .of = p->name}, &q,
-                         number);
+    return read_quantity(r, &(struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name}, &q, number);
+}
+
+/* 'help sin', 'help cm', 'help units' are about expressions. */
+static bool is_expression_topic(const char *word)
+{
+    static const char *const topics[] = {"ans",         "unit",     "units",    "expression",
+                                         "expressions", "function", "functions"};
+    for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
+        if (strcmp(topics[i], word) == 0)
+            return true;
+    return is_value_name(word) || names_exact(unit_names, NULL, word) >= 0;
 }
 
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
@@ -218,12 +260,15 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     int i = call->count;
     const struct argument *a = &c->argument[i];
     session->column = call->column[i] = column_of(r, r->at);
+    r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind;
     char message[NAMES_MESSAGE];
     switch (a->kind) {
     case ARGUMENT_OF:
-        return read_value(r, parameter_find(a->of), &call->number[i]);
-    case ARGUMENT_VALUE:
-        return read_value(r, &session_parameters[(int)call->number[i - 1]], &call->number[i]);
+        return read_value(r, parameter_find(a->of), a->name, &call->number[i]);
+    case ARGUMENT_VALUE: {
+        const struct parameter *p = &session_parameters[(int)call->number[i - 1]];
+        return read_value(r, p, p->name, &call->number[i]);
+    }
     case ARGUMENT_PARAMETER:
     case ARGUMENT_TOPIC:
         call->word[i] = read_word(r, false);
@@ -231,6 +276,8 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         int k = call->word[i] ? names_find(list, NULL, a->kind == ARGUMENT_TOPIC ? "topic" : "parameter",
                                            call->word[i], message)
                               : -1;
+        if (k < 0 && a->kind == ARGUMENT_TOPIC && call->word[i] && is_expression_topic(call->word[i]))
+            k = names_exact(topic_names, NULL, "print");
         call->number[i] = k;
         char *equals = k < 0 && call->word[i] ? strchr(call->word[i], '=') : NULL;
         if (equals)
@@ -361,7 +408,9 @@ static void run_command(struct reader *r)
     struct session *session = r->session;
     char message[NAMES_MESSAGE];
     session->column = column_of(r, r->at);
-    char *name = read_word(r, false);
+    size_t length = strcspn(r->at, " \t\r\f\v;>");
+    char *name = strndup(r->at, length);
+    r->at += length;
     const struct command *c = NULL;
     int k = name ? names_find(command_names, NULL, "command", name, message) : -1;
     if (k < 0) {

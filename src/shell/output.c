@@ -243,8 +243,10 @@ static void row_line(struct answer *a, const struct cell *cells, int digits, con
             fputs("  ", a->out);
             output_wrapped(a->out, said[i], words, a->width);
         } else if (left && last) {
-            fprintf(a->out, head ? "" : "\n%*s", WORDS_INDENT, "");
-            output_wrapped(a->out, head ? "" : said[i], WORDS_INDENT, a->width);
+            if (!head) {
+                fprintf(a->out, "\n%*s", WORDS_INDENT, "");
+                output_wrapped(a->out, said[i], WORDS_INDENT, a->width);
+            }
         } else {
             bool open = left && !a->columns[i + 2].key && words < 0; /* no blanks at the end of the line */
             fputs(i ? "  " : "", a->out);

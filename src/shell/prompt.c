@@ -93,7 +93,7 @@ static void on_signal(int number)
     else if (number == SIGTSTP)
         suspended = 1;
     else
-        ended = interrupted = 1;
+        interrupted = ended = number;
 }
 
 static const int watched[] = {SIGINT, SIGWINCH, SIGTSTP, SIGTERM, SIGHUP};
@@ -230,4 +230,8 @@ void line_prompt(struct session *session)
         sigaction(watched[i], &before[i], NULL);
     sigaction(SIGTTOU, &ttou, NULL);
     sigprocmask(SIG_SETMASK, &awake, NULL);
+    if (ended) {
+        fflush(session->out);
+        raise(ended); /* all is in order: it may end the program now */
+    }
 }

@@ -8,8 +8,8 @@
 
 struct redirect {
     FILE *file;
-    char *path, *draft; /* draft: NULL for a device, which is written as it comes */
-    bool append;
+    char *path, *draft; /* draft: the file that takes the place of path; NULL if none does */
+    bool copy, append;  /* copy: file is a draft without a name, to be copied into path */
 };
 
 /* NULL, or why the file cannot be written. */

@@ -47,7 +47,7 @@ const struct parameter session_parameters[] = {
                                              .offset = offsetof(struct session, style.digits),
                                              .setting = true},
     WORDS("angle", style.angle, angle_words, true, "unit of angles, typed and answered")
-        WORDS("timing", timing, switch_words, true, "does every answer end with its time?"){.name = NULL},
+        WORDS("timing", timing, switch_words, true, "whether every answer ends with its time"){.name = NULL},
 };
 
 /* Blanks before a line that is repeated above its caret. */

@@ -135,14 +135,14 @@ theta1 nan|8|^theta1: T.*'nan' has no value
 chain inf|7|^chain: T.*'inf' has no value
 energy 0x0|8|^energy: T.*'0x0'
 omega 0,1|8|^omega: T .*',1'
-rmax nan|6|^rmax: s.*'nan' has no value
-pair x|6|^pair: s.*'x' has no value
-curve x 0.9 3|7|^curve: s.*'x' has no value
-curve 0.1 x 3|11|^curve: s.*'x' has no value
+rmax nan|6|^rmax: S.*'nan' has no value
+pair x|6|^pair: S.*'x' has no value
+curve x 0.9 3|7|^curve: FROM.*'x' has no value
+curve 0.1 x 3|11|^curve: TO.*'x' has no value
 curve 0.1 0.9 x|15|^curve: N.*'x' has no value
 count x|7|^count: H.*'x' has no value
 count 1e400|7|^count: H.*too large
-count 1 x|9|^count: r.*'x' has no value
+count 1 x|9|^count: R.*'x' has no value
 END
 }
 
@@ -167,12 +167,12 @@ digits 0 18 1 \.\. 17$
 digits -3 1e300 1 \.\. 17$
 END
     all_bad <<'END'
-rmax 0|6|^rmax: s = 0 is out of range; s is a number in 1e-06 \.\. 1( |$)
-rmax -0.4|6|^rmax: s = -0.4 is out of range; s is a number in 1e-06 \.\. 1( |$)
-rmax 2|6|^rmax: s = 2 is out of range; s is a number in 1e-06 \.\. 1( |$)
-pair 2|6|^pair: s = 2 is out of range; s is a number in 1e-06 \.\. 1( |$)
-curve 0 1 3|7|^curve: s = 0 is out of range; s is a number in 1e-06 \.\. 1( |$)
-curve 0.1 1.1 3|11|^curve: s = 1.1 is out of range; s is a number in 1e-06 \.\. 1( |$)
+rmax 0|6|^rmax: S = 0 is out of range; S is a value of s, 1e-06 \.\. 1$
+rmax -0.4|6|^rmax: S = -0.4 is out of range; S is a value of s, 1e-06 \.\. 1$
+rmax 2|6|^rmax: S = 2 is out of range; S is a value of s, 1e-06 \.\. 1$
+pair 2|6|^pair: S = 2 is out of range; S is a value of s, 1e-06 \.\. 1$
+curve 0 1 3|7|^curve: FROM = 0 is out of range; FROM is a value of s, 1e-06 \.\. 1$
+curve 0.1 1.1 3|11|^curve: TO = 1.1 is out of range; TO is a value of s, 1e-06 \.\. 1$
 curve 0.1 0.9 0|15|^curve: N = 0 .*integer in 1 \.\. [0-9]+$
 curve 0.1 0.9 -5|15|^curve: N = -5 .*integer in 1 \.\. [0-9]+$
 curve 0.1 0.9 2.5|15|^curve: N = 2.5 .*integer in 1 \.\. [0-9]+$
@@ -180,7 +180,7 @@ curve 0.1 0.9 1e12|15|^curve: N = 1e\+12 .*integer in 1 \.\. [0-9]+$
 curve 0.1 0.9 1|0|^curve: one row .*at least 2$
 count 0|7|^count: H = 0 .*metres, larger than 0$
 count -112|7|^count: H = -112 .*metres, larger than 0$
-count 112 0.5|11|^count: r = 0.5 is out of range; r is a number in 1 \.\. 1e\+06$
+count 112 0.5|11|^count: R = 0.5 is out of range; R is a value of r, 1 \.\. 1e\+06$
 END
 }
 
@@ -288,7 +288,7 @@ junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
     printf 'set s 9%s' "$(tr 7 ' ' <<<"$million")" >"$BATS_TEST_TMPDIR/junk"
     junk 'junk:1:7: set: s = 9 is out of range'
     printf 'set s 0.3 %s' "$(tr 7 'x ' <<<"$million" | sed 's/xx/x /g')" >"$BATS_TEST_TMPDIR/junk"
-    junk "junk:1:11: set: 'x' is one argument too many"
+    junk "junk:1:11: set: 'x' is no unit and has no value"
     { sed 's/7777777/set r 2;/g; s/7*$/foo/' <<<"$million"; } >"$BATS_TEST_TMPDIR/junk"
     junk "junk:1:[0-9]+: unknown command 'foo'"
     same 'a long number is a number' 0.5 "$({ echo 'set output json'; printf 'set s 0.5%s\nshow s' "$(tr 7 0 <<<"$million")"; } |

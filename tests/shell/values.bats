@@ -309,9 +309,9 @@ END
 12|set digits 3 m|^set: digits is a plain number, not a length
 8|theta1 0.1 m|^theta1: T is an angle, not a length
 8|theta1 h|^theta1: T is an angle, not a length
-6|rmax 10 deg|^rmax: s is a plain number, not an angle
-9|pair    1 s|^pair: s is a plain number, not a time
-11|count 112 2 m|^count: r is a plain number, not a length
+6|rmax 10 deg|^rmax: S is a plain number, not an angle
+9|pair    1 s|^pair: S is a plain number, not a time
+11|count 112 2 m|^count: R is a plain number, not a length
 7|curve 0.1 m 0.3 3|^curve: s is a plain number, not a length
 15|curve 0.1 0.3 3 s|^curve: N is a plain number, not a time
 11|print 1 m + 1 s|^print:.*a length and a time
@@ -470,7 +470,6 @@ END
 1|brarier|^unknown command 'brarier'; did you mean 'barrier'\?$
 1|lauch|^unknown command 'lauch'; did you mean 'launch'\?$
 1|Thetac|^unknown command 'Thetac'; did you mean 'thetac'\?$
-1|fuel>f|^unknown command 'fuel>f'
 5|set outptu json|^set: unknown parameter 'outptu'; did you mean 'output'\?$
 6|show digts|^show: unknown parameter 'digts'; did you mean 'digits'\?$
 7|reset timng|^reset: unknown parameter 'timng'; did you mean 'timing'\?$
@@ -987,4 +986,38 @@ END
     for words in 'It answers' 'set fuel' 'exact | paper'; do
         [[ $answer == *"$words"* ]] || same 'help fuel' "$words" "$answer"
     done
+}
+
+@test "'> FILE' keeps links and names, needs no blank, and finds standard output" {
+    cd "$BATS_TEST_TMPDIR" || false
+    echo old >one && ln one two
+    "$DOMINO" -e 'print 1>one; print 2 >> two'
+    same 'a file of two names' $'1\n2' "$(cat two)"
+    "$DOMINO" -e 'print 1; print 5 > /dev/stdout; print 2' | grep . >through-a-pipe
+    "$DOMINO" -e 'print 1; print 5 > /dev/stdout; print 2' >file
+    same 'to a pipe' $'1\n5\n2' "$(cat through-a-pipe)"
+    same 'to a file' $'1\n5\n2' "$(grep . file)"
+}
+
+@test "an interrupted script leaves no draft behind" {
+    cd "$BATS_TEST_TMPDIR" || false
+    mkdir drafts
+    "$DOMINO" -e 'curve 0.01 1 10000000 > drafts/x' 3>&- &
+    until [ -n "$(ls drafts)" ]; do kill -0 $!; done
+    kill -TERM $!
+    run -143 wait $!
+    same 'what is left' '' "$(ls drafts)"
+}
+
+@test "angle deg: functions take degrees, print answers in them" {
+    same 'sin(90)' 1 "$("$DOMINO" -e 'set angle deg; print sin(90)')"
+    same 'thetac' '36.86989765 deg' "$("$DOMINO" -e 'set angle deg; print thetac')"
+    same 'atan(1)' '45 deg' "$("$DOMINO" -e 'set angle deg; print atan(1)')"
+    same 'sin(90 deg)' 1 "$("$DOMINO" -e 'print sin(90 deg)')"
+}
+
+@test "a misspelt unit is named, and functions and units are topics of help" {
+    wrong 11 'theta1 10 dge' "^theta1: 'dge' is no unit; did you mean 'deg'"
+    wrong 9 'print 3 furlong' "^print: 'furlong' is no unit"
+    for topic in sin pi cm units ans; do "$DOMINO" -e "help $topic" | grep -q '^print VALUE'; done
 }
