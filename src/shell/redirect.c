@@ -45,11 +45,16 @@ static FILE *draft_beside(struct redirect *r, const struct stat *now)
         r->draft = NULL;
         return NULL;
     }
+    /* No signal may come between the making of the draft and its guard. */
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
     int file = mkstemp(r->draft);
-    if (file >= 0 && fchmod(file, now ? now->st_mode & 0777 : 0666 & ~mask) == 0) {
+    if (file >= 0)
         draft_guard(r->draft);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    if (file >= 0 && fchmod(file, now ? now->st_mode & 0777 : 0666 & ~mask) == 0)
         return fdopen(file, "w");
-    }
     free(r->draft);
     r->draft = NULL;
     return NULL;

@@ -312,7 +312,7 @@ END
 6|rmax 10 deg|^rmax: S is a plain number, not an angle
 9|pair    1 s|^pair: S is a plain number, not a time
 11|count 112 2 m|^count: R is a plain number, not a length
-7|curve 0.1 m 0.3 3|^curve: s is a plain number, not a length
+7|curve 0.1 m 0.3 3|^curve: FROM is a plain number, not a length
 15|curve 0.1 0.3 3 s|^curve: N is a plain number, not a time
 11|print 1 m + 1 s|^print:.*a length and a time
 11|print 1 m + 1|^print:.*a length and a plain number
@@ -1005,7 +1005,9 @@ END
     "$DOMINO" -e 'curve 0.01 1 10000000 > drafts/x' 3>&- &
     until [ -n "$(ls drafts)" ]; do kill -0 $!; done
     kill -TERM $!
-    run -143 wait $!
+    local code=0
+    wait $! || code=$?
+    same 'ended by SIGTERM' 143 "$code"
     same 'what is left' '' "$(ls drafts)"
 }
 
