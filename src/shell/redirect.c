@@ -55,6 +55,11 @@ static FILE *draft_beside(struct redirect *r, const struct stat *now)
     sigprocmask(SIG_SETMASK, &before, NULL);
     if (file >= 0 && fchmod(file, now ? now->st_mode & 0777 : 0666 & ~mask) == 0)
         return fdopen(file, "w");
+    if (file >= 0) {
+        close(file);
+        unlink(r->draft);
+        draft_guard(NULL);
+    }
     free(r->draft);
     r->draft = NULL;
     return NULL;
