@@ -155,6 +155,7 @@ const struct command session_commands[] = {
      .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME the settings of the session are kept: output, digits, angle, timing.",
+     .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .principal = -1,
      .run = run_reset},
