@@ -36,7 +36,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc
 DEPS_RUN  := libgsl-dev libreadline-dev
 DEPS_TEST := libcmocka-dev bats expect tmux
 DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
-DEPS_FUZZ := clang
+DEPS_FUZZ := clang libclang-rt-dev
 NEEDED    := $(DEPS_RUN) $(if $(filter test unit sessions sanitize,$(MAKECMDGOALS)),$(DEPS_TEST)) \
              $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev) \
              $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),bc)
