@@ -149,6 +149,8 @@ static bool run_launch(struct session *session, const struct call *call)
     return true;
 }
 
+enum { REASON_SIZE = 160 };
+
 /* "the train stops at theta = ..., below the barrier", into reason. */
 static const char *stop_reason(const struct session *session, char *reason, size_t size)
 {
@@ -163,6 +165,14 @@ static const char *stop_reason(const struct session *session, char *reason, size
     return reason;
 }
 
+/* Why a cycle is not completed; NULL where it is. */
+static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])
+{
+    return status == DOM_NO_FUEL ? no_fuel(session)
+           : status == DOM_STOPS ? stop_reason(session, reason, REASON_SIZE)
+                                 : NULL;
+}
+
 static const struct column omega_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
     {"omegasq", "", "tau^2 omega(theta)^2 (c3)", 0},
@@ -173,15 +183,13 @@ static const struct column omega_columns[] = {
 static bool run_omega(struct session *session, const struct call *call)
 {
     double theta = call->number[0], omegasq;
-    char reason[160];
+    char reason[REASON_SIZE];
     enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq);
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_STOPS)
         return session_status(session, status);
     double tau = dom_scale_tau(&session->scale, session->train.d);
     answer_row(call->answer, ROW(cell_real(theta), cell_real(omegasq), cell_real(sqrt(omegasq) / tau)),
-               status == DOM_OK        ? NULL
-               : status == DOM_NO_FUEL ? no_fuel(session)
-                                       : stop_reason(session, reason, sizeof reason));
+               no_cycle(session, status, reason));
     return true;
 }
 
@@ -197,7 +205,7 @@ static const struct column barrier_columns[] = {
 static bool run_barrier(struct session *session, const struct call *call)
 {
     struct dom_barrier b;
-    char reason[160];
+    char reason[REASON_SIZE];
     enum dom_status status = dom_barrier_find(&session->train, &b);
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_STOPS)
         return session_status(session, status);
@@ -205,9 +213,7 @@ static bool run_barrier(struct session *session, const struct call *call)
     answer_row(call->answer,
                ROW(cell_real(b.theta_m), cell_real(b.barrier), cell_real(b.kinetic), cell_real(b.margin),
                    cell_word(verdict)),
-               status == DOM_OK        ? NULL
-               : status == DOM_NO_FUEL ? no_fuel(session)
-                                       : stop_reason(session, reason, sizeof reason));
+               no_cycle(session, status, reason));
     return true;
 }
 
@@ -222,17 +228,13 @@ static const struct column duration_columns[] = {
 static bool run_duration(struct session *session, const struct call *call)
 {
     double duration = DOM_NAN, tau = dom_scale_tau(&session->scale, session->train.d);
-    char reason[160];
+    char reason[REASON_SIZE];
     enum dom_status status = dom_cycle_duration(&session->train, &duration);
-    const char *why = NULL;
-    if (status == DOM_NO_FUEL)
-        why = no_fuel(session);
-    else if (status == DOM_STOPS)
-        why = stop_reason(session, reason, sizeof reason);
-    else if (status == DOM_NOT_CONVERGED)
+    const char *why = no_cycle(session, status, reason);
+    if (status == DOM_NOT_CONVERGED)
         return session_error(session, "the margin is 0 to rounding: the duration grows like ln(1/margin) and "
                                       "has no value here; a slightly smaller r has");
-    else if (status != DOM_OK)
+    if (status != DOM_OK && !why)
         return session_status(session, status);
     double speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);
     answer_row(call->answer,

@@ -103,16 +103,9 @@ static const struct column print_columns[] = {
 
 static bool run_print(struct session *session, const struct call *call)
 {
-    static const char *const base[] = {"m", "s", "rad"};
     struct quantity q = call->quantity[0];
-    const int power[] = {q.length, q.time, q.angle};
-    char unit[48] = "";
-    for (int i = 0; i < 3; i++) {
-        size_t used = strlen(unit);
-        if (power[i] != 0)
-            snprintf(unit + used, sizeof unit - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "",
-                     base[i], power[i]);
-    }
+    char unit[48];
+    expression_unit_text(q, unit, sizeof unit);
     if (q.length == 0 && q.time == 0 && q.angle == 1) {
         q.value = style_angle(&session->style, q.value);
         snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));

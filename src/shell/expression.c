@@ -74,23 +74,30 @@ static bool plain(struct quantity q)
     return q.length == 0 && q.time == 0;
 }
 
-const char *expression_kind(struct quantity q, char *text, size_t size)
+const char *expression_unit_text(struct quantity q, char *text, size_t size)
 {
     static const char *const base[] = {"m", "s", "rad"};
     const int power[] = {q.length, q.time, q.angle};
+    text[0] = '\0';
+    for (int i = 0; i < 3; i++) {
+        size_t used = strlen(text);
+        if (power[i] != 0)
+            snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "", base[i],
+                     power[i]);
+    }
+    return text;
+}
+
+const char *expression_kind(struct quantity q, char *text, size_t size)
+{
+    char unit[48];
     if (plain(q) && (q.angle == 0 || q.angle == 1))
         return q.angle ? "an angle" : "a plain number";
     if (q.time == 0 && q.length == 1)
         return "a length";
     if (q.length == 0 && q.time == 1 && q.angle == 0)
         return "a time";
-    text[0] = '\0';
-    for (int i = 0; i < 3; i++) {
-        size_t used = strlen(text);
-        if (power[i] != 0)
-            snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "in ",
-                     base[i], power[i]);
-    }
+    snprintf(text, size, "in %s", expression_unit_text(q, unit, sizeof unit));
     return text;
 }
 

@@ -47,6 +47,9 @@ void expression_message(struct expression *expression, const char *format, ...)
 /* The unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1. */
 struct quantity expression_unit(const char *unit);
 
+/* "m^2 s^-1", or "" for a plain number. */
+const char *expression_unit_text(struct quantity quantity, char *text, size_t size);
+
 /* "a length", "a time", "m^2 s^-1": what a quantity is, for messages. */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
 

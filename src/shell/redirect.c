@@ -65,6 +65,20 @@ static FILE *draft_beside(struct redirect *r, const struct stat *now)
     return NULL;
 }
 
+/* Opens a draft without a name, to be copied into the file; NULL if that may not be made. */
+static FILE *draft_apart(const char *path, bool exists)
+{
+    /* Found out now, before the work. */
+    int probe = exists ? -1 : open(path, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (!exists && probe < 0)
+        return NULL;
+    if (!exists) {
+        close(probe);
+        unlink(path);
+    }
+    return tmpfile();
+}
+
 const char *redirect_open(struct redirect *r, const char *path, bool append)
 {
     struct stat now, out;
@@ -85,22 +99,9 @@ const char *redirect_open(struct redirect *r, const char *path, bool append)
         /* A file of many names, or of somebody else, keeps its place: the draft is copied into it. */
         bool replace = !append && !(exists && (now.st_nlink > 1 || now.st_uid != geteuid()));
         r->file = replace ? draft_beside(r, exists ? &now : NULL) : NULL;
-        r->copy = !r->file;
-        if (r->copy && (exists || append))
-            r->file = tmpfile();
-        if (r->copy && !exists && r->file) {
-            /* May it be made at all?  Found out now, before the work. */
-            int probe = open(r->path, O_WRONLY | O_CREAT | O_EXCL, 0666);
-            if (probe < 0) {
-                int why = errno;
-                fclose(r->file);
-                r->file = NULL;
-                errno = why;
-            } else {
-                close(probe);
-                unlink(r->path);
-            }
-        }
+        r->copy = !r->file && (exists || append);
+        if (r->copy)
+            r->file = draft_apart(r->path, exists);
     }
     if (r->file)
         return NULL;
