@@ -27,8 +27,19 @@ extern "C" {
 
 #define DOM_VERSION "0.1.0"
 
-/* What does not exist; NAN alone is a float. */
-#define DOM_NAN ((double)NAN)
+/*
+ * The widest arithmetic there is: parameters and answers travel in it, whatever precision computes them.
+ * It converts from and to double as every floating type does; printf wants (double)x.
+ */
+#if defined __SIZEOF_FLOAT128__ && defined __GLIBC__ && !defined DOM_NO_FLOAT128
+__extension__ typedef __float128 dom_real;
+#define DOM_REAL_FLOAT128
+#else
+typedef long double dom_real;
+#endif
+
+/* What does not exist. */
+#define DOM_NAN ((dom_real)NAN)
 
 /* ---- Statuses: X(name, what it means) ---- */
 
@@ -41,7 +52,9 @@ extern "C" {
     X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
     X(TOO_LONG, "more dominoes matter than can be followed")                                                 \
-    X(UNDERFLOW, "r^(2q+1) is beyond the range of double precision; a smaller r or q is not")                \
+    X(UNDERFLOW, "r^(2q+1) is beyond the range of the precision; a smaller r or q is not")                   \
+    X(NO_PRECISION, "this machine has no arithmetic of that precision")                                      \
+    X(NO_METHOD, "this method does not give that answer")                                                    \
     X(NOT_FINITE, "a value on the way is not finite")                                                        \
     X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
     X(NO_MEMORY, "out of memory")                                                                            \
@@ -56,27 +69,59 @@ enum dom_status {
 /* What a status means, as one line without a full stop. */
 const char *dom_status_text(enum dom_status status);
 
+/* ---- Precision ---- */
+
+enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
+
+struct dom_arithmetic {
+    const char *name; /* of the precision: "float", "double", "quad" */
+    const char *type; /* of C that it is made of */
+    int bits;         /* of the significand; 0 where this machine has no such arithmetic */
+    double epsilon;   /* twice the unit roundoff */
+    dom_real tol_default, tol_floor;
+    int digits; /* of an answer, worth printing at tol_default */
+};
+
+/* quad is __float128 where the compiler and the library have it, else long double if that is wider. */
+const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
+
 /* ---- Parameters: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
 
 #define DOM_TRAIN_PARAMETERS(X)                                                                              \
-    X(s, 0.4, 1e-6, 1, "h", "separation: free gap to the next domino over height")                           \
-    X(r, 1.5, 1, 1e6, "", "growth: how much larger each domino is than the one before")                      \
-    X(d, 7.0 / 48, 1e-12, 100, "h", "thickness over height")                                                 \
+    X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: free gap to the next domino over height")              \
+    X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how much larger each domino is than the one before")          \
+    X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness over height")                                         \
     X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, massive = 4")                                         \
-    X(tol, 1e-12, 1e-15, 0.1, "", "relative tolerance of the answers")
+    X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
 
 #define DOM_SCALE_PARAMETERS(X)                                                                              \
-    X(h, 0.048, 1e-9, 1e9, "m", "height of the first domino")                                                \
-    X(g, 9.81, 1e-9, 1e9, "m/s^2", "acceleration of gravity")
+    X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")                                  \
+    X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
 
 /* The fuel P that enters (c6): see dom_fuel_find. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
+/*
+ * Who computes: this library; or, to compare with and in double precision only, solvers of GSL around the
+ * textbook formulas, and the paper's own recipe, which raises theta and r step by step.
+ */
+enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
+
+/* The work that answers took; every answer adds its own. */
+struct dom_work {
+    size_t passes;   /* evaluations: passes down the train */
+    size_t dominoes; /* followed in all of them */
+    size_t longest;  /* in one pass */
+};
+
 /* A self-similar train.  Start from dom_train_default() and change what differs. */
 struct dom_train {
-#define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) double name;
+#define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
     DOM_TRAIN_PARAMETERS(DOM_MEMBER)
+    enum dom_precision precision; /* in which answers are computed; parameters are rounded to it */
     enum dom_fuel fuel;
+    enum dom_method method;
+    struct dom_work *work; /* where not NULL, counts */
     /* Where not NULL, long computations end with DOM_INTERRUPTED soon after it becomes non-zero. */
     const volatile sig_atomic_t *interrupt;
 };
@@ -91,97 +136,110 @@ struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
 /*
- * DOM_OK where every parameter is in its range and the head reaches the next domino, r s <= 1;
- * else BAD_PARAMETER, OUT_OF_REACH or UNDERFLOW.  r = 1/s rounded to a double counts as r s = 1.
+ * DOM_OK where every parameter is in its range, tol not below the floor of the precision, and the head
+ * reaches the next domino, r s <= 1; else BAD_PARAMETER, OUT_OF_REACH, UNDERFLOW or NO_PRECISION.
+ * r = 1/s rounded to the precision counts as r s = 1.
  * Every function below that takes a train makes this check itself.
+ *
+ * Each of them takes a pointer `error` behind that to its result.  Where it is not NULL, it gets a bound
+ * of the absolute error of every member: of rounding on the way from the parameters, as rounded to the
+ * precision, and of what tol cuts off.  NULL costs nothing.
  */
 enum dom_status dom_train_check(const struct dom_train *train);
 
 /* ---- One domino leaning on the next (section 'Two dominoes' and appendix A) ---- */
 
 struct dom_angles {
-    double theta_c;     /* the head hits the next domino, sin theta_c = r s          (a2) */
-    double theta_u;     /* a single domino tips over, tan theta_u = d                (b1) */
-    double theta_inf;   /* far followers approach it, cos theta_inf = d / (s + d)    (A16) */
-    double theta_f;     /* the last angle of a follower: (A18) if it falls off, else theta_inf */
-    double theta_leave; /* leader's angle at which its follower falls off; NaN if none does */
-    bool falls_off;     /* (A17) */
+    dom_real theta_c;     /* the head hits the next domino, sin theta_c = r s          (a2) */
+    dom_real theta_u;     /* a single domino tips over, tan theta_u = d                (b1) */
+    dom_real theta_inf;   /* far followers approach it, cos theta_inf = d / (s + d)    (A16) */
+    dom_real theta_f;     /* the last angle of a follower: (A18) if it falls off, else theta_inf */
+    dom_real theta_leave; /* leader's angle at which its follower falls off; NaN if none does */
+    bool falls_off;       /* (A17) */
 };
 
-enum dom_status dom_angles_find(const struct dom_train *train, struct dom_angles *angles);
+enum dom_status dom_angles_find(const struct dom_train *train, struct dom_angles *angles,
+                                struct dom_angles *error);
 
 /* A domino at tilt theta and the follower that leans on it. */
 struct dom_contact {
-    double theta_1; /* angle of the follower (b8); theta_f where it has fallen off */
-    double slope;   /* d theta_1 / d theta (b10); 0 where it has fallen off */
-    double arm_a;   /* arm of the contact force on the leader, in h; NaN where fallen off */
-    double arm_b;   /* arm of the contact force on the follower, in h; NaN where fallen off */
+    dom_real theta_1; /* angle of the follower (b8); theta_f where it has fallen off */
+    dom_real slope;   /* d theta_1 / d theta (b10); 0 where it has fallen off */
+    dom_real arm_a;   /* arm of the contact force on the leader, in h; NaN where fallen off */
+    dom_real arm_b;   /* arm of the contact force on the follower, in h; NaN where fallen off */
 };
 
 /* 0 <= theta <= theta_c, else DOM_BAD_TILT. */
-enum dom_status dom_contact_find(const struct dom_train *train, double theta, struct dom_contact *contact);
+enum dom_status dom_contact_find(const struct dom_train *train, dom_real theta, struct dom_contact *contact,
+                                 struct dom_contact *error);
 
 /* ---- The train behind the head at one tilt ---- */
 
 struct dom_link {
-    size_t i;            /* number of the domino, 0 = head */
-    double theta;        /* its angle (A2) */
-    double slope;        /* d theta_i / d theta (A9) */
-    double arm_a, arm_b; /* of the contact with its own follower; NaN without one (table 1) */
-    double weight;       /* r^(-q i): its share in H (c1) */
+    size_t i;              /* number of the domino, 0 = head */
+    dom_real theta;        /* its angle (A2) */
+    dom_real slope;        /* d theta_i / d theta (A9) */
+    dom_real arm_a, arm_b; /* of the contact with its own follower; NaN without one (table 1) */
+    dom_real weight;       /* r^(-q i): its share in H (c1) */
 };
 
 /*
  * Calls visit for the head and for each follower that matters at the train's tolerance, in order;
- * visit returns false to stop the walk early (the status is still DOM_OK).
+ * visit returns false to stop the walk early (the status is still DOM_OK).  Its error is NULL unless
+ * errors are asked for.
  */
-enum dom_status dom_chain_walk(const struct dom_train *train, double theta,
-                               bool (*visit)(const struct dom_link *link, void *context), void *context);
+typedef bool dom_visit(const struct dom_link *link, const struct dom_link *error, void *context);
+enum dom_status dom_chain_walk(const struct dom_train *train, dom_real theta, bool errors, dom_visit *visit,
+                               void *context);
 
 /* ---- Energy ---- */
 
 struct dom_energy {
-    double dH; /* H(theta) - H(0), H the potential energy of the train (c1), in m g h / 2 */
-    double J;  /* inertia of the train: kinetic energy = J tau^2 omega^2 (c2) */
-    double J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (d8, corrected) */
+    dom_real dH; /* H(theta) - H(0), H the potential energy of the train (c1), in m g h / 2 */
+    dom_real J;  /* inertia of the train: kinetic energy = J tau^2 omega^2 (c2) */
+    dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (d8, corrected) */
 };
 
-enum dom_status dom_energy_find(const struct dom_train *train, double theta, struct dom_energy *energy);
+enum dom_status dom_energy_find(const struct dom_train *train, dom_real theta, struct dom_energy *energy,
+                                struct dom_energy *error);
 
 struct dom_fuels {
-    double exact; /* what all dominoes lose in one cycle, with their weights: H(0) - H(theta_c) */
-    double paper; /* 1 - h(theta_f): the second equality of (c7), which holds only for r = 1 */
+    dom_real exact; /* what all dominoes lose in one cycle, with their weights: H(0) - H(theta_c) */
+    dom_real paper; /* 1 - h(theta_f): the second equality of (c7), which holds only for r = 1 */
 };
 
 /* Both fuels, in m g h / 2; they may be zero or negative (no domino effect). */
-enum dom_status dom_fuel_find(const struct dom_train *train, struct dom_fuels *fuels);
+enum dom_status dom_fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
+                              struct dom_fuels *error);
 
 /* ---- Collision ---- */
 
 struct dom_launch {
-    double fuel;    /* P, the one that train->fuel selects */
-    double J0;      /* J(0) */
-    double omegasq; /* tau^2 omega(0)^2 after the collision (c6) */
-    double kinetic; /* J(0) tau^2 omega(0)^2 */
+    dom_real fuel;    /* P, the one that train->fuel selects */
+    dom_real J0;      /* J(0) */
+    dom_real omegasq; /* tau^2 omega(0)^2 after the collision (c6) */
+    dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
 };
 
 /* DOM_NO_FUEL where P <= 0: then fuel and J0 are written, omegasq and kinetic are NaN. */
-enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch *launch);
+enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch *launch,
+                                struct dom_launch *error);
 
 /* ---- Barrier and verdict ---- */
 
 struct dom_barrier {
-    double theta_m; /* where the barrier is highest, 0 <= theta_m <= theta_c */
-    double barrier; /* max over the cycle of H(theta) - H(0), a global maximum, >= 0 */
-    double kinetic; /* after the collision; NaN without fuel */
-    double margin;  /* kinetic - barrier (c8, corrected); NaN without fuel */
+    dom_real theta_m; /* where the barrier is highest, 0 <= theta_m <= theta_c */
+    dom_real barrier; /* max over the cycle of H(theta) - H(0), a global maximum, >= 0 */
+    dom_real kinetic; /* after the collision; NaN without fuel */
+    dom_real margin;  /* kinetic - barrier (c8, corrected); NaN without fuel */
 };
 
 /*
  * DOM_OK: the train goes on (margin >= 0).  DOM_STOPS: it does not; all members are written.
  * DOM_NO_FUEL: theta_m and barrier are written, the others are NaN.
  */
-enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barrier *barrier);
+enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
+                                 struct dom_barrier *error);
 
 /* ---- One cycle ---- */
 
@@ -189,20 +247,21 @@ enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barri
  * tau^2 omega(theta)^2 on the way from one collision to the next (c3).  DOM_NO_FUEL: no cycle, NaN.
  * DOM_STOPS: the head does not come as far as theta; *omegasq is NaN.
  */
-enum dom_status dom_cycle_omegasq(const struct dom_train *train, double theta, double *omegasq);
+enum dom_status dom_cycle_omegasq(const struct dom_train *train, dom_real theta, dom_real *omegasq,
+                                  dom_real *error);
 
 /*
  * Where a train that does not go on comes to rest: the smallest tilt at which H(theta) - H(0) has used up
  * the kinetic energy.  DOM_OK with NaN where it does go on; DOM_NO_FUEL where it does not start.
  */
-enum dom_status dom_cycle_stop(const struct dom_train *train, double *theta);
+enum dom_status dom_cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error);
 
 /*
  * Duration of a cycle t_f / tau = integral of 1/(tau omega) over [0, theta_c].  It diverges like
  * ln(1 / margin): where the margin is 0 to rounding it is NOT_CONVERGED, and before that its relative
  * error grows like kinetic / margin times the unit roundoff.  NO_FUEL or STOPS without a whole cycle.
  */
-enum dom_status dom_cycle_duration(const struct dom_train *train, double *duration);
+enum dom_status dom_cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error);
 
 /* ---- The limits of growth ---- */
 
@@ -212,7 +271,7 @@ enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 const char *dom_end_text(enum dom_end end);
 
 struct dom_limit {
-    double r_max;      /* NaN with DOM_END_NONE */
+    dom_real r_max;    /* NaN with DOM_END_NONE */
     enum dom_end ends; /* by what growth is limited */
 };
 
@@ -221,35 +280,38 @@ struct dom_limit {
  * not used.  DOM_OK with DOM_END_NONE where already r = 1 does not go on; *why, unless why is NULL,
  * then tells whether by NO_FUEL or STOPS.
  */
-enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit, enum dom_status *why);
+enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
+                               struct dom_limit *error, enum dom_status *why);
 
 /*
  * The same for two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry domino 0
  * over the barrier of the pair.  train->r and train->fuel are not used.  Where equal dominoes fail, but
  * larger ones succeed ((b0) is a lower bound on r), the first band of r that succeeds counts.
  */
-enum dom_status dom_limit_pair(const struct dom_train *train, struct dom_limit *limit);
+enum dom_status dom_limit_pair(const struct dom_train *train, struct dom_limit *limit,
+                               struct dom_limit *error);
 
 struct dom_best {
-    double s;     /* the separation that allows the largest growth */
-    double r_max; /* that growth */
+    dom_real s;     /* the separation that allows the largest growth */
+    dom_real r_max; /* that growth */
 };
 
 /* train->s and train->r are not used.  DOM_NO_GROWTH where no separation allows r > 1. */
-enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *best);
+enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *best, struct dom_best *error);
 
 /* ---- Metres and seconds ---- */
 
 /* tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (a1), for solid blocks; d in h. */
-double dom_scale_tau(const struct dom_scale *scale, double d);
+dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d);
 
 /* Front speed of a cycle in m/s: (s + d) r h over its duration (given in tau). */
-double dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, double duration);
+dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count {
-    double dominoes; /* n, the smallest integer with first r^n >= height; infinite for r = 1 < height/first */
-    double exact;    /* ln(height / first) / ln r */
-    double last;     /* first r^n, in the unit of first; NaN where n is infinite */
+    dom_real
+        dominoes;   /* n, the smallest integer with first r^n >= height; infinite for r = 1 < height/first */
+    dom_real exact; /* ln(height / first) / ln r */
+    dom_real last;  /* first r^n, in the unit of first; NaN where n is infinite */
 };
 
 /*
@@ -257,7 +319,8 @@ struct dom_count {
  * times the one before.  A power that meets the height up to the rounding of the typed numbers counts
  * as exact.  Both heights > 0 in one unit, r >= 1, else DOM_BAD_PARAMETER.
  */
-enum dom_status dom_count_find(double first, double height, double r, struct dom_count *count);
+enum dom_status dom_count_find(enum dom_precision precision, dom_real first, dom_real height, dom_real r,
+                               struct dom_count *count, struct dom_count *error);
 
 #ifdef __cplusplus
 }

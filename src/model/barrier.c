@@ -5,11 +5,10 @@
  * scanned for sign changes of H', and every maximum found is compared.
  */
 #include "barrier.h"
-#include <float.h>
 
 /*
  * Over 50,000 random trains (s, d, q, r log-uniform) 16 samples a piece found the barrier that 600 found;
- * tests/unit/barrier.c repeats the comparison.
+ * tests/unit/test_barrier.c repeats the comparison.
  */
 #define BARRIER_SAMPLES 16
 
@@ -19,7 +18,7 @@ struct slope_context {
     enum dom_status status;
 };
 
-static double slope_of_H(double theta, void *context)
+static real slope_of_H(real theta, void *context)
 {
     struct slope_context *c = context;
     struct tilt head;
@@ -27,17 +26,28 @@ static double slope_of_H(double theta, void *context)
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK)
         c->status = chain_sum(c->lean, head, c->n, &sums);
-    return c->status == DOM_OK ? sums.H1 : DOM_NAN;
+    return c->status == DOM_OK ? sums.H1 : REAL_NAN;
+}
+
+/* Its sign, from as short a train as shows it. */
+static real rises(real theta, struct slope_context *c)
+{
+    struct tilt head;
+    real H1 = 0;
+    c->status = lean_tilt(c->lean, theta, &head);
+    if (c->status == DOM_OK)
+        c->status = chain_sign(c->lean, head, c->n, &H1);
+    return H1;
 }
 
 /* Keeps theta as theta_m if H is higher there. */
-static enum dom_status barrier_try(const struct slope_context *c, double theta, struct barrier *b)
+static enum dom_status barrier_try(const struct slope_context *c, real theta, struct barrier *b)
 {
     struct tilt head;
     struct sums sums = {0};
     enum dom_status status = lean_tilt(c->lean, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(c->lean, head, c->n, &sums);
+        status = chain_rise(c->lean, head, c->n, &sums, NULL);
     if (status == DOM_OK && sums.dH > b->height) {
         b->height = sums.dH;
         b->theta_m = theta;
@@ -46,15 +56,15 @@ static enum dom_status barrier_try(const struct slope_context *c, double theta, 
 }
 
 /* All maxima of H inside one smooth piece. */
-static enum dom_status barrier_scan(struct slope_context *c, double lo, double hi, struct barrier *b)
+static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, struct barrier *b)
 {
-    double left = lo, slope_left = slope_of_H(lo, c);
+    real left = lo, slope_left = rises(lo, c);
     for (int k = 1; k <= BARRIER_SAMPLES && c->status == DOM_OK; k++) {
         /* Chebyshev spacing: the structure sits near the ends, where dominoes leave. */
-        double u = 0.5 * (1 - cos(3.14159265358979323846 * k / BARRIER_SAMPLES));
-        double right = k < BARRIER_SAMPLES ? lo + u * (hi - lo) : hi, slope_right = slope_of_H(right, c);
-        if (slope_left > 0 && slope_right <= 0) {
-            double top;
+        real u = (1 - cos(PI * (real)k / BARRIER_SAMPLES)) / 2;
+        real right = k < BARRIER_SAMPLES ? lo + u * (hi - lo) : hi, slope_right = rises(right, c);
+        if (c->status == DOM_OK && slope_left > 0 && slope_right <= 0) {
+            real top;
             enum num_status status = num_root(slope_of_H, c, left, right, c->lean->tol / 8, &top);
             c->status = model_status(c->status, status);
             if (c->status == DOM_OK)
@@ -68,16 +78,18 @@ static enum dom_status barrier_scan(struct slope_context *c, double lo, double h
     return c->status;
 }
 
-enum dom_status barrier_search(const struct lean *g, size_t n, double end, struct barrier *barrier)
+KERNEL enum dom_status barrier_search(const struct lean *g, size_t n, real end, struct barrier *barrier)
 {
     struct barrier b = {.theta_m = 0, .height = 0, .edge = {0}, .edges = 1};
     /* At r s = 1 the follower is gone for every theta > 0: H' jumps at 0, and its right limit counts. */
     if (g->short_of == 0)
-        b.edge[0] = fmin(DBL_MIN, end);
+        b.edge[0] = fmin(REAL_MIN, end);
     bool leaves;
     struct tilt leave;
     enum dom_status status = chain_leave(g, n, &leaves, &leave);
-    double theta_leave = leaves ? tilt_angle(leave) : 0;
+    if (status != DOM_OK)
+        return status;
+    real theta_leave = leaves ? tilt_angle(leave) : 0;
     if (theta_leave > b.edge[0] && theta_leave < end)
         b.edge[b.edges++] = theta_leave;
     b.edge[b.edges++] = end;
@@ -89,24 +101,66 @@ enum dom_status barrier_search(const struct lean *g, size_t n, double end, struc
     return status;
 }
 
-enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barrier *barrier)
+/* H''(theta) by a difference that stays inside the cycle; for error bounds its size is enough. */
+static real curvature(struct slope_context *c, real theta, real end)
+{
+    real h = sqrt(REAL_EPSILON) * 64 * end, lo = fmax(theta - h, 0), hi = fmin(theta + h, end);
+    real below = slope_of_H(lo, c), above = c->status == DOM_OK ? slope_of_H(hi, c) : 0;
+    return (above - below) / (hi - lo);
+}
+
+KERNEL enum dom_status barrier_error(const struct lean *g, size_t n, const struct barrier *b,
+                                     struct barrier *error)
+{
+    struct tilt head;
+    struct sums at, e;
+    struct slope_context c = {.lean = g, .n = n};
+    *error = (struct barrier){.theta_m = 0, .height = 0};
+    if (b->theta_m == 0)
+        return DOM_OK;
+    enum dom_status status = lean_tilt(g, b->theta_m, &head);
+    if (status == DOM_OK)
+        status = chain_rise(g, head, n, &at, &e);
+    real bend = status == DOM_OK ? fabs(curvature(&c, b->theta_m, b->edge[b->edges - 1])) : 0;
+    if (status != DOM_OK || c.status != DOM_OK)
+        return status != DOM_OK ? status : c.status;
+    /* At an inner top H' vanishes; where it does not, the top is an end of a piece, known as an angle. */
+    real off = (fabs(at.H1) + e.H1) / bend;
+    bool inner = off < (real)0.01 * b->theta_m;
+    error->theta_m = (inner ? off : 0) + 8 * UNIT * b->theta_m;
+    error->height = e.dH + (fabs(at.H1) + bend * error->theta_m) * error->theta_m;
+    return DOM_OK;
+}
+
+KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
+                                    struct dom_barrier *error)
 {
     struct lean g;
-    struct barrier b;
-    struct dom_launch launch;
+    struct barrier b, b_error;
+    struct launch l, l_error;
     enum dom_status status = lean_make(train, &g);
     if (status == DOM_OK)
         status = barrier_search(&g, CHAIN_ENDLESS, tilt_angle(g.c), &b);
     if (status == DOM_OK)
-        status = collision_launch(&g, train->fuel, &launch);
+        status = collision_launch(&g, train->fuel, &l, error ? &l_error : NULL);
+    if (status == DOM_OK && error)
+        status = barrier_error(&g, CHAIN_ENDLESS, &b, &b_error);
     if (status != DOM_OK)
         return status;
-    bool fuelled = launch.fuel > 0;
+    bool fuelled = l.fuel > 0;
+    real margin = l.kinetic - b.height;
     *barrier = (struct dom_barrier){
         .theta_m = b.theta_m,
         .barrier = b.height,
-        .kinetic = fuelled ? launch.kinetic : DOM_NAN,
-        .margin = fuelled ? launch.kinetic - b.height : DOM_NAN,
+        .kinetic = fuelled ? l.kinetic : REAL_NAN,
+        .margin = fuelled ? margin : REAL_NAN,
     };
-    return !fuelled ? DOM_NO_FUEL : barrier->margin >= 0 ? DOM_OK : DOM_STOPS;
+    if (error)
+        *error = (struct dom_barrier){
+            .theta_m = b_error.theta_m,
+            .barrier = b_error.height,
+            .kinetic = l_error.kinetic,
+            .margin = l_error.kinetic + b_error.height + UNIT * fabs(margin),
+        };
+    return !fuelled ? DOM_NO_FUEL : margin >= 0 ? DOM_OK : DOM_STOPS;
 }

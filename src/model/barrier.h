@@ -11,12 +11,16 @@
  * between them, if any.
  */
 struct barrier {
-    double theta_m, height;
-    double edge[3];
+    real theta_m, height;
+    real edge[3];
     int edges;
 };
 
-enum dom_status barrier_search(const struct lean *lean, size_t n, double end, struct barrier *barrier);
+KERNEL enum dom_status barrier_search(const struct lean *lean, size_t n, real end, struct barrier *barrier);
+
+/* Bounds of the errors of theta_m and height. */
+KERNEL enum dom_status barrier_error(const struct lean *lean, size_t n, const struct barrier *barrier,
+                                     struct barrier *error);
 
 /* What a search ends with: the model's own status, if its function failed, else the solver's. */
 static inline enum dom_status model_status(enum dom_status own, enum num_status solver)
@@ -26,7 +30,6 @@ static inline enum dom_status model_status(enum dom_status own, enum num_status 
         [NUM_NOT_BRACKETED] = DOM_NOT_CONVERGED,
         [NUM_NOT_FINITE] = DOM_NOT_FINITE,
         [NUM_NOT_CONVERGED] = DOM_NOT_CONVERGED,
-        [NUM_NO_MEMORY] = DOM_NO_MEMORY,
     };
     return own != DOM_OK ? own : of[solver];
 }

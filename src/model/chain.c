@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "chain.h"
-#include <float.h>
+#include "bound.h"
 
 /* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 has more.
  */
 #define LINKS_MAX ((size_t)2000000)
 
 /* The tail of a sum may be this part of the tolerance, so that a result of several sums keeps it. */
-#define TAIL_SHARE 0.125
+#define TAIL_SHARE ((real)0.125)
 
 static void link_lean(const struct lean *g, struct link *k)
 {
@@ -19,14 +18,14 @@ static void link_lean(const struct lean *g, struct link *k)
     }
 }
 
-struct link link_head(const struct lean *g, struct tilt head)
+KERNEL struct link link_head(const struct lean *g, struct tilt head)
 {
     struct link k = {.i = 0, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
     link_lean(g, &k);
     return k;
 }
 
-void link_next(const struct lean *g, struct link *k)
+KERNEL void link_next(const struct lean *g, struct link *k)
 {
     k->i++;
     k->tilt = tilt_turn(k->tilt, k->turn);
@@ -38,12 +37,17 @@ void link_next(const struct lean *g, struct link *k)
 
 /* A sum with a bound on the terms that have not been added yet. */
 struct series {
-    double sum, size; /* of the terms, and of their absolute values */
+    real sum, size; /* of the terms, and of their absolute values */
+    real lost;      /* what rounding took from the sum so far */
+    real tail;      /* at most what the terms to come add up to */
 };
 
-static void series_add(struct series *s, double term)
+/* Compensated (Fast2Sum; a follower never counts for more than all before it, but in roundings). */
+static void series_add(struct series *s, real term)
 {
-    s->sum += term;
+    real sum = s->sum + term;
+    s->lost += fabs(s->sum) >= fabs(term) ? (s->sum - sum) + term : (term - sum) + s->sum;
+    s->sum = sum;
     s->size += fabs(term);
 }
 
@@ -51,10 +55,16 @@ static void series_add(struct series *s, double term)
  * Does the tail matter?  The next terms are at most `term` times ratio, ratio^2, ...; below the unit
  * roundoff of what was added no tolerance needs them.
  */
-static bool series_done(const struct series *s, double term, double ratio, double tol)
+static bool series_done(struct series *s, real term, real ratio, real tol)
 {
-    double tail = term * ratio;
-    return tail <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), DBL_EPSILON / 4 * s->size);
+    s->tail = term * ratio / (1 - ratio);
+    return s->tail <= fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
+}
+
+/* Rounding of the sum, and its tail: 0 where the train has ended. */
+static real series_error(const struct series *s, bool ended)
+{
+    return 2 * UNIT * (fabs(s->sum) + UNIT * s->size) + (ended ? 0 : s->tail);
 }
 
 /* Every few thousand dominoes: has somebody asked to stop, is the train too long? */
@@ -67,30 +77,68 @@ static enum dom_status chain_watch(const struct lean *g, size_t i)
     return i < LINKS_MAX ? DOM_OK : DOM_TOO_LONG;
 }
 
+static void chain_count(const struct lean *g, size_t n)
+{
+    if (!g->work)
+        return;
+    g->work->passes++;
+    g->work->dominoes += n;
+    g->work->longest = n > g->work->longest ? n : g->work->longest;
+}
+
 struct sum_state {
     struct series J, H1, dH;
 };
 
-static void sum_add(const struct lean *g, struct sum_state *a, const struct link *k)
+static void add_J(struct sum_state *a, const struct link *k)
 {
     series_add(&a->J, k->inertia * k->slope * k->slope);
+}
+
+static void add_H1(const struct lean *g, struct sum_state *a, const struct link *k)
+{
     series_add(&a->H1, k->weight * k->slope * (g->d * k->tilt.y - k->tilt.x));
 }
 
-static bool sum_done(const struct lean *g, const struct sum_state *a, const struct link *k)
+static bool done_J(const struct lean *g, struct sum_state *a, const struct link *k)
 {
-    double J_ratio = g->inertia * k->step * k->step, H_ratio = fmax(g->weight * k->step, g->decay);
-    return series_done(&a->J, k->inertia * k->slope * k->slope, J_ratio, g->tol) &&
-           series_done(&a->H1, k->weight * k->slope * hypot(1, g->d), H_ratio, g->tol);
+    return series_done(&a->J, k->inertia * k->slope * k->slope, g->inertia * k->step * k->step, g->tol);
 }
 
-static enum dom_status sum_result(const struct sum_state *a, size_t n, struct sums *sums)
+static bool done_H1(const struct lean *g, struct sum_state *a, const struct link *k, real tol)
 {
-    *sums = (struct sums){.J = a->J.sum, .H1 = a->H1.sum, .dH = a->dH.sum, .n = n};
+    return series_done(&a->H1, k->weight * k->slope * g->reach, fmax(g->weight * k->step, g->decay), tol);
+}
+
+static enum dom_status sum_result(const struct lean *g, const struct sum_state *a, size_t n,
+                                  struct sums *sums)
+{
+    chain_count(g, n);
+    *sums = (struct sums){
+        .J = a->J.sum + a->J.lost, .H1 = a->H1.sum + a->H1.lost, .dH = a->dH.sum + a->dH.lost, .n = n};
     return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-enum dom_status chain_sum(const struct lean *g, struct tilt head, size_t n, struct sums *sums)
+KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, size_t n, real *H1)
+{
+    struct sum_state a = {0};
+    struct sums sums;
+    struct link k = link_head(g, head);
+    for (;;) {
+        enum dom_status status = chain_watch(g, k.i);
+        if (status != DOM_OK)
+            return status;
+        add_H1(g, &a, &k);
+        if (k.i + 1 >= n || !k.leads || done_H1(g, &a, &k, 1)) {
+            status = sum_result(g, &a, k.i + 1, &sums);
+            *H1 = sums.H1;
+            return status;
+        }
+        link_next(g, &k);
+    }
+}
+
+KERNEL enum dom_status chain_sum(const struct lean *g, struct tilt head, size_t n, struct sums *sums)
 {
     struct sum_state a = {0};
     struct link k = link_head(g, head);
@@ -98,9 +146,10 @@ enum dom_status chain_sum(const struct lean *g, struct tilt head, size_t n, stru
         enum dom_status status = chain_watch(g, k.i);
         if (status != DOM_OK)
             return status;
-        sum_add(g, &a, &k);
-        if (k.i + 1 >= n || !k.leads || sum_done(g, &a, &k))
-            return sum_result(&a, k.i + 1, sums);
+        add_J(&a, &k);
+        add_H1(g, &a, &k);
+        if (k.i + 1 >= n || !k.leads || (done_J(g, &a, &k) && done_H1(g, &a, &k, g->tol)))
+            return sum_result(g, &a, k.i + 1, sums);
         link_next(g, &k);
     }
 }
@@ -109,9 +158,36 @@ enum dom_status chain_sum(const struct lean *g, struct tilt head, size_t n, stru
  * h(A) - h(B) of one domino at the tilts a and b, h = cos + d sin, from t = tan((A - B)/2): the product
  * form of 2 sin((A-B)/2) (d cos((A+B)/2) - sin((A+B)/2)), free of cancellation.
  */
-static double rise(const struct lean *g, struct tilt a, struct tilt b, double t)
+static real rise(const struct lean *g, struct tilt a, struct tilt b, real t)
 {
     return t * (g->d * (a.y + b.y) - (a.x + b.x));
+}
+
+/* The errors of chain_rise, where they are asked for. */
+struct rise_error {
+    struct bound a, b;
+    real t;
+    struct sums sums;
+};
+
+static struct rise_error error_head(const struct lean *g, const struct link *a, const struct link *b, real t)
+{
+    real angle = lean_error_head(a->tilt);
+    return (struct rise_error){
+        .a = bound_head(g, a, angle),
+        .b = bound_head(g, b, 0),
+        .t = (1 + t * t) * angle / 2 + 3 * UNIT * t,
+    };
+}
+
+static void error_add(const struct lean *g, struct rise_error *e, const struct link *a, const struct link *b,
+                      real t)
+{
+    real term = fabs(rise(g, a->tilt, b->tilt, t));
+    e->sums.J += bound_J(a, &e->a);
+    e->sums.H1 += bound_H1(g, a, &e->a);
+    e->sums.dH += a->weight * (bound_rise(g, a->tilt, b->tilt, e->a.angle, e->b.angle, t, e->t) +
+                               term * (e->a.weight + UNIT));
 }
 
 /*
@@ -120,40 +196,71 @@ static double rise(const struct lean *g, struct tilt a, struct tilt b, double t)
  * because X_a - X_b = r L (y_a - y_b).  G is the slope's r L x / Y (b10) between the two tilts; so the
  * smallest differences keep their digits.
  */
-enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t n, struct sums *sums)
+KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t n, struct sums *sums,
+                                  struct sums *error)
 {
     struct sum_state state = {0};
     struct link a = link_head(g, head), b = link_head(g, (struct tilt){0, 1, 0});
-    double t = head.x / (1 + head.y);
+    real t = head.x / (1 + head.y);
+    struct rise_error e = error ? error_head(g, &a, &b, t) : (struct rise_error){.t = 0};
+    bool ended = true;
     for (;;) {
         enum dom_status status = chain_watch(g, a.i);
         if (status != DOM_OK)
             return status;
-        sum_add(g, &state, &a);
+        add_J(&state, &a);
+        add_H1(g, &state, &a);
         series_add(&state.dH, a.weight * rise(g, a.tilt, b.tilt, t));
+        if (error)
+            error_add(g, &e, &a, &b, t);
         if (a.i + 1 >= n || !b.leads)
             break;
+        struct link leader = b;
         if (!a.leads) {
             /* The follower has left during this cycle: it keeps the energy of theta_f. */
             link_next(g, &b);
-            double sine = g->f.x * b.tilt.y - g->f.y * b.tilt.x;
-            double t_f = sine / (1 + g->f.x * b.tilt.x + g->f.y * b.tilt.y);
+            real sine = g->f.x * b.tilt.y - g->f.y * b.tilt.x;
+            real t_f = sine / (1 + g->f.x * b.tilt.x + g->f.y * b.tilt.y);
             series_add(&state.dH, b.weight * rise(g, g->f, b.tilt, t_f));
+            if (error) {
+                bound_next(g, &leader, &b, &e.b);
+                real angle = lean_error_f(g), made_of = g->f.x * b.tilt.y + g->f.y * b.tilt.x;
+                real t_error =
+                    (1 + t_f * t_f) * (angle + e.b.angle + 3 * UNIT * made_of) / 2 + 2 * UNIT * t_f;
+                e.sums.dH += b.weight * (bound_rise(g, g->f, b.tilt, angle, e.b.angle, t_f, t_error) +
+                                         fabs(rise(g, g->f, b.tilt, t_f)) * (e.b.weight + UNIT));
+            }
             break;
         }
-        double G = t == 0 ? 0 : g->r * g->L * (a.tilt.x + b.tilt.x) / (a.turn.Y + b.turn.Y);
-        double ratio = fmax(g->weight * (1 - G), g->decay);
-        if (series_done(&state.dH, a.weight * 2 * t * hypot(1, g->d), ratio, g->tol) &&
-            sum_done(g, &state, &a))
+        real G = t == 0 ? 0 : g->r * g->L * (a.tilt.x + b.tilt.x) / (a.turn.Y + b.turn.Y);
+        real ratio = fmax(g->weight * (1 - G), g->decay);
+        ended = false;
+        if (series_done(&state.dH, a.weight * 2 * t * g->reach, ratio, g->tol) && done_J(g, &state, &a) &&
+            done_H1(g, &state, &a, g->tol))
             break;
+        ended = true;
+        if (error)
+            e.t = bound_half_turn(g, &a, &b, &e.a, &e.b, t, e.t, G);
         t *= (1 - G) / (1 + t * t * G);
-        link_next(g, &a);
-        link_next(g, &b);
+        if (error) {
+            struct link leader_a = a;
+            link_next(g, &a);
+            link_next(g, &b);
+            bound_next(g, &leader_a, &a, &e.a);
+            bound_next(g, &leader, &b, &e.b);
+        } else {
+            link_next(g, &a);
+            link_next(g, &b);
+        }
     }
-    return sum_result(&state, a.i + 1, sums);
+    if (error)
+        *error = (struct sums){.J = e.sums.J + series_error(&state.J, ended),
+                               .H1 = e.sums.H1 + series_error(&state.H1, ended),
+                               .dH = e.sums.dH + series_error(&state.dH, ended)};
+    return sum_result(g, &state, a.i + 1, sums);
 }
 
-enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct tilt *head)
+KERNEL enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct tilt *head)
 {
     *leaves = false;
     if (!g->falls_off)
@@ -164,7 +271,7 @@ enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct
         if (status != DOM_OK)
             return status;
         /* Whether a domino falls off that carries less than rounding changes nothing. */
-        if (b.i + 1 >= n || b.weight * b.slope < DBL_EPSILON * DBL_EPSILON)
+        if (b.i + 1 >= n || b.weight * b.slope < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         link_next(g, &b);
     }
@@ -180,7 +287,7 @@ enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct
 
 static struct dom_link link_public(const struct lean *g, const struct link *k)
 {
-    double b = k->leads ? k->turn.Y / g->r : DOM_NAN; /* (table 1) */
+    real b = k->leads ? k->turn.Y / g->r : REAL_NAN; /* (table 1) */
     return (struct dom_link){
         .i = k->i,
         .theta = tilt_angle(k->tilt),
@@ -191,41 +298,66 @@ static struct dom_link link_public(const struct lean *g, const struct link *k)
     };
 }
 
-enum dom_status dom_chain_walk(const struct dom_train *train, double theta,
-                               bool (*visit)(const struct dom_link *, void *), void *context)
+static struct dom_link link_error(const struct lean *g, const struct link *k, const struct bound *e)
+{
+    real b = k->leads ? e->Y / g->r + UNIT * k->turn.Y / g->r : REAL_NAN;
+    return (struct dom_link){
+        .theta = e->angle + 2 * UNIT * tilt_angle(k->tilt),
+        .slope = e->slope,
+        .arm_a = b + g->L * (k->tilt.y * e->angle + 4 * UNIT * k->tilt.x) + UNIT * k->turn.Y / g->r,
+        .arm_b = b,
+        .weight = e->weight * k->weight,
+    };
+}
+
+KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta, bool errors,
+                                  dom_visit *visit, void *context)
 {
     struct lean g;
     struct tilt head;
     enum dom_status status = lean_make_tilted(train, theta, &g, &head);
-    if (status != DOM_OK)
-        return status;
     struct sums sums = {0};
-    status = chain_sum(&g, head, CHAIN_ENDLESS, &sums);
+    if (status == DOM_OK)
+        status = chain_sum(&g, head, CHAIN_ENDLESS, &sums);
     if (status != DOM_OK)
         return status;
     struct link k = link_head(&g, head);
+    struct bound e = bound_head(&g, &k, lean_error_head(head));
     for (;;) {
-        struct dom_link link = link_public(&g, &k);
-        if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
+        struct dom_link link = link_public(&g, &k), error = link_error(&g, &k, &e);
+        if (!visit(&link, errors ? &error : NULL, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
+        struct link leader = k;
         link_next(&g, &k);
+        bound_next(&g, &leader, &k, &e);
     }
 }
 
-enum dom_status dom_contact_find(const struct dom_train *train, double theta, struct dom_contact *contact)
+KERNEL enum dom_status contact_find(const struct dom_train *train, dom_real theta,
+                                    struct dom_contact *contact, struct dom_contact *error)
 {
     struct lean g;
     struct tilt head;
     enum dom_status status = lean_make_tilted(train, theta, &g, &head);
     if (status != DOM_OK)
         return status;
-    struct link k = link_head(&g, head);
+    struct link k = link_head(&g, head), leader = k;
     struct dom_link link = link_public(&g, &k);
-    *contact = (struct dom_contact){
-        .theta_1 = tilt_angle(k.leads ? tilt_turn(head, k.turn) : g.f),
-        .slope = k.leads ? k.step : 0,
-        .arm_a = link.arm_a,
-        .arm_b = link.arm_b,
-    };
+    struct bound e = bound_head(&g, &k, lean_error_head(head));
+    struct dom_link link_bound = link_error(&g, &k, &e);
+    bool leads = k.leads;
+    real theta_1 = tilt_angle(g.f), slope = 0, angle_error = lean_error_f(&g), slope_error = 0;
+    if (leads) {
+        link_next(&g, &k);
+        bound_next(&g, &leader, &k, &e);
+        theta_1 = tilt_angle(k.tilt);
+        slope = k.slope;
+        angle_error = e.angle;
+        slope_error = e.slope;
+    }
+    *contact = (struct dom_contact){theta_1, slope, link.arm_a, link.arm_b};
+    if (error)
+        *error = (struct dom_contact){angle_error + 2 * UNIT * theta_1, slope_error, link_bound.arm_a,
+                                      link_bound.arm_b};
     return DOM_OK;
 }

@@ -1,29 +1,51 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "collision.h"
 
-enum dom_status collision_launch(const struct lean *g, enum dom_fuel fuel, struct dom_launch *launch)
+KERNEL enum dom_status collision_launch(const struct lean *g, enum dom_fuel fuel, struct launch *launch,
+                                        struct launch *error)
 {
-    struct dom_fuels fuels;
-    double T;
-    enum dom_status status = energy_fuel(g, &fuels, &T);
+    struct fuel f, e;
+    enum dom_status status = energy_fuel(g, &f, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
-    double P = fuel == DOM_FUEL_PAPER ? fuels.paper : fuels.exact;
-    double J0 = 1 + T;
+    bool paper = fuel == DOM_FUEL_PAPER;
+    real P = paper ? f.paper : f.exact, J0 = 1 + f.T;
     /* (c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): terms of one sign. */
-    double kinetic = P * T / (g->rq + T * g->rq_1);
-    *launch = (struct dom_launch){.fuel = P, .J0 = J0, .omegasq = kinetic / J0, .kinetic = kinetic};
+    real kinetic = P * f.T / (g->rq + f.T * g->rq_1);
+    *launch = (struct launch){.fuel = P, .J0 = J0, .omegasq = kinetic / J0, .kinetic = kinetic};
+    if (error) {
+        real size = fabs(kinetic), P_error = paper ? e.paper : e.exact;
+        real powers = UNIT * (10 + 6 * g->q * log(g->r)); /* of the denominator, and of what is left to do */
+        real of_kinetic = P_error * f.T / (g->rq + f.T * g->rq_1) + size * (e.T / f.T + powers);
+        real of_J0 = e.T + UNIT * J0;
+        *error = (struct launch){
+            .fuel = P_error,
+            .J0 = of_J0,
+            .omegasq = (of_kinetic + size * (of_J0 / J0 + UNIT)) / J0,
+            .kinetic = of_kinetic,
+        };
+    }
     return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch *launch)
+KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_launch *launch,
+                                   struct dom_launch *error)
 {
     struct lean g;
+    struct launch l, e;
     enum dom_status status = lean_make(train, &g);
     if (status == DOM_OK)
-        status = collision_launch(&g, train->fuel, launch);
-    if (status != DOM_OK || launch->fuel > 0)
+        status = collision_launch(&g, train->fuel, &l, error ? &e : NULL);
+    if (status != DOM_OK)
         return status;
-    launch->omegasq = launch->kinetic = DOM_NAN;
-    return DOM_NO_FUEL;
+    bool fuelled = l.fuel > 0;
+    *launch = (struct dom_launch){
+        .fuel = l.fuel,
+        .J0 = l.J0,
+        .omegasq = fuelled ? l.omegasq : REAL_NAN,
+        .kinetic = fuelled ? l.kinetic : REAL_NAN,
+    };
+    if (error)
+        *error = (struct dom_launch){.fuel = e.fuel, .J0 = e.J0, .omegasq = e.omegasq, .kinetic = e.kinetic};
+    return fuelled ? DOM_OK : DOM_NO_FUEL;
 }

@@ -4,7 +4,15 @@
 
 #include "energy.h"
 
+struct launch {
+    real fuel;    /* P, the one in use */
+    real J0;      /* J(0) */
+    real omegasq; /* tau^2 omega(0)^2 */
+    real kinetic; /* J(0) tau^2 omega(0)^2 */
+};
+
 /* (c6) as it stands: where P <= 0 the squares come out negative, and no error is raised. */
-enum dom_status collision_launch(const struct lean *lean, enum dom_fuel fuel, struct dom_launch *launch);
+KERNEL enum dom_status collision_launch(const struct lean *lean, enum dom_fuel fuel, struct launch *launch,
+                                        struct launch *error);
 
 #endif

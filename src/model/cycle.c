@@ -1,59 +1,61 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "barrier.h"
-#include <float.h>
 
 /* A cycle that has begun: the train, its kinetic energy after the collision, and its barrier. */
 struct cycle {
     struct lean lean;
     struct barrier barrier;
-    double kinetic;
+    struct launch launch, launch_error;
     enum dom_status status; /* of the function that is being integrated or searched */
 };
 
-/* DOM_NO_FUEL if the cycle does not begin.  The barrier is the one over [0, end]. */
-static enum dom_status cycle_begin(const struct dom_train *train, struct cycle *cycle)
+/* DOM_NO_FUEL if the cycle does not begin. */
+static enum dom_status cycle_begin(const struct dom_train *train, struct cycle *cycle, bool errors)
 {
-    struct dom_launch launch;
     enum dom_status status = lean_make(train, &cycle->lean);
     if (status == DOM_OK)
-        status = collision_launch(&cycle->lean, train->fuel, &launch);
-    if (status != DOM_OK)
-        return status;
-    cycle->kinetic = launch.kinetic;
-    return launch.fuel > 0 ? DOM_OK : DOM_NO_FUEL;
+        status =
+            collision_launch(&cycle->lean, train->fuel, &cycle->launch, errors ? &cycle->launch_error : NULL);
+    return status != DOM_OK || cycle->launch.fuel > 0 ? status : DOM_NO_FUEL;
 }
 
-static enum dom_status cycle_climb(struct cycle *cycle, double end)
+/* The barrier over [0, end]. */
+static enum dom_status cycle_climb(struct cycle *cycle, real end)
 {
     return barrier_search(&cycle->lean, CHAIN_ENDLESS, end, &cycle->barrier);
 }
 
 /* The cycle from its beginning to theta_c, with its barrier. */
-static enum dom_status cycle_whole(const struct dom_train *train, struct cycle *cycle)
+static enum dom_status cycle_whole(const struct dom_train *train, struct cycle *cycle, bool errors)
 {
-    enum dom_status status = cycle_begin(train, cycle);
+    enum dom_status status = cycle_begin(train, cycle, errors);
     return status == DOM_OK ? cycle_climb(cycle, tilt_angle(cycle->lean.c)) : status;
 }
 
 /* (c3), solved for tau^2 omega(theta)^2. */
-static enum dom_status cycle_omegasq(const struct cycle *cycle, double theta, double *omegasq)
+static enum dom_status cycle_speed(const struct cycle *cycle, real theta, real *omegasq, real *error)
 {
     struct tilt head;
-    struct sums sums = {0};
+    struct sums at = {0}, e = {0};
     enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(&cycle->lean, head, CHAIN_ENDLESS, &sums);
-    if (status == DOM_OK)
-        *omegasq = (cycle->kinetic - sums.dH) / sums.J;
-    return status;
+        status = chain_rise(&cycle->lean, head, CHAIN_ENDLESS, &at, error ? &e : NULL);
+    if (status != DOM_OK)
+        return status;
+    *omegasq = (cycle->launch.kinetic - at.dH) / at.J;
+    if (error)
+        *error = (cycle->launch_error.kinetic + e.dH + fabs(*omegasq) * (e.J + 3 * UNIT * at.J)) / at.J;
+    return DOM_OK;
 }
 
-enum dom_status dom_cycle_omegasq(const struct dom_train *train, double theta, double *omegasq)
+KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real theta_, dom_real *omegasq,
+                                     dom_real *error)
 {
     struct cycle cycle;
     struct tilt head;
+    real theta = (real)theta_, w = REAL_NAN, w_error = 0;
     *omegasq = DOM_NAN;
-    enum dom_status status = cycle_begin(train, &cycle);
+    enum dom_status status = cycle_begin(train, &cycle, error != NULL);
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return status;
     enum dom_status tilt_status = lean_tilt(&cycle.lean, theta, &head);
@@ -61,73 +63,126 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, double theta, d
         return tilt_status;
     if (status == DOM_OK)
         status = cycle_climb(&cycle, theta);
-    if (status == DOM_OK && cycle.barrier.height > cycle.kinetic)
+    if (status == DOM_OK && cycle.barrier.height > cycle.launch.kinetic)
         status = DOM_STOPS;
-    return status == DOM_OK ? cycle_omegasq(&cycle, theta, omegasq) : status;
+    if (status == DOM_OK)
+        status = cycle_speed(&cycle, theta, &w, error ? &w_error : NULL);
+    *omegasq = w;
+    if (error)
+        *error = w_error;
+    return status;
 }
 
 /* How much of the kinetic energy the highest point up to theta has used; it never falls with theta. */
-static double energy_short(double theta, void *context)
+static real energy_short(real theta, void *context)
 {
     struct cycle *cycle = context;
     cycle->status = cycle_climb(cycle, theta);
-    return cycle->status == DOM_OK ? cycle->barrier.height - cycle->kinetic : DOM_NAN;
+    return cycle->status == DOM_OK ? cycle->barrier.height - cycle->launch.kinetic : REAL_NAN;
 }
 
-enum dom_status dom_cycle_stop(const struct dom_train *train, double *theta)
+/* Of the tilt where the energy is used up: what is left of it and may be wrong with it, over its slope. */
+static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error)
+{
+    struct tilt head;
+    struct sums at, e;
+    enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
+    if (status == DOM_OK)
+        status = chain_rise(&cycle->lean, head, CHAIN_ENDLESS, &at, &e);
+    if (status == DOM_OK)
+        *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) +
+                 4 * UNIT * theta;
+    return status;
+}
+
+KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error)
 {
     struct cycle cycle;
-    enum dom_status status = cycle_whole(train, &cycle);
+    real stop;
+    enum dom_status status = cycle_whole(train, &cycle, error != NULL);
     if (status != DOM_OK)
         return status;
     *theta = DOM_NAN;
-    if (cycle.barrier.height <= cycle.kinetic)
+    if (cycle.barrier.height <= cycle.launch.kinetic)
         return DOM_OK;
-    double lo = cycle.barrier.edge[0], hi = cycle.barrier.theta_m;
-    enum num_status solver = num_root(energy_short, &cycle, lo, hi, train->tol / 8, theta);
-    return model_status(cycle.status, solver);
+    real lo = cycle.barrier.edge[0], hi = cycle.barrier.theta_m;
+    enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.lean.tol / 8, &stop);
+    status = model_status(cycle.status, solver);
+    if (status == DOM_OK && error)
+        status = stop_error(&cycle, stop, error);
+    if (status == DOM_OK)
+        *theta = stop;
+    return status;
 }
 
-static double slowness(double theta, void *context)
+/* 1 / (tau omega), and a bound of its error. */
+static real slowness(real theta, void *context)
 {
     struct cycle *cycle = context;
-    double omegasq = 0;
-    cycle->status = cycle_omegasq(cycle, theta, &omegasq);
-    return cycle->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : DOM_NAN;
+    real omegasq = 0;
+    cycle->status = cycle_speed(cycle, theta, &omegasq, NULL);
+    return cycle->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : REAL_NAN;
 }
 
-enum dom_status dom_cycle_duration(const struct dom_train *train, double *duration)
+static real slowness_error(real theta, void *context)
+{
+    struct cycle *cycle = context;
+    real omegasq = 0, error = 0;
+    cycle->status = cycle_speed(cycle, theta, &omegasq, &error);
+    return cycle->status == DOM_OK && omegasq > error
+               ? error / (2 * (omegasq - error) * sqrt(omegasq - error))
+               : REAL_NAN;
+}
+
+/* The integral over the pieces between the knots; its error is added to, unless NULL. */
+static enum dom_status pieces_integral(struct cycle *cycle, const real *knot, int knots, num_function *f,
+                                       real tol, real *sum, real *error)
+{
+    *sum = 0;
+    for (int i = 1; i < knots; i++) {
+        real part = 0, part_error = 0;
+        enum num_status solver = num_integral(f, cycle, knot[i - 1], knot[i], tol, &part, &part_error);
+        enum dom_status status = model_status(cycle->status, solver);
+        if (status != DOM_OK)
+            return status;
+        *sum += part;
+        if (error)
+            *error += part_error;
+    }
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
 {
     struct cycle cycle;
-    enum dom_status status = cycle_whole(train, &cycle);
+    enum dom_status status = cycle_whole(train, &cycle, error != NULL);
     if (status != DOM_OK)
         return status;
     const struct barrier *b = &cycle.barrier;
-    double margin = cycle.kinetic - b->height;
+    real margin = cycle.launch.kinetic - b->height;
     if (margin < 0)
         return DOM_STOPS;
     /* kinetic and height each carry a few roundings: what they leave of the margin bounds the accuracy. */
-    double noise = 8 * DBL_EPSILON * cycle.kinetic / margin;
-    if (!(noise < 0.125))
+    real noise = 8 * REAL_EPSILON * cycle.launch.kinetic / margin;
+    if (!(noise < (real)0.125))
         return DOM_NOT_CONVERGED;
 
-    /* The near-stop at theta_m goes to the end of a piece, where the subdivision meets it at once. */
-    double knot[4], sum = 0;
+    /* The near-stop at theta_m goes to the end of a piece, where the nodes of the integral are dense. */
+    real knot[4], sum, sum_error = 0, of_speed = 0;
     int knots = 0;
     for (int i = 0; i < b->edges; i++) {
         if (i > 0 && b->theta_m > b->edge[i - 1] && b->theta_m < b->edge[i])
             knot[knots++] = b->theta_m;
         knot[knots++] = b->edge[i];
     }
-    for (int i = 1; i < knots; i++) {
-        double part = 0;
-        enum num_status solver =
-            num_integral(slowness, &cycle, knot[i - 1], knot[i], fmax(train->tol / 8, noise), &part);
-        status = model_status(cycle.status, solver);
-        if (status != DOM_OK)
-            return status;
-        sum += part;
-    }
+    real tol = fmax(cycle.lean.tol / 8, noise);
+    status = pieces_integral(&cycle, knot, knots, slowness, tol, &sum, &sum_error);
+    if (status == DOM_OK && error)
+        status = pieces_integral(&cycle, knot, knots, slowness_error, (real)0.125, &of_speed, NULL);
+    if (status != DOM_OK)
+        return status;
     *duration = sum;
+    if (error)
+        *error = sum_error + 2 * of_speed;
     return DOM_OK;
 }

@@ -4,10 +4,16 @@
 
 #include "chain.h"
 
-/* 1 - h(theta_f): the closed form of (c7). */
-double energy_fuel_paper(const struct lean *lean);
+/* What one pass at theta_c gives. */
+struct fuel {
+    real exact, paper; /* both fuels (c7) */
+    real T;            /* J(0) - 1 = r^-(q+1) J(theta_c) (d8, corrected) */
+};
 
-/* Both fuels (c7), and T = J(0) - 1 = r^-(q+1) J(theta_c) (d8, corrected), from one pass at theta_c. */
-enum dom_status energy_fuel(const struct lean *lean, struct dom_fuels *fuels, double *T);
+/* 1 - h(theta_f): the closed form of (c7). */
+KERNEL real energy_fuel_paper(const struct lean *lean);
+
+/* error, where not NULL, gets bounds. */
+KERNEL enum dom_status energy_fuel(const struct lean *lean, struct fuel *fuel, struct fuel *error);
 
 #endif

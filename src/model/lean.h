@@ -8,24 +8,25 @@
 #ifndef DOM_LEAN_H
 #define DOM_LEAN_H
 
-#include "domino.h"
-#include <math.h>
+#include "real.h"
 
 struct tilt {
-    double x, y; /* sin theta, cos theta (A4) */
-    double v;    /* 1 - cos theta */
+    real x, y; /* sin theta, cos theta (A4) */
+    real v;    /* 1 - cos theta */
 };
 
 /* A checked train with the quantities that its whole cycle shares. */
 struct lean {
-    double s, r, d, q, tol;
+    real s, r, d, q, tol;
     const volatile sig_atomic_t *interrupt;
-    double L;          /* s + d */
-    double short_of;   /* 1 - r s >= 0: by how much the head reaches the next domino */
-    double weight;     /* r^-q, share of a follower in H over that of its leader (c1) */
-    double inertia;    /* r^-(q+1), the same for J (c2) */
-    double rq, rq_1;   /* r^q and r^q - 1 */
-    double decay;      /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
+    struct dom_work *work;
+    real L;            /* s + d */
+    real short_of;     /* 1 - r s >= 0: by how much the head reaches the next domino */
+    real weight;       /* r^-q, share of a follower in H over that of its leader (c1) */
+    real inertia;      /* r^-(q+1), the same for J (c2) */
+    real rq, rq_1;     /* r^q and r^q - 1 */
+    real reach;        /* sqrt(1 + d^2), the largest |dh/dtheta| */
+    real decay;        /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
     struct tilt c;     /* theta_c (a2) */
     struct tilt inf;   /* theta_inf (A16) */
     struct tilt f;     /* theta_f (A18) if followers fall off, else theta_inf */
@@ -34,55 +35,59 @@ struct lean {
 };
 
 /* Checks the train, and fills lean. */
-enum dom_status lean_make(const struct dom_train *train, struct lean *lean);
+KERNEL enum dom_status lean_make(const struct dom_train *train, struct lean *lean);
 
-/* The same for the growth r in place of train->r. */
-enum dom_status lean_make_at(const struct dom_train *train, double r, struct lean *lean);
+/* The same for the separation s and the growth r in place of the train's. */
+KERNEL enum dom_status lean_make_at(const struct dom_train *train, real s, real r, struct lean *lean);
 
-/* theta in [0, theta_c] as a tilt; theta_c rounded to a double is taken as theta_c. */
-enum dom_status lean_tilt(const struct lean *lean, double theta, struct tilt *tilt);
+/* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
+KERNEL enum dom_status lean_tilt(const struct lean *lean, real theta, struct tilt *tilt);
 
 /* A checked train and theta in [0, theta_c] as the tilt of its head. */
-enum dom_status lean_make_tilted(const struct dom_train *train, double theta, struct lean *lean,
-                                 struct tilt *head);
+KERNEL enum dom_status lean_make_tilted(const struct dom_train *train, dom_real theta, struct lean *lean,
+                                        struct tilt *head);
+
+/* Bounds of the error, as an angle, of a head's tilt and of theta_f. */
+KERNEL real lean_error_head(struct tilt head);
+KERNEL real lean_error_f(const struct lean *lean);
 
 /* The leader's tilt at which its follower has this one: theta_1 inverted, follower >= theta_c. */
-struct tilt lean_leader(const struct lean *lean, struct tilt follower);
+KERNEL struct tilt lean_leader(const struct lean *lean, struct tilt follower);
 
-static inline struct tilt tilt_make(double x, double y)
+KERNEL struct tilt tilt_make(real x, real y)
 {
     return (struct tilt){.x = x, .y = y, .v = x * x / (1 + y)};
 }
 
-static inline double tilt_angle(struct tilt t)
+KERNEL real tilt_angle(struct tilt t)
 {
     return atan2(t.x, t.y);
 }
 
 /* sin X and cos Y of theta_1 - theta (A5); written so that neither X near 0 nor X near 1 cancels. */
 struct turn {
-    double X, Y;
+    real X, Y;
 };
 
-static inline struct turn lean_turn(const struct lean *g, struct tilt leader)
+KERNEL struct turn lean_turn(const struct lean *g, struct tilt leader)
 {
-    double X = g->r * (g->s - g->L * leader.v);
-    double one_minus_X = g->short_of + g->r * g->L * leader.v;
+    real X = g->r * (g->s - g->L * leader.v);
+    real one_minus_X = g->short_of + g->r * g->L * leader.v;
     return (struct turn){X, sqrt(one_minus_X * (1 + X))};
 }
 
 /* The follower's tilt (A6, corrected: y' = Y y - X x). */
-static inline struct tilt tilt_turn(struct tilt t, struct turn turn)
+KERNEL struct tilt tilt_turn(struct tilt t, struct turn turn)
 {
-    double x = turn.Y * t.x + turn.X * t.y;
-    double y = turn.Y * t.y - turn.X * t.x;
+    real x = turn.Y * t.x + turn.X * t.y;
+    real y = turn.Y * t.y - turn.X * t.x;
     /* Rounding lets x^2 + y^2 drift along a long train; one Newton step holds it at 1. */
-    double norm = 1.5 - 0.5 * (x * x + y * y);
+    real norm = (3 - (x * x + y * y)) / 2;
     return tilt_make(norm * x, norm * y);
 }
 
 /* d theta_1 / d theta (b10).  An upright leader has slope 1, also in the limit Y = 0 (r s = 1). */
-static inline double lean_slope(const struct lean *g, struct tilt leader, struct turn turn)
+KERNEL real lean_slope(const struct lean *g, struct tilt leader, struct turn turn)
 {
     return leader.x == 0 ? 1 : (turn.Y - g->r * g->L * leader.x) / turn.Y;
 }

@@ -5,7 +5,6 @@
  * between two samples is looked into before the scan goes on.
  */
 #include "barrier.h"
-#include <float.h>
 
 /* Samples a factor e of r, far from the reach; then a decade of 1 - r s each. */
 #define SCAN_PER_E   8
@@ -13,85 +12,107 @@
 
 struct margin_context {
     const struct dom_train *train;
-    enum dom_status (*margin)(const struct lean *, enum dom_fuel, double *);
+    real s;
+    enum dom_status (*margin)(const struct lean *, enum dom_fuel, real *margin, real *error);
+    real error; /* bound of that of the last margin, where wanted */
+    bool errors;
     enum dom_status status;
 };
 
 /* K - B of the endless train (c8, corrected). */
-static enum dom_status train_margin(const struct lean *g, enum dom_fuel fuel, double *margin)
+static enum dom_status train_margin(const struct lean *g, enum dom_fuel fuel, real *margin, real *error)
 {
-    struct barrier b;
-    struct dom_launch launch;
+    struct barrier b, b_error = {0};
+    struct launch launch, launch_error = {0};
     /* At r = 1 the fuels agree, and the closed one needs no train. */
     if (g->r == 1 && energy_fuel_paper(g) <= 0)
         return DOM_NO_FUEL;
-    enum dom_status status = collision_launch(g, fuel, &launch);
+    enum dom_status status = collision_launch(g, fuel, &launch, error ? &launch_error : NULL);
     if (status == DOM_OK)
         status = barrier_search(g, CHAIN_ENDLESS, tilt_angle(g->c), &b);
-    if (status == DOM_OK)
-        *margin = launch.kinetic - b.height;
-    return status;
-}
-
-/* Kinetic energy of the pair after the collision less its barrier (b13). */
-static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, double *margin)
-{
-    (void)fuel;
-    struct barrier b;
-    enum dom_status status = barrier_search(g, 2, tilt_angle(g->c), &b);
+    if (status == DOM_OK && error)
+        status = barrier_error(g, CHAIN_ENDLESS, &b, &b_error);
     if (status != DOM_OK)
         return status;
-    double u = hypot(1, g->d);                  /* h(theta_u) (b2) */
-    double sine = (g->c.x - g->d * g->c.y) / u; /* of theta_c - theta_u */
-    double cosine = (g->c.y + g->d * g->c.x) / u;
-    /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation. */
-    double omegasq_1c = u * sine * sine / (1 + cosine);
-    double k = g->inertia, share = k / (1 + k); /* (b11) */
-    double kinetic = (1 + k) * g->r * omegasq_1c * share * share;
-    /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
-    *margin = sine > 0 ? kinetic - b.height : -b.height;
+    *margin = launch.kinetic - b.height;
+    if (error)
+        *error = launch_error.kinetic + b_error.height + UNIT * fabs(*margin);
     return DOM_OK;
 }
 
-static double margin_at(double r, void *context)
+/* Kinetic energy of the pair after the collision less its barrier (b13). */
+static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, real *margin, real *error)
+{
+    (void)fuel;
+    struct barrier b, b_error = {0};
+    enum dom_status status = barrier_search(g, 2, tilt_angle(g->c), &b);
+    if (status == DOM_OK && error)
+        status = barrier_error(g, 2, &b, &b_error);
+    if (status != DOM_OK)
+        return status;
+    real u = g->reach;                        /* h(theta_u) (b2) */
+    real sine = (g->c.x - g->d * g->c.y) / u; /* of theta_c - theta_u */
+    real cosine = (g->c.y + g->d * g->c.x) / u;
+    /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation. */
+    real omegasq_1c = u * sine * sine / (1 + cosine);
+    real k = g->inertia, share = k / (1 + k); /* (b11) */
+    real kinetic = (1 + k) * g->r * omegasq_1c * share * share;
+    /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
+    *margin = sine > 0 ? kinetic - b.height : -b.height;
+    if (error) {
+        real sine_error = UNIT * (5 * g->c.x + 7 * g->d * g->c.y) / u;
+        real powers = UNIT * (20 + 3 * (g->q + 1) * log(g->r));
+        *error =
+            kinetic * (sine > 0 ? 2 * sine_error / sine + powers : 0) + b_error.height + UNIT * fabs(*margin);
+    }
+    return DOM_OK;
+}
+
+static real margin_at(real r, void *context)
 {
     struct margin_context *c = context;
     struct lean g;
-    double margin = DOM_NAN;
-    c->status = lean_make_at(c->train, r, &g);
+    real margin = REAL_NAN;
+    c->status = lean_make_at(c->train, c->s, r, &g);
     if (c->status == DOM_OK)
-        c->status = c->margin(&g, c->train->fuel, &margin);
-    return c->status == DOM_OK ? margin : DOM_NAN;
+        c->status = c->margin(&g, c->train->fuel, &margin, c->errors ? &c->error : NULL);
+    return c->status == DOM_OK ? margin : REAL_NAN;
 }
 
-static double margin_below(double r, void *context)
+static real margin_below(real r, void *context)
 {
     return -margin_at(r, context);
 }
 
 /* The k-th sample of r between 1 and the reach; the last is 1/s itself, and larger k give it again. */
-static double scan_sample(double s, int k)
+static real scan_sample(real s, int k)
 {
-    double ln_reach = -log(s);
-    int far = (int)ceil(fmax(ln_reach - 0.1, 0) * SCAN_PER_E);
+    const real near = (real)0.1;
+    real ln_reach = -log(s);
+    int far = (int)ceil(fmax(ln_reach - near, 0) * SCAN_PER_E);
     if (k < far)
-        return exp(k * fmax(ln_reach - 0.1, 0) / far);
-    double short_of = fmin(0.1, 1 - s) * pow(10, -(k - far));
+        return exp((real)k * fmax(ln_reach - near, 0) / (real)far);
+    real short_of = fmin(near, 1 - s) * pow(10, (real)(far - k));
     return k - far > SCAN_DECADES ? 1 / s : fmax((1 - short_of) / s, 1);
 }
 
+struct limit {
+    real r_max;
+    enum dom_end ends;
+};
+
 /* First r > lo at which the margin, >= 0 at lo, is negative; DOM_END_REACH if there is none. */
-static enum dom_status limit_scan(struct margin_context *c, int k, double margin, struct dom_limit *limit)
+static enum dom_status limit_scan(struct margin_context *c, int k, real margin, struct limit *limit)
 {
-    double s = c->train->s, reach = 1 / s;
-    double before = DOM_NAN, r_before = DOM_NAN, r = scan_sample(s, k), tol = c->train->tol / 8;
+    real s = c->s, reach = 1 / s;
+    real before = REAL_NAN, r_before = REAL_NAN, r = scan_sample(s, k), tol = (real)c->train->tol / 8;
     while (r < reach) {
-        double r_next = scan_sample(s, ++k), next = margin_at(r_next, c);
+        real r_next = scan_sample(s, ++k), next = margin_at(r_next, c);
         if (c->status != DOM_OK)
             return c->status;
         if (next >= 0 && margin < before && margin < next) {
-            double r_low, low;
-            enum num_status solver = num_maximum(margin_below, c, r_before, r, r_next, 1e-6, &r_low);
+            real r_low, low;
+            enum num_status solver = num_maximum(margin_below, c, r_before, r, r_next, (real)1e-6, &r_low);
             if (model_status(c->status, solver) == DOM_OK && (low = margin_at(r_low, c)) < 0) {
                 r_next = r_low;
                 next = low;
@@ -111,85 +132,163 @@ static enum dom_status limit_scan(struct margin_context *c, int k, double margin
         margin = next;
         r = r_next;
     }
-    *limit = (struct dom_limit){.r_max = reach, .ends = DOM_END_REACH};
+    *limit = (struct limit){.r_max = reach, .ends = DOM_END_REACH};
     return DOM_OK;
 }
 
-static const struct dom_limit no_limit = {.r_max = DOM_NAN, .ends = DOM_END_NONE};
-
-enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit, enum dom_status *why)
+/*
+ * Of a root of the margin: what is left of the margin and what may be wrong with it, over its slope in r,
+ * by a difference that stays on this side of the reach.
+ */
+static enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
-    struct margin_context c = {.train = train, .margin = train_margin};
-    double margin = margin_at(1, &c);
-    if (c.status == DOM_NO_FUEL || (c.status == DOM_OK && margin < 0)) {
+    real r = limit->r_max, reach = 1 / c->s;
+    *error = UNIT * r;
+    if (limit->ends != DOM_END_BARRIER)
+        return DOM_OK;
+    c->errors = true;
+    real margin = margin_at(r, c), wrong = c->error;
+    c->errors = false;
+    real h = fmin(sqrt(REAL_EPSILON) * 64 * r, (reach - r) / 4), hi = r + h, lo = fmax(r - h, 1);
+    real above = c->status == DOM_OK ? margin_at(hi, c) : 0,
+         below = c->status == DOM_OK ? margin_at(lo, c) : 0;
+    real slope = (above - below) / (hi - lo);
+    /* Where the margins are alike but for rounding, r has no digits left: its bound is infinite. */
+    bool steep = fabs(above - below) > 2 * wrong;
+    *error += steep ? (fabs(margin) + wrong) / fabs(slope) : (real)INFINITY;
+    return c->status;
+}
+
+/* As the caller wants it. */
+static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
+                                    struct dom_limit *wide, struct dom_limit *error)
+{
+    real r_error = 0;
+    enum dom_status status = error ? limit_error(c, limit, &r_error) : DOM_OK;
+    if (status != DOM_OK)
+        return status;
+    *wide = (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends};
+    if (error)
+        *error = (struct dom_limit){.r_max = r_error, .ends = limit->ends};
+    return DOM_OK;
+}
+
+static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
+
+static enum dom_status rmax_find(struct margin_context *c, struct limit *limit, enum dom_status *why)
+{
+    real margin = margin_at(1, c);
+    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin < 0)) {
         *limit = no_limit;
         if (why)
-            *why = c.status == DOM_NO_FUEL ? DOM_NO_FUEL : DOM_STOPS;
-        return DOM_OK;
+            *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : DOM_STOPS;
+        return c->status = DOM_OK;
     }
-    return c.status == DOM_OK ? limit_scan(&c, 0, margin, limit) : c.status;
+    return c->status == DOM_OK ? limit_scan(c, 0, margin, limit) : c->status;
 }
 
-enum dom_status dom_limit_pair(const struct dom_train *train, struct dom_limit *limit)
+KERNEL enum dom_status limit_rmax(const struct dom_train *train, struct dom_limit *limit,
+                                  struct dom_limit *error, enum dom_status *why)
 {
-    struct margin_context c = {.train = train, .margin = pair_margin};
-    double r = 0;
-    for (int k = 0; r < 1 / train->s; k++) {
-        r = scan_sample(train->s, k);
-        double margin = margin_at(r, &c);
+    struct margin_context c = {.train = train, .s = (real)train->s, .margin = train_margin};
+    struct limit found;
+    enum dom_status status = rmax_find(&c, &found, why);
+    return status == DOM_OK ? limit_public(&c, &found, limit, error) : status;
+}
+
+KERNEL enum dom_status limit_pair(const struct dom_train *train, struct dom_limit *limit,
+                                  struct dom_limit *error)
+{
+    struct margin_context c = {.train = train, .s = (real)train->s, .margin = pair_margin};
+    struct limit found = no_limit;
+    real r = 0;
+    for (int k = 0; r < 1 / c.s; k++) {
+        r = scan_sample(c.s, k);
+        real margin = margin_at(r, &c);
         if (c.status != DOM_OK)
             return c.status;
-        if (margin >= 0)
-            return limit_scan(&c, k, margin, limit);
+        if (margin >= 0) {
+            enum dom_status status = limit_scan(&c, k, margin, &found);
+            if (status != DOM_OK)
+                return status;
+            break;
+        }
     }
-    *limit = no_limit;
-    return DOM_OK;
-}
-
-const char *dom_end_text(enum dom_end end)
-{
-    static const char *const text[] = {
-        [DOM_END_NONE] = "none", [DOM_END_BARRIER] = "barrier", [DOM_END_REACH] = "reach"};
-    return text[end];
+    return limit_public(&c, &found, limit, error);
 }
 
 /* ---- The best separation ---- */
 
-struct best_context {
-    struct dom_train train;
-    enum dom_status status;
-};
-
-static double rmax_at(double s, void *context)
+static real rmax_at(real s, void *context)
 {
-    struct best_context *c = context;
-    struct dom_limit limit;
-    c->train.s = s;
-    c->status = dom_limit_rmax(&c->train, &limit, NULL);
-    if (c->status != DOM_OK)
-        return DOM_NAN;
+    struct margin_context *c = context;
+    struct limit limit;
+    c->s = s;
+    if (rmax_find(c, &limit, NULL) != DOM_OK)
+        return REAL_NAN;
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/* d r_max / d s by the five-point rule: its error, h^4 + roundoff / h, is least near h = 1e-3 s. */
-static double rmax_slope(double s, void *context)
+/*
+ * d r_max / d s by the nine-point rule.  Its error is (h / scale)^8, where r_max bends over a few percent
+ * of s, and roundoff / h: least near this h.
+ */
+static real slope_step(real s)
 {
-    double h = 1e-3 * s;
-    double near = rmax_at(s + h, context) - rmax_at(s - h, context);
-    double wide = rmax_at(s + 2 * h, context) - rmax_at(s - 2 * h, context);
-    return (8 * near - wide) / (12 * h);
+    return (real)0.03 * exp(log(REAL_EPSILON) / 9) * s;
 }
 
-#define BEST_RATIO    0.9 /* of successive separations */
-#define BEST_PATIENCE 8   /* as many lower ones in a row end the search */
-
-enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *best)
+static real rmax_slope_by(real s, real h, void *context)
 {
-    struct best_context c = {.train = *train};
-    double s = 1, top = s, height = rmax_at(s, &c);
-    for (int lower = 0; lower < BEST_PATIENCE && c.status == DOM_OK && s > 1e-9;) {
+    static const int weight[] = {672, -168, 32, -3};
+    real sum = 0;
+    for (int k = 1; k <= 4; k++)
+        sum += (real)weight[k - 1] * (rmax_at(s + (real)k * h, context) - rmax_at(s - (real)k * h, context));
+    return sum / (840 * h);
+}
+
+static real rmax_slope(real s, void *context)
+{
+    return rmax_slope_by(s, slope_step(s), context);
+}
+
+#define BEST_RATIO    ((real)0.9) /* of successive separations */
+#define BEST_PATIENCE 8           /* as many lower ones in a row end the search */
+#define BEST_LOWEST   ((real)2e-6)
+
+/*
+ * Near a smooth top r_max is flat: what rounding and tol leave of its slope bounds s, over the curvature;
+ * at a kink or a jump s is bracketed to tol itself.
+ */
+static enum dom_status best_error(struct margin_context *c, real s, bool smooth, struct dom_best *error)
+{
+    real h = slope_step(s), width = 4 * h, r_error = 0;
+    c->s = s;
+    struct limit limit;
+    enum dom_status status = rmax_find(c, &limit, NULL);
+    if (status == DOM_OK)
+        status = limit_error(c, &limit, &r_error);
+    real s_error = 2 * fmax((real)c->train->tol, 4 * REAL_EPSILON) * s, bend = 0;
+    if (status == DOM_OK && smooth) {
+        bend = fabs(rmax_slope(s + width, c) - rmax_slope(s - width, c)) / (2 * width);
+        /* Twice the step has 256 times the error of the rule. */
+        real slope = rmax_slope(s, c), rule = fabs(rmax_slope_by(s, 2 * h, c) - slope) / 32;
+        real of_slope = fabs(slope) + rule + 2 * r_error / h;
+        s_error = 2 * UNIT * s + of_slope / bend;
+        status = c->status;
+    }
+    *error = (struct dom_best){.s = s_error, .r_max = r_error + bend * s_error * s_error};
+    return status;
+}
+
+KERNEL enum dom_status limit_best(const struct dom_train *train, struct dom_best *best,
+                                  struct dom_best *error)
+{
+    struct margin_context c = {.train = train, .margin = train_margin};
+    real s = 1, top = s, height = rmax_at(s, &c);
+    for (int lower = 0; lower < BEST_PATIENCE && c.status == DOM_OK && s > BEST_LOWEST;) {
         s *= BEST_RATIO;
-        double value = rmax_at(s, &c);
+        real value = rmax_at(s, &c);
         lower = value > height ? 0 : lower + 1;
         if (value > height) {
             height = value;
@@ -201,20 +300,21 @@ enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *b
     if (!(height > 1) || top == 1)
         return DOM_NO_GROWTH;
 
-    double middle = top;
     enum num_status solver =
-        num_maximum(rmax_at, &c, top * BEST_RATIO, middle, top / BEST_RATIO, train->tol, &top);
+        num_maximum(rmax_at, &c, top * BEST_RATIO, top, top / BEST_RATIO, (real)train->tol, &top);
     enum dom_status status = model_status(c.status, solver);
     if (status != DOM_OK)
         return status;
     height = rmax_at(top, &c);
     /* A smooth top is where the slope vanishes; at a kink or a jump that would lie lower. */
-    double smooth, width = 1e-4 * top;
-    solver = num_root(rmax_slope, &c, top - width, top + width, train->tol, &smooth);
-    if (solver == NUM_OK && rmax_at(smooth, &c) >= height * (1 - 16 * DBL_EPSILON))
-        top = smooth;
-    if (c.status != DOM_OK)
-        return c.status;
-    *best = (struct dom_best){.s = top, .r_max = rmax_at(top, &c)};
+    real zero, width = fmax((real)1e-4, 16 * sqrt(REAL_EPSILON)) * top;
+    solver = num_root(rmax_slope, &c, top - width, top + width, (real)train->tol, &zero);
+    bool smooth = solver == NUM_OK && rmax_at(zero, &c) >= height * (1 - 16 * REAL_EPSILON);
+    top = smooth ? zero : top;
+    height = c.status == DOM_OK ? rmax_at(top, &c) : 0;
+    if (c.status == DOM_OK && error)
+        c.status = best_error(&c, top, smooth, error);
+    if (c.status == DOM_OK)
+        *best = (struct dom_best){.s = top, .r_max = height};
     return c.status;
 }

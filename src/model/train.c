@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "domino.h"
-#include <float.h>
-#include <math.h>
+/* What is the same in every precision; its arithmetic is the widest. */
+#define REAL_QUAD
+#include "real.h"
 
 const char *dom_status_text(enum dom_status status)
 {
@@ -19,7 +19,7 @@ const char *dom_status_text(enum dom_status status)
 
 struct dom_train dom_train_default(void)
 {
-    return (struct dom_train){DOM_TRAIN_PARAMETERS(DEFAULT).fuel = DOM_FUEL_EXACT, .interrupt = NULL};
+    return (struct dom_train){DOM_TRAIN_PARAMETERS(DEFAULT).precision = DOM_DOUBLE, .fuel = DOM_FUEL_EXACT};
 }
 
 struct dom_scale dom_scale_default(void)
@@ -27,18 +27,44 @@ struct dom_scale dom_scale_default(void)
     return (struct dom_scale){DOM_SCALE_PARAMETERS(DEFAULT)};
 }
 
-enum dom_status dom_train_check(const struct dom_train *train)
+const char *dom_end_text(enum dom_end end)
 {
-#define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
-    if (!(train->name >= (lowest) && train->name <= (highest)))                                              \
-        return DOM_BAD_PARAMETER;
-    DOM_TRAIN_PARAMETERS(CHECK)
-#undef CHECK
-    /* Half a unit in the last place of 1: no more than r = 1/s loses when it is rounded. */
-    if (fma(-train->r, train->s, 1) < -DBL_EPSILON / 2)
-        return DOM_OUT_OF_REACH;
-    /* The kinetic energy (c6) is as small as r^-(2q+1); below this it would lose its digits. */
-    if ((2 * train->q + 1) * log(train->r) > -log(DBL_MIN / DBL_EPSILON))
-        return DOM_UNDERFLOW;
-    return DOM_OK;
+    static const char *const text[] = {
+        [DOM_END_NONE] = "none", [DOM_END_BARRIER] = "barrier", [DOM_END_REACH] = "reach"};
+    return text[end];
+}
+
+dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d)
+{
+    return sqrt(scale->h * (1 + d * d) / (3 * scale->g));
+}
+
+dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)
+{
+    dom_real seconds = duration * dom_scale_tau(scale, train->d);
+    return (train->s + train->d) * train->r * scale->h / seconds;
+}
+
+/*
+ * The floors of tol: some five units, for the roundings that no tolerance undoes.  A long double of 64
+ * bits is the best that some machines have.
+ */
+#define TENTH(power) (1 / (dom_real)(power)) /* of a power of ten that a double holds exactly */
+
+const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
+{
+    static const struct dom_arithmetic table[] = {
+        [DOM_FLOAT] = {"float", "float", FLT_MANT_DIG, (double)FLT_EPSILON, TENTH(1e5), TENTH(1e6), 6},
+        [DOM_DOUBLE] = {"double", "double", DBL_MANT_DIG, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
+#if defined DOM_REAL_FLOAT128
+        [DOM_QUAD] = {"quad", "__float128", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},
+#elif LDBL_MANT_DIG == 113
+        [DOM_QUAD] = {"quad", "long double", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},
+#elif LDBL_MANT_DIG > DBL_MANT_DIG
+        [DOM_QUAD] = {"quad", "long double", LDBL_MANT_DIG, (double)LDBL_EPSILON, TENTH(1e17), TENTH(1e18), 17},
+#else
+        [DOM_QUAD] = {"quad", "none wider than double", 0, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
+#endif
+    };
+    return &table[precision];
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
 #include "command.h"
-#include <math.h>
+#include "wide.h"
 
 /* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
 static const char *no_fuel(const struct session *session)
 {
     struct dom_fuels fuels;
-    if (dom_fuel_find(&session->train, &fuels) == DOM_OK && fuels.paper > 0)
+    if (dom_fuel_find(&session->train, &fuels, NULL) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
                "give "
                "less than the head takes up; 'rmax' tells how large r may be";
@@ -28,13 +28,14 @@ static const struct column thetac_columns[] = {
 
 static bool run_thetac(struct session *session, const struct call *call)
 {
-    struct dom_angles a;
-    enum dom_status status = dom_angles_find(&session->train, &a);
+    struct dom_angles a, e = {0};
+    enum dom_status status = dom_angles_find(&session->train, &a, ERROR_OF(session, e));
     if (status != DOM_OK)
         return session_status(session, status);
     answer_row(call->answer,
-               ROW(cell_real(a.theta_c), cell_real(a.theta_u), cell_real(a.theta_inf), cell_real(a.theta_f),
-                   cell_real(a.theta_leave), cell_flag(a.falls_off)),
+               ROW(cell_bound(a.theta_c, e.theta_c), cell_bound(a.theta_u, e.theta_u),
+                   cell_bound(a.theta_inf, e.theta_inf), cell_bound(a.theta_f, e.theta_f),
+                   cell_bound(a.theta_leave, e.theta_leave), cell_flag(a.falls_off)),
                NULL);
     return true;
 }
@@ -50,15 +51,15 @@ static const struct column theta1_columns[] = {
 
 static bool run_theta1(struct session *session, const struct call *call)
 {
-    double theta = call->number[0];
-    struct dom_contact c;
-    enum dom_status status = dom_contact_find(&session->train, theta, &c);
+    dom_real theta = call->number[0];
+    struct dom_contact c, e = {0};
+    enum dom_status status = dom_contact_find(&session->train, theta, &c, ERROR_OF(session, e));
     if (status != DOM_OK)
         return session_status(session, status);
     const char *why = isnan(c.arm_a) ? "the follower has fallen off: it lies at theta_f" : NULL;
     answer_row(call->answer,
-               ROW(cell_real(theta), cell_real(c.theta_1), cell_real(c.slope), cell_real(c.arm_a),
-                   cell_real(c.arm_b)),
+               ROW(cell_real(theta), cell_bound(c.theta_1, e.theta_1), cell_bound(c.slope, e.slope),
+                   cell_bound(c.arm_a, e.arm_a), cell_bound(c.arm_b, e.arm_b)),
                why);
     return true;
 }
@@ -73,19 +74,22 @@ static const struct column chain_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool chain_row(const struct dom_link *k, void *context)
+static bool chain_row(const struct dom_link *k, const struct dom_link *error, void *context)
 {
+    const struct dom_link none = {0}, *e = error ? error : &none;
     answer_row(context,
-               ROW(cell_count((double)k->i), cell_real(k->theta), cell_real(k->slope), cell_real(k->arm_a),
-                   cell_real(k->arm_b), cell_real(k->weight)),
+               ROW(cell_count((dom_real)k->i), cell_bound(k->theta, e->theta), cell_bound(k->slope, e->slope),
+                   cell_bound(k->arm_a, e->arm_a), cell_bound(k->arm_b, e->arm_b),
+                   cell_bound(k->weight, e->weight)),
                NULL);
     return !answer_lost(context);
 }
 
 static bool run_chain(struct session *session, const struct call *call)
 {
-    double theta = call->number[0];
-    enum dom_status status = dom_chain_walk(&session->train, theta, chain_row, call->answer);
+    dom_real theta = call->number[0];
+    enum dom_status status =
+        dom_chain_walk(&session->train, theta, session->style.errors, chain_row, call->answer);
     return status == DOM_OK || session_status(session, status);
 }
 
@@ -99,12 +103,14 @@ static const struct column energy_columns[] = {
 
 static bool run_energy(struct session *session, const struct call *call)
 {
-    double theta = call->number[0];
-    struct dom_energy e;
-    enum dom_status status = dom_energy_find(&session->train, theta, &e);
+    dom_real theta = call->number[0];
+    struct dom_energy e, b = {0};
+    enum dom_status status = dom_energy_find(&session->train, theta, &e, ERROR_OF(session, b));
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(call->answer, ROW(cell_real(theta), cell_real(e.dH), cell_real(e.J), cell_real(e.J0)), NULL);
+    answer_row(call->answer,
+               ROW(cell_real(theta), cell_bound(e.dH, b.dH), cell_bound(e.J, b.J), cell_bound(e.J0, b.J0)),
+               NULL);
     return true;
 }
 
@@ -117,14 +123,20 @@ static const struct column fuel_columns[] = {
 
 static bool run_fuel(struct session *session, const struct call *call)
 {
-    struct dom_fuels f;
-    enum dom_status status = dom_fuel_find(&session->train, &f);
+    struct dom_fuels f, e = {0};
+    enum dom_status status = dom_fuel_find(&session->train, &f, ERROR_OF(session, e));
     if (status != DOM_OK)
         return session_status(session, status);
-    double used = session->train.fuel == DOM_FUEL_PAPER ? f.paper : f.exact;
-    answer_row(call->answer, ROW(cell_real(used), cell_real(f.exact), cell_real(f.paper)),
-               used > 0 ? NULL : no_fuel(session));
+    struct cell exact = cell_bound(f.exact, e.exact), paper = cell_bound(f.paper, e.paper);
+    struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
     return true;
+}
+
+/* omega from tau^2 omega^2 and the bound of that. */
+static struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau)
+{
+    return cell_bound(sqrt(omegasq) / tau, error / (2 * sqrt(omegasq) * tau));
 }
 
 static const struct column launch_columns[] = {
@@ -137,15 +149,15 @@ static const struct column launch_columns[] = {
 
 static bool run_launch(struct session *session, const struct call *call)
 {
-    struct dom_launch l;
-    enum dom_status status = dom_launch_find(&session->train, &l);
+    struct dom_launch l, e = {0};
+    enum dom_status status = dom_launch_find(&session->train, &l, ERROR_OF(session, e));
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return session_status(session, status);
-    double tau = dom_scale_tau(&session->scale, session->train.d);
-    answer_row(
-        call->answer,
-        ROW(cell_real(l.omegasq), cell_real(sqrt(l.omegasq) / tau), cell_real(l.kinetic), cell_real(l.J0)),
-        status == DOM_OK ? NULL : no_fuel(session));
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    answer_row(call->answer,
+               ROW(cell_bound(l.omegasq, e.omegasq), cell_omega(l.omegasq, e.omegasq, tau),
+                   cell_bound(l.kinetic, e.kinetic), cell_bound(l.J0, e.J0)),
+               status == DOM_OK ? NULL : no_fuel(session));
     return true;
 }
 
@@ -154,12 +166,12 @@ enum { REASON_SIZE = 160 };
 /* "the train stops at theta = ..., below the barrier", into reason. */
 static const char *stop_reason(const struct session *session, char *reason, size_t size)
 {
-    double stop;
-    if (dom_cycle_stop(&session->train, &stop) == DOM_OK && isfinite(stop))
+    dom_real stop;
+    if (dom_cycle_stop(&session->train, &stop, NULL) == DOM_OK && isfinite(stop))
         snprintf(
             reason, size,
             "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %.10g %s",
-            style_angle(&session->style, stop), style_angle_unit(&session->style));
+            (double)style_angle(&session->style, stop), style_angle_unit(&session->style));
     else
         snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
     return reason;
@@ -182,13 +194,13 @@ static const struct column omega_columns[] = {
 
 static bool run_omega(struct session *session, const struct call *call)
 {
-    double theta = call->number[0], omegasq;
+    dom_real theta = call->number[0], omegasq, e = 0;
     char reason[REASON_SIZE];
-    enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq);
+    enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq, ERROR_OF(session, e));
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_STOPS)
         return session_status(session, status);
-    double tau = dom_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer, ROW(cell_real(theta), cell_real(omegasq), cell_real(sqrt(omegasq) / tau)),
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    answer_row(call->answer, ROW(cell_real(theta), cell_bound(omegasq, e), cell_omega(omegasq, e, tau)),
                no_cycle(session, status, reason));
     return true;
 }
@@ -204,15 +216,15 @@ static const struct column barrier_columns[] = {
 
 static bool run_barrier(struct session *session, const struct call *call)
 {
-    struct dom_barrier b;
+    struct dom_barrier b, e = {0};
     char reason[REASON_SIZE];
-    enum dom_status status = dom_barrier_find(&session->train, &b);
+    enum dom_status status = dom_barrier_find(&session->train, &b, ERROR_OF(session, e));
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_STOPS)
         return session_status(session, status);
     const char *verdict = status == DOM_OK ? "goes on" : status == DOM_STOPS ? "stops" : "no fuel";
     answer_row(call->answer,
-               ROW(cell_real(b.theta_m), cell_real(b.barrier), cell_real(b.kinetic), cell_real(b.margin),
-                   cell_word(verdict)),
+               ROW(cell_bound(b.theta_m, e.theta_m), cell_bound(b.barrier, e.barrier),
+                   cell_bound(b.kinetic, e.kinetic), cell_bound(b.margin, e.margin), cell_word(verdict)),
                no_cycle(session, status, reason));
     return true;
 }
@@ -227,18 +239,20 @@ static const struct column duration_columns[] = {
 
 static bool run_duration(struct session *session, const struct call *call)
 {
-    double duration = DOM_NAN, tau = dom_scale_tau(&session->scale, session->train.d);
+    dom_real duration = DOM_NAN, e = 0, tau = dom_scale_tau(&session->scale, session->train.d);
     char reason[REASON_SIZE];
-    enum dom_status status = dom_cycle_duration(&session->train, &duration);
+    enum dom_status status = dom_cycle_duration(&session->train, &duration, ERROR_OF(session, e));
     const char *why = no_cycle(session, status, reason);
     if (status == DOM_NOT_CONVERGED)
         return session_error(session, "the margin is 0 to rounding: the duration grows like ln(1/margin) and "
                                       "has no value here; a slightly smaller r has");
     if (status != DOM_OK && !why)
         return session_status(session, status);
-    double speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);
+    dom_real speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);
     answer_row(call->answer,
-               ROW(cell_real(duration), cell_real(tau), cell_real(duration * tau), cell_real(speed)), why);
+               ROW(cell_bound(duration, e), cell_real(tau), cell_bound(duration * tau, e * tau),
+                   cell_bound(speed, speed * e / duration)),
+               why);
     return true;
 }
 

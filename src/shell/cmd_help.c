@@ -3,6 +3,7 @@
 #include "command.h"
 #include "complete.h"
 #include "terminal.h"
+#include "wide.h"
 #include <string.h>
 
 /* Of the terminal, but not wider than reads well. */
@@ -28,15 +29,15 @@ static void help_list(FILE *out)
 
 static void help_parameter(const struct session *session, const struct parameter *p)
 {
-    char range[64], value[32], fallback[32];
+    char range[64], value[WIDE_TEXT], fallback[WIDE_TEXT];
     FILE *out = session->out;
-    parameter_range(p, range, sizeof range);
-    parameter_text(p, parameter_get(session, p), 17, value, sizeof value);
-    parameter_text(p, p->fallback, 6, fallback, sizeof fallback);
+    parameter_range(session, p, range, sizeof range);
+    parameter_text(p, parameter_get(session, p), session_style(session).all_digits, value, sizeof value);
+    parameter_text(p, parameter_fallback(session, p), 6, fallback, sizeof fallback);
     fprintf(out, "%s: %s\n\n  value    %s %s\n  range    %s\n  default  %s\n", p->name, p->meaning, value,
             p->unit, range, fallback);
     for (const struct word *w = p->words; !p->words_only && w && w->name; w++)
-        fprintf(out, "  %-8s %g\n", w->name, w->value);
+        fprintf(out, "  %-8s %g\n", w->name, (double)w->value);
     fprintf(out, "\n'set %s VALUE' changes it, 'reset %s' takes it back.\n", p->name, p->name);
 }
 

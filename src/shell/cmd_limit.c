@@ -2,10 +2,10 @@
 /* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
 #include "command.h"
 #include "terminal.h"
-#include <math.h>
+#include "wide.h"
 
 /* The i-th argument, or what stands for it where it is missing. */
-static double argument_or(const struct call *call, int i, double fallback)
+static dom_real argument_or(const struct call *call, int i, dom_real fallback)
 {
     return i < call->count ? call->number[i] : fallback;
 }
@@ -23,11 +23,22 @@ static const char *no_growth(struct dom_limit limit, enum dom_status why)
     return why == DOM_NO_FUEL ? no_growth_fuel : no_growth_stops;
 }
 
-static enum dom_status limit_with(struct dom_train train, enum dom_fuel fuel, struct dom_limit *limit,
-                                  enum dom_status *why)
+/* A limit with the bound of its error. */
+struct bounded {
+    struct dom_limit is, error;
+};
+
+static struct cell cell_limit(const struct bounded *limit)
+{
+    return cell_bound(limit->is.r_max, limit->error.r_max);
+}
+
+static enum dom_status limit_with(const struct session *session, struct dom_train train, enum dom_fuel fuel,
+                                  struct bounded *limit, enum dom_status *why)
 {
     train.fuel = fuel;
-    return dom_limit_rmax(&train, limit, why);
+    limit->error.r_max = 0;
+    return dom_limit_rmax(&train, &limit->is, ERROR_OF(session, limit->error), why);
 }
 
 static const struct column rmax_columns[] = {
@@ -42,22 +53,22 @@ static const struct column rmax_columns[] = {
 static bool run_rmax(struct session *session, const struct call *call)
 {
     struct dom_train train = session->train;
-    struct dom_limit exact, paper;
+    struct bounded exact, paper;
     enum dom_status why = DOM_OK;
     train.s = argument_or(call, 0, train.s);
-    enum dom_status status = limit_with(train, DOM_FUEL_EXACT, &exact, &why);
+    enum dom_status status = limit_with(session, train, DOM_FUEL_EXACT, &exact, &why);
     if (status == DOM_OK)
-        status = limit_with(train, DOM_FUEL_PAPER, &paper, &why);
+        status = limit_with(session, train, DOM_FUEL_PAPER, &paper, &why);
     if (status != DOM_OK)
         return session_status(session, status);
-    struct dom_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    struct bounded used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     answer_row(call->answer,
-               ROW(cell_real(train.s), cell_real(used.r_max), cell_word(dom_end_text(used.ends)),
-                   cell_real(exact.r_max), cell_real(paper.r_max)),
-               no_growth(used, why));
-    if (used.ends != DOM_END_NONE && exact.r_max == paper.r_max)
+               ROW(cell_real(train.s), cell_limit(&used), cell_word(dom_end_text(used.is.ends)),
+                   cell_limit(&exact), cell_limit(&paper)),
+               no_growth(used.is, why));
+    if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
         answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
-    else if (used.ends != DOM_END_NONE)
+    else if (used.is.ends != DOM_END_NONE)
         answer_say(call->answer,
                    "they differ since (c7)'s closed form of the fuel leaves out the weights r^(-q i)");
     return true;
@@ -73,16 +84,16 @@ static const struct column pair_columns[] = {
 static bool run_pair(struct session *session, const struct call *call)
 {
     struct dom_train train = session->train;
-    struct dom_limit limit;
+    struct bounded limit = {.error = {.r_max = 0}};
     train.s = argument_or(call, 0, train.s);
-    enum dom_status status = dom_limit_pair(&train, &limit);
+    enum dom_status status = dom_limit_pair(&train, &limit.is, ERROR_OF(session, limit.error));
     if (status != DOM_OK)
         return session_status(session, status);
     answer_row(
-        call->answer, ROW(cell_real(train.s), cell_real(limit.r_max), cell_word(dom_end_text(limit.ends))),
-        limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
-                                     "the next one at this s and d"
-                                   : NULL);
+        call->answer, ROW(cell_real(train.s), cell_limit(&limit), cell_word(dom_end_text(limit.is.ends))),
+        limit.is.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
+                                        "the next one at this s and d"
+                                      : NULL);
     return true;
 }
 
@@ -94,11 +105,11 @@ static const struct column best_columns[] = {
 
 static bool run_best(struct session *session, const struct call *call)
 {
-    struct dom_best best = {DOM_NAN, DOM_NAN};
-    enum dom_status status = dom_limit_best(&session->train, &best);
+    struct dom_best best = {DOM_NAN, DOM_NAN}, e = {0};
+    enum dom_status status = dom_limit_best(&session->train, &best, ERROR_OF(session, e));
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return session_status(session, status);
-    answer_row(call->answer, ROW(cell_real(best.s), cell_real(best.r_max)),
+    answer_row(call->answer, ROW(cell_bound(best.s, e.s), cell_bound(best.r_max, e.r_max)),
                status == DOM_OK
                    ? NULL
                    : "no growth possible: dominoes this thick do not topple larger ones at any s");
@@ -116,31 +127,32 @@ static const struct column curve_columns[] = {
 
 static bool run_curve(struct session *session, const struct call *call)
 {
-    double from = call->number[0], to = call->number[1], n = call->number[2];
+    dom_real from = call->number[0], to = call->number[1], n = call->number[2];
     if (n == 1 && from != to)
-        return session_error(session, "one row cannot cover %g to %g; N is at least 2", from, to);
+        return session_error(session, "one row cannot cover %g to %g; N is at least 2", (double)from,
+                             (double)to);
     struct dom_train train = session->train;
     struct progress progress = {0, 0};
     bool rows_seen = call->answer->out && terminal_width(call->answer->out); /* they are progress enough */
     bool gaps = false;
-    for (double k = 0; k < n && !answer_lost(call->answer); k++) {
-        struct dom_limit exact, paper, pair;
-        double f = n > 1 ? k / (n - 1) : 0;
+    for (dom_real k = 0; k < n && !answer_lost(call->answer); k++) {
+        struct bounded exact, paper, pair = {.error = {.r_max = 0}};
+        dom_real f = n > 1 ? k / (n - 1) : 0;
         train.s = (1 - f) * from + f * to;
-        enum dom_status status = limit_with(train, DOM_FUEL_EXACT, &exact, NULL);
+        enum dom_status status = limit_with(session, train, DOM_FUEL_EXACT, &exact, NULL);
         if (status == DOM_OK)
-            status = limit_with(train, DOM_FUEL_PAPER, &paper, NULL);
+            status = limit_with(session, train, DOM_FUEL_PAPER, &paper, NULL);
         if (status == DOM_OK)
-            status = dom_limit_pair(&train, &pair);
+            status = dom_limit_pair(&train, &pair.is, ERROR_OF(session, pair.error));
         if (!rows_seen)
-            progress_show(&progress, status == DOM_OK ? (k + 1) / n : 1);
+            progress_show(&progress, status == DOM_OK ? (double)((k + 1) / n) : 1);
         if (status != DOM_OK)
             return session_status(session, status);
         answer_row(call->answer,
-                   ROW(cell_real(train.s), cell_real(exact.r_max), cell_real(paper.r_max),
-                       cell_real(pair.r_max), cell_real(1 / train.s)),
+                   ROW(cell_real(train.s), cell_limit(&exact), cell_limit(&paper), cell_limit(&pair),
+                       cell_real(1 / train.s)),
                    NULL);
-        gaps = gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
+        gaps = gaps || exact.is.ends == DOM_END_NONE || pair.is.ends == DOM_END_NONE;
     }
     if (gaps)
         answer_say(call->answer, "-: no growth possible; 'rmax S' and 'pair S' say why");
@@ -159,13 +171,13 @@ static const struct column count_columns[] = {
 };
 
 /* "hollow", "massive", or "q = 3.5". */
-static const char *mass_name(double q, char name[32])
+static const char *mass_name(dom_real q, char name[32])
 {
     const char *word = parameter_word(parameter_find("q"), q);
     if (word)
         snprintf(name, 32, "%s", word);
     else
-        snprintf(name, 32, "q = %g", q);
+        snprintf(name, 32, "q = %g", (double)q);
     return name;
 }
 
@@ -173,7 +185,7 @@ static const char *mass_name(double q, char name[32])
 static enum dom_status count_feasible(const struct dom_train *train, bool *feasible, const char **why)
 {
     struct dom_barrier barrier;
-    enum dom_status status = dom_barrier_find(train, &barrier);
+    enum dom_status status = dom_barrier_find(train, &barrier, NULL);
     *feasible = status == DOM_OK;
     *why = status == DOM_OUT_OF_REACH ? "r s > 1, each domino falls past the next one without touching it"
            : status == DOM_STOPS      ? "the train stops below its barrier"
@@ -185,7 +197,7 @@ static enum dom_status count_feasible(const struct dom_train *train, bool *feasi
 
 /* For one kind of domino: is this growth possible, and what would the largest one make of the count? */
 static bool count_kind(struct session *session, const struct call *call, struct dom_train train,
-                       double height)
+                       dom_real height)
 {
     struct dom_limit limit;
     struct dom_count count = {DOM_NAN, DOM_NAN, DOM_NAN};
@@ -194,26 +206,28 @@ static bool count_kind(struct session *session, const struct call *call, struct 
     const char *why;
     enum dom_status status = count_feasible(&train, &feasible, &why);
     if (status == DOM_OK)
-        status = dom_limit_rmax(&train, &limit, NULL);
+        status = dom_limit_rmax(&train, &limit, NULL, NULL);
     if (status != DOM_OK)
         return session_status(session, status);
     if (limit.ends == DOM_END_NONE) {
         answer_say(call->answer, "  %-8s no; not even equal ones keep falling", mass_name(train.q, name));
         return true;
     }
-    if (dom_count_find(session->scale.h, height, limit.r_max, &count) == DOM_OK && isfinite(count.dominoes))
-        snprintf(said, sizeof said, "%.0f domino%s", count.dominoes, count.dominoes == 1 ? "" : "es");
+    if (dom_count_find(train.precision, session->scale.h, height, limit.r_max, &count, NULL) == DOM_OK &&
+        isfinite(count.dominoes))
+        snprintf(said, sizeof said, "%.0f domino%s", (double)count.dominoes, count.dominoes == 1 ? "" : "es");
     answer_say(call->answer, "  %-8s %-4s the largest is %.6g (ends by %s): %s", mass_name(train.q, name),
-               feasible ? "yes;" : "no;", limit.r_max, dom_end_text(limit.ends), said);
+               feasible ? "yes;" : "no;", (double)limit.r_max, dom_end_text(limit.ends), said);
     return true;
 }
 
 /* The quiz as a person asks it: what the rows do not say. */
 static bool count_explain(struct session *session, const struct call *call, const struct dom_train *train,
-                          double height)
+                          dom_real height)
 {
     bool named = false;
-    answer_say(call->answer, "\nIs a growth of %.10g possible at s = %.6g?", train->r, train->s);
+    answer_say(call->answer, "\nIs a growth of %.10g possible at s = %.6g?", (double)train->r,
+               (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct dom_train kind = *train;
         kind.q = w->value;
@@ -226,42 +240,44 @@ static bool count_explain(struct session *session, const struct call *call, cons
 
 static bool run_count(struct session *session, const struct call *call)
 {
-    double height = call->number[0], first = session->scale.h;
+    dom_real height = call->number[0], first = session->scale.h;
     struct dom_train train = session->train;
-    struct dom_count count;
+    struct dom_count count, e = {0};
     bool feasible;
     const char *why;
     train.r = argument_or(call, 1, train.r);
-    if (dom_count_find(first, height, train.r, &count) != DOM_OK)
+    if (dom_count_find(train.precision, first, height, train.r, &count, ERROR_OF(session, e)) != DOM_OK)
         return session_error(session,
-                             "H = %g m, h = %g m, r = %.17g: the number of dominoes cannot be counted "
-                             "in double precision",
-                             height, first, train.r);
+                             "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
+                             "in %s precision",
+                             wide_shown(height).text, wide_shown(first).text, wide_shown(train.r).text,
+                             dom_arithmetic(train.precision)->name);
     enum dom_status status = count_feasible(&train, &feasible, &why);
     if (status != DOM_OK)
         return session_status(session, status);
 
     struct answer *a = call->answer;
     if (count.dominoes == 0)
-        answer_say(a, "No domino is needed: the first is %.6g m tall already.\n", first);
+        answer_say(a, "No domino is needed: the first is %.6g m tall already.\n", (double)first);
     else if (isfinite(count.dominoes))
         answer_say(a, "%.0f domino%s, each %.10g times as large as the one before, %s one of %.6g m.\n",
-                   count.dominoes, count.dominoes == 1 ? "" : "es", train.r,
+                   (double)count.dominoes, count.dominoes == 1 ? "" : "es", (double)train.r,
                    !feasible             ? "would be needed to topple"
                    : count.dominoes == 1 ? "topples"
                                          : "topple",
-                   height);
+                   (double)height);
     else
         why = "r = 1: the dominoes do not grow, no number of them is enough";
     char reason[160], name[32];
     if (!feasible)
-        snprintf(reason, sizeof reason, "not possible at s = %.6g with %s dominoes: %s", train.s,
+        snprintf(reason, sizeof reason, "not possible at s = %.6g with %s dominoes: %s", (double)train.s,
                  mass_name(train.q, name), why);
     else if (why)
         snprintf(reason, sizeof reason, "%s", why);
     answer_row(a,
-               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), cell_real(count.exact),
-                   cell_real(first), cell_real(count.last), cell_flag(feasible)),
+               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes),
+                   cell_bound(count.exact, e.exact), cell_real(first), cell_bound(count.last, e.last),
+                   cell_flag(feasible)),
                why ? reason : NULL);
     return !answer_for_people(a) || count_explain(session, call, &train, height);
 }

@@ -3,6 +3,7 @@
 #include "command.h"
 #include "line.h"
 #include "redirect.h"
+#include "wide.h"
 #include <errno.h>
 #include <string.h>
 
@@ -12,14 +13,27 @@ static const struct parameter *parameter_of(const struct call *call, int i)
     return &session_parameters[(int)call->number[i]];
 }
 
+static bool choose_precision(struct session *session, const struct call *call, enum dom_precision precision)
+{
+    if (dom_arithmetic(precision)->bits == 0)
+        return session_error(session, "%s: %s", dom_arithmetic(precision)->name,
+                             dom_status_text(DOM_NO_PRECISION));
+    if (session_precision(session, precision))
+        answer_say(call->answer, "tol is now %g", (double)session->train.tol);
+    return true;
+}
+
 static bool run_set(struct session *session, const struct call *call)
 {
-    parameter_put(session, parameter_of(call, 0), call->number[1]);
+    const struct parameter *p = parameter_of(call, 0);
+    if (strcmp(p->name, "precision") == 0)
+        return choose_precision(session, call, (enum dom_precision)call->number[1]);
+    parameter_put(session, p, call->number[1]);
     return true;
 }
 
 static const struct column show_columns[] = {
-    {"name", "", "what 'set' calls it", 6},
+    {"name", "", "what 'set' calls it", 9},
     {"value", "", "its value now", 12},
     {"unit", "", "h: heights of the domino", 5},
     {"range", "", "the values that it may have", 18},
@@ -30,14 +44,15 @@ static const struct column show_columns[] = {
 
 static void show_row(const struct session *session, const struct call *call, const struct parameter *p)
 {
-    char range[64], value[32], fallback[32];
+    char range[64], value[WIDE_TEXT], fallback[WIDE_TEXT];
+    dom_real otherwise = parameter_fallback(session, p);
     bool people = session->style.output == OUTPUT_TABLE, words = people || p->words_only;
-    parameter_range(p, range, sizeof range);
+    parameter_range(session, p, range, sizeof range);
     parameter_text(p, parameter_get(session, p), (int)session->style.digits, value, sizeof value);
-    parameter_text(p, p->fallback, 6, fallback, sizeof fallback);
+    parameter_text(p, otherwise, 6, fallback, sizeof fallback);
     answer_row(call->answer,
                ROW(cell_word(p->name), words ? cell_word(value) : cell_real(parameter_get(session, p)),
-                   cell_word(p->unit), cell_word(range), words ? cell_word(fallback) : cell_real(p->fallback),
+                   cell_word(p->unit), cell_word(range), words ? cell_word(fallback) : cell_real(otherwise),
                    cell_word(p->meaning)),
                NULL);
 }
@@ -53,23 +68,28 @@ static bool run_show(struct session *session, const struct call *call)
 
 static bool run_reset(struct session *session, const struct call *call)
 {
-    if (call->count == 1)
-        parameter_put(session, parameter_of(call, 0), parameter_of(call, 0)->fallback);
-    for (const struct parameter *p = session_parameters; call->count == 0 && p->name; p++)
-        if (!p->setting)
-            parameter_put(session, p, p->fallback);
+    const struct parameter *p;
+    for (int k = 0; (p = parameter_in_order(k)) != NULL; k++) {
+        if (call->count == 1 ? p != parameter_of(call, 0) : p->setting)
+            continue;
+        if (strcmp(p->name, "precision") == 0)
+            session_precision(session, DOM_DOUBLE);
+        else
+            parameter_put(session, p, parameter_fallback(session, p));
+    }
     return true;
 }
 
 static bool run_save(struct session *session, const struct call *call)
 {
     struct redirect file;
-    char shown[NAMES_SHOWN], value[32];
+    char shown[NAMES_SHOWN], value[WIDE_TEXT];
+    const struct parameter *p;
     const char *wrong = redirect_open(&file, call->word[0], false);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
-        for (const struct parameter *p = session_parameters; p->name; p++) {
-            parameter_text(p, parameter_get(session, p), 17, value, sizeof value);
+        for (int k = 0; (p = parameter_in_order(k)) != NULL; k++) {
+            parameter_text(p, parameter_get(session, p), WIDE_DIGITS, value, sizeof value);
             fprintf(file.file, "set %s %s\n", p->name, value);
         }
         wrong = redirect_close(&file, true);
@@ -104,14 +124,15 @@ static const struct column print_columns[] = {
 static bool run_print(struct session *session, const struct call *call)
 {
     struct quantity q = call->quantity[0];
-    char unit[48];
+    char unit[48], number[WIDE_TEXT];
     expression_unit_text(q, unit, sizeof unit);
     if (q.length == 0 && q.time == 0 && q.angle == 1) {
         q.value = style_angle(&session->style, q.value);
         snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
     }
     if (answer_for_people(call->answer))
-        answer_say(call->answer, "%.*g%s%s", (int)session->style.digits, q.value, *unit ? " " : "", unit);
+        answer_say(call->answer, "%s%s%s", wide_text(q.value, (int)call->answer->style.digits, number),
+                   *unit ? " " : "", unit);
     else
         answer_row(call->answer, ROW(cell_real(q.value), cell_word(unit)), NULL);
     return true;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command.h"
-#include <math.h>
+#include "wide.h"
 #include <string.h>
 
 const struct command_group command_groups[] = {
@@ -61,25 +61,28 @@ const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
     return usage;
 }
 
-static bool tilt_check(struct session *session, const struct argument *a, struct quantity q, double *number)
+static bool tilt_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
 {
     struct dom_angles angles;
     /* A number without a unit is in the session's unit of angles. */
-    double theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (asin(1) / 90);
-    enum dom_status status = dom_angles_find(&session->train, &angles);
+    dom_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (PI / 180);
+    enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
     if (status != DOM_OK)
         return session_status(session, status);
-    if (!(theta >= 0 && theta <= angles.theta_c))
+    /* Its end as it was answered, in degrees and with all digits, may have been rounded up. */
+    dom_real slack = 2 * (dom_real)dom_arithmetic(session->train.precision)->epsilon * angles.theta_c;
+    if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return session_error(session,
-                             "%s = %.10g %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
+                             "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
                              "%.17g], 'thetac' is its end",
-                             a->name, style_angle(&session->style, theta), style_angle_unit(&session->style),
-                             a->name, style_angle(&session->style, angles.theta_c));
-    *number = fabs(theta); /* no -0 */
+                             a->name, wide_shown(style_angle(&session->style, theta)).text,
+                             style_angle_unit(&session->style), a->name,
+                             (double)style_angle(&session->style, angles.theta_c));
+    *number = fmin(fabs(theta), angles.theta_c); /* no -0 */
     return true;
 }
 
-bool argument_check(struct session *session, const struct argument *a, struct quantity q, double *number)
+bool argument_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
 {
     char kind[64], wanted[64];
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
@@ -99,20 +102,22 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     if (a->kind == ARGUMENT_TILT)
         return tilt_check(session, a, q, number);
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
-        return session_error(session, "%s = %.10g is no height; %s is a length in metres, larger than 0",
-                             a->name, q.value, a->name);
+        return session_error(session, "%s = %s is no height; %s is a length in metres, larger than 0",
+                             a->name, wide_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= COUNT_MAX && q.value == floor(q.value)))
-        return session_error(session, "%s = %.10g is no number of rows; %s is an integer in 1 .. %d", a->name,
-                             q.value, a->name, COUNT_MAX);
+        return session_error(session, "%s = %s is no number of rows; %s is an integer in 1 .. %d", a->name,
+                             wide_shown(q.value).text, a->name, COUNT_MAX);
     if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
-        return session_error(session, "%s = %.10g is out of range; %s is a value of %s, %g .. %g", a->name,
-                             q.value, a->name, p->name, p->lowest, p->highest);
+        return session_error(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
+                             wide_shown(q.value).text, a->name, p->name, (double)p->lowest,
+                             (double)p->highest);
     return !p || parameter_check(session, p, q.value);
 }
 
 bool command_keep(struct session *session, const struct command *c, struct call *call, struct cell *kept)
 {
-    struct answer answer = {.style = session->style, .columns = c->columns, .rows = c->rows, .kept = kept};
+    struct answer answer = {
+        .style = session_style(session), .columns = c->columns, .rows = c->rows, .kept = kept};
     call->answer = &answer;
     for (int i = 0; i < ANSWER_CELLS; i++)
         kept[i] = (struct cell){.kind = CELL_NONE};

@@ -39,7 +39,7 @@ enum { ARGUMENTS_MAX = 3 };
 /* The arguments of one call, read. */
 struct call {
     int count; /* of those that were given */
-    double number[ARGUMENTS_MAX];
+    dom_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
@@ -84,7 +84,7 @@ const char *command_usage(const struct command *command, char usage[USAGE_SIZE])
 
 /* A value for an argument of this kind; what is wrong with it is an error of the session. */
 bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
-                    double *number);
+                    dom_real *number);
 
 /* Runs a command whose arguments are read, as expressions do: the answer is kept, not written. */
 bool command_keep(struct session *session, const struct command *command, struct call *call,
@@ -95,6 +95,9 @@ bool command_keep(struct session *session, const struct command *command, struct
  * '>> FILE' send an answer to a file.
  */
 void command_run_text(struct session *session, const char *text);
+
+/* Where a function is to put the bounds of its errors: nowhere, unless the session asks for them. */
+#define ERROR_OF(session, error) ((session)->style.errors ? &(error) : NULL)
 
 #define ROW(...) ((const struct cell[]){__VA_ARGS__})
 

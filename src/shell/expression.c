@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "expression.h"
+#include "wide.h"
 #include <ctype.h>
 #include <errno.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,12 +15,23 @@ struct unit {
     struct quantity is;
 };
 
-#define DEGREE (3.14159265358979323846 / 180)
+#define DEGREE (PI / 180)
+
+/* As quotients of whole numbers, so that they are right in the widest arithmetic. */
+#define PART(n, m) ((dom_real)(n) / (m))
 
 static const struct unit units[] = {
-    {"m", {1, 1, 0, 0}},       {"mm", {1e-3, 1, 0, 0}},    {"cm", {1e-2, 1, 0, 0}}, {"km", {1e3, 1, 0, 0}},
-    {"in", {0.0254, 1, 0, 0}}, {"ft", {0.3048, 1, 0, 0}},  {"s", {1, 0, 1, 0}},     {"ms", {1e-3, 0, 1, 0}},
-    {"rad", {1, 0, 0, 1}},     {"deg", {DEGREE, 0, 0, 1}}, {NULL, {0, 0, 0, 0}},
+    {"m", {1, 1, 0, 0}},
+    {"mm", {PART(1, 1000), 1, 0, 0}},
+    {"cm", {PART(1, 100), 1, 0, 0}},
+    {"km", {1000, 1, 0, 0}},
+    {"in", {PART(254, 10000), 1, 0, 0}},
+    {"ft", {PART(3048, 10000), 1, 0, 0}},
+    {"s", {1, 0, 1, 0}},
+    {"ms", {PART(1, 1000), 0, 1, 0}},
+    {"rad", {1, 0, 0, 1}},
+    {"deg", {DEGREE, 0, 0, 1}},
+    {NULL, {0, 0, 0, 0}},
 };
 
 /* KEEPS: the value is of the same kind as the arguments, which are of one kind. */
@@ -29,17 +40,20 @@ enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS };
 struct function {
     const char *name;
     enum function_kind kind;
-    double (*one)(double);
-    double (*two)(double, double);
+    dom_real (*one)(dom_real);
+    dom_real (*two)(dom_real, dom_real);
 };
 
 static const struct function functions[] = {
-    {"sin", OF_ANGLE, sin, NULL},      {"cos", OF_ANGLE, cos, NULL},      {"tan", OF_ANGLE, tan, NULL},
-    {"asin", TO_ANGLE, asin, NULL},    {"acos", TO_ANGLE, acos, NULL},    {"atan", TO_ANGLE, atan, NULL},
-    {"atan2", TO_ANGLE, NULL, atan2},  {"exp", OF_NUMBER, exp, NULL},     {"ln", OF_NUMBER, log, NULL},
-    {"log", OF_NUMBER, log, NULL},     {"log10", OF_NUMBER, log10, NULL}, {"abs", KEEPS, fabs, NULL},
-    {"floor", OF_NUMBER, floor, NULL}, {"ceil", OF_NUMBER, ceil, NULL},   {"round", OF_NUMBER, round, NULL},
-    {"hypot", KEEPS, NULL, hypot},     {"min", KEEPS, NULL, fmin},        {"max", KEEPS, NULL, fmax},
+    {"sin", OF_ANGLE, MATH(sin), NULL},      {"cos", OF_ANGLE, MATH(cos), NULL},
+    {"tan", OF_ANGLE, MATH(tan), NULL},      {"asin", TO_ANGLE, MATH(asin), NULL},
+    {"acos", TO_ANGLE, MATH(acos), NULL},    {"atan", TO_ANGLE, MATH(atan), NULL},
+    {"atan2", TO_ANGLE, NULL, MATH(atan2)},  {"exp", OF_NUMBER, MATH(exp), NULL},
+    {"ln", OF_NUMBER, MATH(log), NULL},      {"log", OF_NUMBER, MATH(log), NULL},
+    {"log10", OF_NUMBER, MATH(log10), NULL}, {"abs", KEEPS, MATH(fabs), NULL},
+    {"floor", OF_NUMBER, MATH(floor), NULL}, {"ceil", OF_NUMBER, MATH(ceil), NULL},
+    {"round", OF_NUMBER, MATH(round), NULL}, {"hypot", KEEPS, NULL, MATH(hypot)},
+    {"min", KEEPS, NULL, MATH(fmin)},        {"max", KEEPS, NULL, MATH(fmax)},
     {NULL, OF_NUMBER, NULL, NULL},
 };
 
@@ -136,7 +150,7 @@ static const struct unit *unit_at(const char *c, size_t length)
 
 static void multiply(struct quantity *q, struct quantity by, int power)
 {
-    q->value *= power == 1 ? by.value : pow(by.value, power);
+    q->value *= power == 1 ? by.value : pow(by.value, (dom_real)power);
     q->length += power * by.length;
     q->time += power * by.time;
     q->angle += power * by.angle;
@@ -199,7 +213,7 @@ static bool number(struct expression *e, struct quantity *q)
         return expression_fail(e, "is no number: only decimals are");
     char *stop;
     errno = 0;
-    *q = (struct quantity){.value = strtod(begin, &stop)};
+    *q = (struct quantity){.value = wide_read(begin, &stop)};
     if (errno == ERANGE)
         return expression_fail(e, fabs(q->value) > 1 ? "is too large for a number"
                                                      : "is too small for a number");
@@ -239,7 +253,7 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
         return expression_fail(e, "%s takes two of a kind", f->name);
     *q = f->kind == KEEPS ? a[0] : (struct quantity){.angle = f->kind == TO_ANGLE};
-    double one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
+    dom_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
     if (f->two)
         q->value = f->two(a[0].value, a[1].value);
     else if (f->one)
@@ -304,7 +318,7 @@ static bool named(struct expression *e, struct quantity *q)
         if (strcmp(name, "sqrt") == 0)
             return root(e, at, a, count, q) && ((e->end = end), true);
     } else if (strcmp(name, "pi") == 0) {
-        *q = (struct quantity){.value = 3.14159265358979323846};
+        *q = (struct quantity){.value = PI};
         return true;
     }
     bool dotted = end[0] == '.' && name_start(end[1]);

@@ -8,12 +8,13 @@
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
 
+#include "domino.h"
 #include <stdbool.h>
 #include <stddef.h>
 
 /* In SI units and radians; exponents of metre, second and radian. */
 struct quantity {
-    double value;
+    dom_real value;
     int length, time, angle;
 };
 
@@ -29,8 +30,8 @@ struct expression {
      */
     bool (*lookup)(struct expression *expression, const char *name, const char *key,
                    const struct quantity *arguments, int count, struct quantity *result);
-    void *context; /* for lookup */
-    double angle;  /* what 1 is in radians where a bare number stands for an angle */
+    void *context;  /* for lookup */
+    dom_real angle; /* what 1 is in radians where a bare number stands for an angle */
     int depth;
 };
 

@@ -4,9 +4,9 @@
 #include "redirect.h"
 #include "terminal.h"
 #include "text.h"
+#include "wide.h"
 #include <ctype.h>
 #include <limits.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -173,13 +173,13 @@ static bool known_word(struct session *session, struct reader *r, const char *at
     return known;
 }
 
-static bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, double *number)
+static bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, dom_real *number)
 {
     struct session *session = r->session;
     struct expression e = {.text = r->at,
                            .lookup = lookup,
                            .context = session,
-                           .angle = session->style.angle == ANGLE_DEG ? asin(1) / 90 : 1};
+                           .angle = session->style.angle == ANGLE_DEG ? PI / 180 : 1};
     int begin = session->column;
     long errors = session->errors;
     if (!expression_evaluate(&e, q)) {
@@ -213,7 +213,7 @@ static bool is_value_name(const char *word)
 }
 
 /* A value for a parameter: one of its words, or an expression. */
-static bool read_value(struct reader *r, const struct parameter *p, const char *name, double *number)
+static bool read_value(struct reader *r, const struct parameter *p, const char *name, dom_real *number)
 {
     const char *begin = r->at;
     char message[NAMES_MESSAGE] = "", what[32];
@@ -234,7 +234,7 @@ static bool read_value(struct reader *r, const struct parameter *p, const char *
     }
     if (*message) {
         char range[64];
-        parameter_range(p, range, sizeof range);
+        parameter_range(r->session, p, range, sizeof range);
         return session_error(r->session, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
                              message, p->name, range);
     }
@@ -332,7 +332,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
     struct answer answer = {
         .out = session->out,
-        .style = session->style,
+        .style = session_style(session),
         .columns = c->columns,
         .rows = c->rows,
         .gap = session->answered && session->source,

@@ -1,27 +1,36 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
 #include "terminal.h"
+#include "wide.h"
 #include <errno.h>
-#include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
 /* Enough for any cell that is not a word; what a number needs beside its digits: "-0." and "e-300". */
 enum {
-    TEXT_SIZE = 32,
+    TEXT_SIZE = 96,
     NUMBER_MARGIN = 6,
     COLUMNS_MAX = 16,
     TEXT_LINE = 512,
+    BOUND_MARGIN = 12, /* " +/- 1.2e-15" */
+    BOUND_TEXT = 16,
     WORDS_ROOM = 30,
     WORDS_INDENT = 8
 };
 
-struct cell cell_real(double value)
+struct cell cell_real(dom_real value)
 {
     return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
 }
 
-struct cell cell_count(double value)
+struct cell cell_bound(dom_real value, dom_real error)
+{
+    struct cell cell = cell_real(value);
+    cell.error = cell.kind == CELL_REAL ? error : 0;
+    return cell;
+}
+
+struct cell cell_count(dom_real value)
 {
     return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
 }
@@ -36,9 +45,9 @@ struct cell cell_word(const char *word)
     return (struct cell){.kind = word ? CELL_WORD : CELL_NONE, .word = word};
 }
 
-double style_angle(const struct output_style *style, double radians)
+dom_real style_angle(const struct output_style *style, dom_real radians)
 {
-    return style->angle == ANGLE_DEG ? radians * (180 / 3.14159265358979323846) : radians;
+    return style->angle == ANGLE_DEG ? radians * (180 / PI) : radians;
 }
 
 const char *style_angle_unit(const struct output_style *style)
@@ -62,14 +71,40 @@ static const char *column_unit(const struct answer *a, const struct column *c, c
 
 /* ---- Text ---- */
 
+/* Two digits, rounded up so that it stays a bound. */
+static const char *bound_text(dom_real error, char text[BOUND_TEXT])
+{
+    snprintf(text, BOUND_TEXT, "%.1e", (double)(error * (dom_real)1.06));
+    return text;
+}
+
+/* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
+static int bound_digits(struct cell cell, int all)
+{
+    dom_real ratio = fabs(cell.number) / cell.error;
+    int digits = ratio > 1 ? (int)floor(log10(ratio)) + 3 : 2;
+    return digits < all ? digits : all;
+}
+
+/* The bound is one of what is printed: what the digits leave out is in it. */
+static const char *real_text(struct cell cell, int digits, char text[TEXT_SIZE])
+{
+    char number[WIDE_TEXT], bound[BOUND_TEXT];
+    if (cell.error == 0)
+        return wide_text(cell.number, digits, text);
+    wide_text(cell.number, bound_digits(cell, digits), number);
+    bound_text(cell.error + fabs(wide_read(number, NULL) - cell.number), bound);
+    snprintf(text, TEXT_SIZE, "%s +/- %s", number, bound);
+    return text;
+}
+
 static const char *cell_text(struct cell cell, int digits, char text[TEXT_SIZE])
 {
     switch (cell.kind) {
     case CELL_REAL:
-        snprintf(text, TEXT_SIZE, "%.*g", digits, cell.number);
-        return text;
+        return real_text(cell, digits, text);
     case CELL_COUNT:
-        snprintf(text, TEXT_SIZE, "%.0f", cell.number);
+        snprintf(text, TEXT_SIZE, "%.0f", (double)cell.number);
         return text;
     case CELL_FLAG:
         return cell.number != 0 ? "yes" : "no";
@@ -81,11 +116,57 @@ static const char *cell_text(struct cell cell, int digits, char text[TEXT_SIZE])
     return "-";
 }
 
+/* As the session's precision has it. */
+static dom_real rounded(const struct answer *a, dom_real value)
+{
+    return a->style.precision == DOM_FLOAT    ? (dom_real)(float)value
+           : a->style.precision == DOM_DOUBLE ? (dom_real)(double)value
+                                              : value;
+}
+
+/* For programs: the fewest digits that read back to the same number, and no bound beside them. */
+static const char *cell_plain(const struct answer *a, struct cell cell, char text[TEXT_SIZE])
+{
+    int digits = a->style.all_digits - 2;
+    cell.error = 0;
+    cell.number = cell.kind == CELL_REAL ? rounded(a, cell.number) : cell.number;
+    const char *said = cell_text(cell, digits, text);
+    while (cell.kind == CELL_REAL && digits < a->style.all_digits &&
+           rounded(a, wide_read(text, NULL)) != cell.number)
+        said = cell_text(cell, ++digits, text);
+    return said;
+}
+
+/* Has this column one of its own for bounds behind it?  Where the first row has numbers. */
+static bool column_bounded(const struct answer *a, int i)
+{
+    return (a->bounded >> i & 1) != 0;
+}
+
+static void bounds_prepare(struct answer *a, const struct cell *cells)
+{
+    for (int i = 0; a->columns[i].key && !a->begun && a->style.errors; i++)
+        if (a->columns[i].width == 0 && (cells[i].kind == CELL_REAL || cells[i].kind == CELL_NONE))
+            a->bounded |= 1u << i;
+}
+
+/* What a number takes in a table. */
+static int number_width(const struct answer *a, int digits)
+{
+    return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
+}
+
+/* Digits of numbers in tables: with bounds, up to what they leave. */
+static int table_digits(const struct answer *a)
+{
+    return a->style.errors ? a->style.all_digits : (int)a->style.digits;
+}
+
 /* On a terminal with UTF-8 the field's letters are written as such. */
 static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
 {
-    static const char *const letters[][2] = {{"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"},
-                                             {"sqrt", "√"},  {">=", "≥"},    {"<=", "≤"}};
+    static const char *const letters[][2] = {{"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"}, {"sqrt", "√"},
+                                             {">=", "≥"},    {"<=", "≤"},    {"+/-", "±"}};
     if (!a->letters || strlen(text) >= TEXT_LINE)
         return text;
     size_t n = 0;
@@ -149,8 +230,9 @@ static void quoted(FILE *out, const char *text, const char *escaped_quote)
 
 /* ---- json and csv ---- */
 
-static void cell_json(FILE *out, struct cell cell)
+static void cell_json(const struct answer *a, struct cell cell)
 {
+    FILE *out = a->out;
     char text[TEXT_SIZE];
     if (cell.kind == CELL_NONE)
         fputs("null", out);
@@ -159,14 +241,23 @@ static void cell_json(FILE *out, struct cell cell)
     else if (cell.kind == CELL_WORD)
         quoted(out, cell.word, "\\\"");
     else
-        fputs(cell_text(cell, 17, text), out);
+        fputs(cell_plain(a, cell, text), out);
+}
+
+/* A bound as a number; null where there is none. */
+static const char *bound_json(struct cell cell, char text[BOUND_TEXT])
+{
+    return cell.kind == CELL_REAL && isfinite(cell.error) ? bound_text(cell.error, text) : "null";
 }
 
 static void row_json(struct answer *a, const struct cell *cells, const char *reason)
 {
+    char text[BOUND_TEXT];
     for (int i = 0; a->columns[i].key; i++) {
         fprintf(a->out, "%s\"%s\":", i ? "," : "{", a->columns[i].key);
-        cell_json(a->out, cells[i]);
+        cell_json(a, cells[i]);
+        if (column_bounded(a, i))
+            fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key, bound_json(cells[i], text));
     }
     if (reason) {
         fputs(",\"reason\":", a->out);
@@ -175,32 +266,37 @@ static void row_json(struct answer *a, const struct cell *cells, const char *rea
     fputs("}\n", a->out);
 }
 
-static void cell_csv(FILE *out, struct cell cell)
+static void cell_csv(const struct answer *a, struct cell cell)
 {
+    FILE *out = a->out;
     char text[TEXT_SIZE];
     if (cell.kind == CELL_FLAG)
         fputs(cell.number != 0 ? "true" : "false", out);
     else if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\"\n"))
         quoted(out, cell.word, "\"\"");
     else if (cell.kind != CELL_NONE)
-        fputs(cell_text(cell, 17, text), out);
+        fputs(cell_plain(a, cell, text), out);
 }
 
 static void row_csv(struct answer *a, const struct cell *cells, const char *reason)
 {
+    char text[BOUND_TEXT];
     if (!a->begun) {
         for (int i = 0; a->columns[i].key; i++)
-            fprintf(a->out, "%s%s", i ? "," : "", a->columns[i].key);
+            fprintf(a->out, column_bounded(a, i) ? "%s%s,%s_error" : "%s%s", i ? "," : "", a->columns[i].key,
+                    a->columns[i].key);
         fputs(reason ? ",reason\n" : "\n", a->out);
     }
     for (int i = 0; a->columns[i].key; i++) {
         if (i)
             putc(',', a->out);
-        cell_csv(a->out, cells[i]);
+        cell_csv(a, cells[i]);
+        if (column_bounded(a, i))
+            fprintf(a->out, ",%s", cells[i].kind == CELL_REAL ? bound_text(cells[i].error, text) : "");
     }
     if (reason) {
         putc(',', a->out);
-        cell_csv(a->out, cell_word(reason));
+        cell_csv(a, cell_word(reason));
     }
     putc('\n', a->out);
 }
@@ -210,12 +306,12 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
 /* Digits that leave room for every column of a table of rows in the width of the terminal. */
 static int row_digits(const struct answer *a)
 {
-    int width = a->width, digits = (int)a->style.digits, fixed = 0, numbers = 0;
+    int width = a->width, digits = table_digits(a), fixed = 0, numbers = 0;
     for (const struct column *c = a->columns; c->key; c++) {
         fixed += c->width + (c > a->columns ? 2 : 0);
         numbers += c->width == 0;
     }
-    int room = numbers ? (width - fixed) / numbers - NUMBER_MARGIN : digits;
+    int room = numbers ? (width - fixed) / numbers - number_width(a, 0) : digits;
     return width == 0 || room >= digits ? digits : room < 3 ? 3 : room;
 }
 
@@ -224,7 +320,7 @@ static int row_words(const struct answer *a, int digits)
 {
     int at = 0;
     for (const struct column *c = a->columns; c[1].key; c++)
-        at += (c->width ? c->width : digits + NUMBER_MARGIN) + 2;
+        at += (c->width ? c->width : number_width(a, digits)) + 2;
     return a->width && a->width - at < WORDS_ROOM ? -1 : at;
 }
 
@@ -238,7 +334,7 @@ static void row_line(struct answer *a, const struct cell *cells, int digits, con
     for (int i = 0; i < end; i++) {
         const struct column *c = &a->columns[i];
         bool left = cells[i].kind == CELL_WORD, last = !a->columns[i + 1].key;
-        int wide = c->width ? c->width : digits + NUMBER_MARGIN;
+        int wide = c->width ? c->width : number_width(a, digits);
         if (left && last && words >= 0) {
             fputs("  ", a->out);
             output_wrapped(a->out, said[i], words, a->width);
@@ -280,7 +376,7 @@ static void row_table(struct answer *a, const struct cell *cells)
 static void row_lines(struct answer *a, const struct cell *cells)
 {
     char text[TEXT_SIZE], line[TEXT_LINE], unit[TEXT_SIZE];
-    int key_width = 0, unit_width = 0, digits = (int)a->style.digits;
+    int key_width = 0, unit_width = 0, digits = table_digits(a);
     const char *bold = a->bold ? "\033[1m" : "", *end = *bold ? "\033[m" : "";
     for (const struct column *c = a->columns; c->key; c++) {
         int key = terminal_columns(pretty(a, c->key, line)), wide = (int)strlen(c->unit);
@@ -291,11 +387,11 @@ static void row_lines(struct answer *a, const struct cell *cells)
         const struct column *c = &a->columns[i];
         field(a->out, pretty(a, c->key, line), -key_width);
         fprintf(a->out, "  %s", bold);
-        field(a->out, cell_text(cells[i], digits, text), digits + NUMBER_MARGIN);
+        field(a->out, pretty(a, cell_text(cells[i], digits, text), line), number_width(a, digits));
         fprintf(a->out, "%s %-*s  ", end, unit_width,
                 cells[i].kind == CELL_NONE ? "" : column_unit(a, c, unit));
         output_wrapped(a->out, pretty(a, c->meaning, line),
-                       key_width + digits + NUMBER_MARGIN + unit_width + 5, a->width);
+                       key_width + number_width(a, digits) + unit_width + 5, a->width);
         putc('\n', a->out);
     }
 }
@@ -321,14 +417,18 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
     int n = 0;
     for (; a->columns[n].key; n++) {
         shown[n] = cells[n];
-        if (column_angle(&a->columns[n]))
+        shown[n].error = a->style.errors ? shown[n].error : 0;
+        if (column_angle(&a->columns[n])) {
             shown[n].number = style_angle(&a->style, cells[n].number);
+            shown[n].error = style_angle(&a->style, shown[n].error);
+        }
         if (a->kept)
             a->kept[n] = cells[n];
     }
     if (!a->out)
         return;
     answer_prepare(a);
+    bounds_prepare(a, cells);
     errno = 0;
     if (a->style.output == OUTPUT_JSON)
         row_json(a, shown, reason);

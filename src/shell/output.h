@@ -6,6 +6,7 @@
 #ifndef SHELL_OUTPUT_H
 #define SHELL_OUTPUT_H
 
+#include "domino.h"
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -15,7 +16,10 @@ enum angle { ANGLE_RAD, ANGLE_DEG };
 struct output_style {
     enum output output;
     enum angle angle;
-    double digits; /* in a table */
+    dom_real digits; /* in a table */
+    enum dom_precision precision;
+    int all_digits;  /* that read back to the same number of the session's precision: csv and json */
+    unsigned errors; /* every number with the bound of its error */
 };
 
 struct column {
@@ -27,13 +31,15 @@ struct column {
 
 struct cell {
     enum { CELL_NONE, CELL_REAL, CELL_COUNT, CELL_FLAG, CELL_WORD } kind;
-    double number;
+    dom_real number;
+    dom_real error; /* bound of it; 0: exact, or not asked for */
     const char *word;
 };
 
 /* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
-struct cell cell_real(double value);
-struct cell cell_count(double value);
+struct cell cell_real(dom_real value);
+struct cell cell_bound(dom_real value, dom_real error);
+struct cell cell_count(dom_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
@@ -47,6 +53,7 @@ struct answer {
     bool letters;  /* the field's letters can be shown */
     bool bold;
     int width;         /* of the terminal; 0 for none */
+    unsigned bounded;  /* bit i: csv and json have the bounds of column i behind it */
     bool gap;          /* set a blank line between this answer and the one before, for people */
     int lost;          /* errno of the first write that failed; 0 for none */
     struct cell *kept; /* where the cells of the last row stay */
@@ -72,7 +79,7 @@ void answer_say(struct answer *answer, const char *format, ...) __attribute__((f
 void output_wrapped(FILE *out, const char *text, int left, int right);
 
 /* Radians in the style's unit of angles, and the name of that. */
-double style_angle(const struct output_style *style, double radians);
+dom_real style_angle(const struct output_style *style, dom_real radians);
 const char *style_angle_unit(const struct output_style *style);
 
 #endif

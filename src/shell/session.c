@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
 #include "terminal.h"
-#include <math.h>
+#include "wide.h"
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +13,35 @@ static const struct word output_words[] = {
 static const struct word angle_words[] = {{"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}, {NULL, 0}};
 static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
 
+/* So that 'show' says which. */
+#if defined DOM_REAL_FLOAT128
+#define QUAD_TYPE "__float128, 113 bits"
+#elif LDBL_MANT_DIG == 113
+#define QUAD_TYPE "long double, 113 bits"
+#elif LDBL_MANT_DIG > DBL_MANT_DIG
+#define QUAD_TYPE "long double, 64 bits"
+#else
+#define QUAD_TYPE "not to be had here"
+#endif
+
+static const struct word precision_words[] = {
+    {"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}, {NULL, 0}};
+
+static dom_real tol_default(const struct dom_arithmetic *arithmetic)
+{
+    return arithmetic->tol_default;
+}
+
+static dom_real tol_floor(const struct dom_arithmetic *arithmetic)
+{
+    return arithmetic->tol_floor;
+}
+
+static dom_real digits_default(const struct dom_arithmetic *arithmetic)
+{
+    return arithmetic->digits;
+}
+
 #define NUMBER(member, name_, default_, lowest_, highest_, unit_, meaning_)                                  \
     {.name = #name_,                                                                                         \
      .unit = unit_,                                                                                          \
@@ -21,6 +50,8 @@ static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
      .lowest = lowest_,                                                                                      \
      .highest = highest_,                                                                                    \
      .words = #name_[0] == 'q' ? mass_words : NULL,                                                          \
+     .fallback_of = #name_[0] == 't' ? tol_default : NULL,                                                   \
+     .lowest_of = #name_[0] == 't' ? tol_floor : NULL,                                                       \
      .offset = offsetof(struct session, member.name_)},
 #define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
@@ -35,18 +66,27 @@ static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
 
 const struct parameter session_parameters[] = {
     DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER)
-        WORDS("fuel", train.fuel, fuel_words, false, "energy balance, or the paper's closed form of (c7)")
-            WORDS("output", style.output, output_words, true,
-                  "how answers are written"){.name = "digits",
-                                             .unit = "",
-                                             .meaning = "significant digits in tables; csv and json have 17",
-                                             .fallback = 10,
-                                             .lowest = 1,
-                                             .highest = 17,
-                                             .whole = true,
-                                             .offset = offsetof(struct session, style.digits),
-                                             .setting = true},
-    WORDS("angle", style.angle, angle_words, true, "unit of angles, typed and answered")
+        WORDS("fuel", train.fuel, fuel_words, false, "energy balance, or the paper's closed form of (c7)"){
+            .name = "precision",
+            .unit = "",
+            .meaning = "arithmetic of the answers; quad is " QUAD_TYPE,
+            .fallback = DOM_DOUBLE,
+            .words = precision_words,
+            .words_only = true,
+            .offset = offsetof(struct session, train.precision)},
+    WORDS("output", style.output, output_words, true,
+          "how answers are written"){.name = "digits",
+                                     .unit = "",
+                                     .meaning = "significant digits in tables; csv and json have all",
+                                     .fallback = 10,
+                                     .lowest = 1,
+                                     .highest = WIDE_DIGITS,
+                                     .fallback_of = digits_default,
+                                     .whole = true,
+                                     .offset = offsetof(struct session, style.digits),
+                                     .setting = true},
+    WORDS("angle", style.angle, angle_words, true, "unit of angles, typed and answered") WORDS(
+        "errors", style.errors, switch_words, true, "whether every number has the bound of its error")
         WORDS("timing", timing, switch_words, true, "whether every answer ends with its time"){.name = NULL},
 };
 
@@ -117,9 +157,9 @@ bool session_status(struct session *session, enum dom_status status)
     session->column = 0;
     if (status == DOM_OUT_OF_REACH)
         return session_error(session,
-                             "r s = %.10g > 1: the head falls past the next domino without touching it; "
-                             "at s = %.10g r may be up to 1/s = %.17g",
-                             t->r * t->s, t->s, 1 / t->s);
+                             "r s = %s > 1: the head falls past the next domino without touching it; "
+                             "at s = %s r may be up to 1/s = %.17g",
+                             wide_shown(t->r * t->s).text, wide_shown(t->s).text, (double)(1 / t->s));
     if (status == DOM_TOO_LONG)
         return session_error(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
     return session_error(session, "%s", dom_status_text(status));
@@ -145,28 +185,28 @@ const struct parameter *parameter_find(const char *name)
     return NULL;
 }
 
-double parameter_get(const struct session *session, const struct parameter *p)
+dom_real parameter_get(const struct session *session, const struct parameter *p)
 {
     const char *place = (const char *)session + p->offset;
     if (!p->words_only)
-        return *(const double *)(const void *)place;
+        return *(const dom_real *)(const void *)place;
     return *(const unsigned *)(const void *)place;
 }
 
-void parameter_put(struct session *session, const struct parameter *p, double value)
+void parameter_put(struct session *session, const struct parameter *p, dom_real value)
 {
     char *place = (char *)session + p->offset;
     if (p->words_only)
         *(unsigned *)(void *)place = (unsigned)value;
     else
-        *(double *)(void *)place = value;
+        *(dom_real *)(void *)place = value;
 }
 
 _Static_assert(sizeof(enum output) == sizeof(unsigned) && sizeof(enum dom_fuel) == sizeof(unsigned) &&
-                   sizeof(enum angle) == sizeof(unsigned),
+                   sizeof(enum angle) == sizeof(unsigned) && sizeof(enum dom_precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned");
 
-const char *parameter_word(const struct parameter *p, double value)
+const char *parameter_word(const struct parameter *p, dom_real value)
 {
     for (const struct word *w = p->words; w && w->name; w++)
         if (w->value == value)
@@ -174,44 +214,95 @@ const char *parameter_word(const struct parameter *p, double value)
     return NULL;
 }
 
-void parameter_range(const struct parameter *p, char *text, size_t size)
+void parameter_range(const struct session *session, const struct parameter *p, char *text, size_t size)
 {
     if (!p->words_only) {
-        snprintf(text, size, "%g .. %g", p->lowest, p->highest);
+        snprintf(text, size, "%g .. %g", (double)parameter_lowest(session, p), (double)p->highest);
         return;
     }
     text[0] = '\0';
     for (const struct word *w = p->words; w->name; w++) {
         size_t used = strlen(text);
-        snprintf(text + used, size - used, "%s%s", used ? " | " : "", w->name);
+        snprintf(text + used, size - used, "%s%s", used ? "|" : "", w->name);
     }
 }
 
-void parameter_text(const struct parameter *p, double value, int digits, char *text, size_t size)
+void parameter_text(const struct parameter *p, dom_real value, int digits, char *text, size_t size)
 {
+    char number[WIDE_TEXT];
     const char *word = p->words_only ? parameter_word(p, value) : NULL;
-    if (word) {
-        snprintf(text, size, "%s", word);
-        return;
-    }
-    /* Where all digits are wanted, the fewest that read back to the same double. */
-    for (int n = digits < 17 ? digits : 15; n <= digits; n++) {
-        snprintf(text, size, "%.*g", n, value);
-        if (strtod(text, NULL) == value)
-            return;
-    }
+    snprintf(text, size, "%s", word ? word : wide_text(value, digits < 15 ? digits : 15, number));
+    /* Where all digits are wanted, the fewest that read back to the same number. */
+    for (int n = 16; !word && n <= digits && wide_read(text, NULL) != value; n++)
+        snprintf(text, size, "%s", wide_text(value, n, number));
 }
 
-bool parameter_check(struct session *session, const struct parameter *p, double value)
+dom_real parameter_fallback(const struct session *session, const struct parameter *p)
+{
+    return p->fallback_of ? p->fallback_of(dom_arithmetic(session->train.precision)) : p->fallback;
+}
+
+dom_real parameter_lowest(const struct session *session, const struct parameter *p)
+{
+    return p->lowest_of ? p->lowest_of(dom_arithmetic(session->train.precision)) : p->lowest;
+}
+
+const struct parameter *parameter_in_order(int k)
+{
+    for (int words = 1; words >= 0; words--)
+        for (const struct parameter *p = session_parameters; p->name; p++)
+            if (p->words_only == (words == 1) && k-- == 0)
+                return p;
+    return NULL;
+}
+
+bool session_precision(struct session *session, enum dom_precision precision)
+{
+    bool changed = false;
+    enum dom_precision before = session->train.precision;
+    for (const struct parameter *p = session_parameters; p->name; p++) {
+        session->train.precision = before;
+        dom_real value = parameter_get(session, p), was = parameter_fallback(session, p);
+        session->train.precision = precision;
+        dom_real now = value == was ? parameter_fallback(session, p) : value;
+        if (p->lowest_of)
+            now = fmax(now, parameter_lowest(session, p));
+        if (p->fallback_of && now != value) {
+            parameter_put(session, p, now);
+            changed = changed || p->lowest_of;
+        }
+    }
+    return changed;
+}
+
+struct output_style session_style(const struct session *session)
+{
+    struct output_style style = session->style;
+    int bits = dom_arithmetic(session->train.precision)->bits;
+    style.precision = session->train.precision;
+    style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
+    style.digits = fmin(style.digits, style.all_digits);
+    return style;
+}
+
+bool parameter_check(struct session *session, const struct parameter *p, dom_real value)
 {
     char range[64];
-    parameter_range(p, range, sizeof range);
+    const struct dom_arithmetic *arithmetic = dom_arithmetic(session->train.precision);
+    dom_real lowest = parameter_lowest(session, p);
+    parameter_range(session, p, range, sizeof range);
     if (p->whole && value != floor(value))
-        return session_error(session, "%s = %.10g is no whole number; %s is one in %s", p->name, value,
-                             p->name, range);
-    if (value >= p->lowest && value <= p->highest)
+        return session_error(session, "%s = %s is no whole number; %s is one in %s", p->name,
+                             wide_shown(value).text, p->name, range);
+    /* The doubles of the table are the nearest to decimals: both are inside. */
+    if ((value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) && value <= p->highest)
         return true;
-    return session_error(session, "%s = %.10g is out of range; %s is a number in %s%s%s%s", p->name, value,
-                         p->name, range, *p->unit ? " " : "", p->unit,
+    if (p->lowest_of && value > 0 && value < lowest)
+        return session_error(session, "%s = %s is below what %s precision can give; %s is a number in %s%s",
+                             p->name, wide_shown(value).text, arithmetic->name, p->name, range,
+                             session->train.precision == DOM_QUAD ? ""
+                                                                  : ", a wider precision has a lower floor");
+    return session_error(session, "%s = %s is out of range; %s is a number in %s%s%s%s", p->name,
+                         wide_shown(value).text, p->name, range, *p->unit ? " " : "", p->unit,
                          p->words ? ", or one of its words" : "");
 }

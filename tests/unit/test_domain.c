@@ -25,7 +25,7 @@ static void head_must_reach_the_next(void **state)
     struct dom_angles angles = {.theta_c = -1};
     train.s = 0.7;
     assert_status(dom_train_check(&train), DOM_OUT_OF_REACH);
-    assert_status(dom_angles_find(&train, &angles), DOM_OUT_OF_REACH);
+    assert_status(dom_angles_find(&train, &angles, NULL), DOM_OUT_OF_REACH);
     assert_true(angles.theta_c == -1);
     /* 1/s, rounded to a double, is the reach for every s; one unit more is not. */
     for (double s = 0.011; s < 1; s += 0.007) {
@@ -43,15 +43,15 @@ static void tilts_lie_in_the_cycle(void **state)
     struct dom_train train = dom_train_default();
     struct dom_angles angles;
     struct dom_energy energy = {.J = -1};
-    double w;
-    assert_status(dom_angles_find(&train, &angles), DOM_OK);
+    dom_real w;
+    assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
     const double bad[] = {-1e-300, -1, angles.theta_c * (1 + 1e-14), 4, DOM_NAN, (double)INFINITY};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
-        assert_status(dom_energy_find(&train, bad[k], &energy), DOM_BAD_TILT);
-        assert_status(dom_cycle_omegasq(&train, bad[k], &w), DOM_BAD_TILT);
+        assert_status(dom_energy_find(&train, bad[k], &energy, NULL), DOM_BAD_TILT);
+        assert_status(dom_cycle_omegasq(&train, bad[k], &w, NULL), DOM_BAD_TILT);
     }
     assert_true(energy.J == -1);
-    assert_status(dom_energy_find(&train, angles.theta_c, &energy), DOM_OK);
+    assert_status(dom_energy_find(&train, angles.theta_c, &energy, NULL), DOM_OK);
 }
 
 /* (1) more than two million dominoes matter, (2) energies below the range of doubles. */
@@ -63,12 +63,12 @@ static void beyond_the_arithmetic(void **state)
     train.s = 1e-6;
     train.d = 1e-12;
     train.r = 1;
-    assert_status(dom_energy_find(&train, 0, &energy), DOM_TOO_LONG);
+    assert_status(dom_energy_find(&train, 0, &energy, NULL), DOM_TOO_LONG);
     train = dom_train_default();
     train.s = 1e-6;
     train.r = 1e6;
     train.q = 60;
-    assert_status(dom_energy_find(&train, 0, &energy), DOM_UNDERFLOW);
+    assert_status(dom_energy_find(&train, 0, &energy, NULL), DOM_UNDERFLOW);
 }
 
 static void interrupt_stops_the_work(void **state)
@@ -79,10 +79,10 @@ static void interrupt_stops_the_work(void **state)
     struct dom_best best;
     volatile sig_atomic_t flag = 0;
     train.interrupt = &flag;
-    assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     flag = 1;
-    assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_INTERRUPTED);
-    assert_status(dom_limit_best(&train, &best), DOM_INTERRUPTED);
+    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_INTERRUPTED);
+    assert_status(dom_limit_best(&train, &best, NULL), DOM_INTERRUPTED);
 }
 
 /* d > h: no domino tips over far enough to topple a larger one, at any separation. */
@@ -93,10 +93,10 @@ static void thick_dominoes_do_not_grow(void **state)
     struct dom_best best;
     struct dom_limit limit;
     train.d = 1.5;
-    assert_status(dom_limit_best(&train, &best), DOM_NO_GROWTH);
-    assert_status(dom_limit_rmax(&train, &limit, NULL), DOM_OK);
+    assert_status(dom_limit_best(&train, &best, NULL), DOM_NO_GROWTH);
+    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
-    assert_status(dom_limit_pair(&train, &limit), DOM_OK);
+    assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
@@ -123,7 +123,7 @@ static void counting(void **state)
     };
     struct dom_count count;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        assert_status(dom_count_find(known[i].first, known[i].height, known[i].r, &count), DOM_OK);
+        assert_status(dom_count_find(DOM_DOUBLE, known[i].first, known[i].height, known[i].r, &count, NULL), DOM_OK);
         assert_near("dominoes", count.dominoes, known[i].n, 0);
     }
     /* 48 mm doubled k times, as a person would type it, with 6 to 17 digits. */
@@ -131,18 +131,18 @@ static void counting(void **state)
         for (int digits = 15; digits <= 17; digits++) {
             char text[40];
             snprintf(text, sizeof text, "%.*g", digits, ldexp(0.048, k));
-            assert_status(dom_count_find(0.048, strtod(text, NULL), 2, &count), DOM_OK);
+            assert_status(dom_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL), 2, &count, NULL), DOM_OK);
             assert_near("dominoes", count.dominoes, k, 0);
-            assert_status(dom_count_find(0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count), DOM_OK);
+            assert_status(dom_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count, NULL), DOM_OK);
             assert_near("dominoes", count.dominoes, k + 1, 0);
         }
     }
-    assert_status(dom_count_find(0.048, 112, 1, &count), DOM_OK);
+    assert_status(dom_count_find(DOM_DOUBLE, 0.048, 112, 1, &count, NULL), DOM_OK);
     assert_true(isinf(count.dominoes) && isnan(count.last));
-    assert_status(dom_count_find(0.048, 112, 0.9, &count), DOM_BAD_PARAMETER);
-    assert_status(dom_count_find(0.048, -1, 2, &count), DOM_BAD_PARAMETER);
-    assert_status(dom_count_find(0.048, DOM_NAN, 2, &count), DOM_BAD_PARAMETER);
-    assert_status(dom_count_find(1e-300, 1e300, 2, &count), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(DOM_DOUBLE, 0.048, 112, 0.9, &count, NULL), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(DOM_DOUBLE, 0.048, -1, 2, &count, NULL), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(DOM_DOUBLE, 0.048, DOM_NAN, 2, &count, NULL), DOM_BAD_PARAMETER);
+    assert_status(dom_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count, NULL), DOM_BAD_PARAMETER);
 }
 
 static void metres_and_seconds(void **state)
@@ -154,10 +154,10 @@ static void metres_and_seconds(void **state)
     double tau = sqrt((0.048 * 0.048 + 0.007 * 0.007) / (3 * 9.81 * 0.048));
     assert_near("tau", dom_scale_tau(&scale, train.d), tau, 1e-15);
     /* Frictionless equal dominoes of 48 x 7 mm at a pitch of 20 mm run at 1.28427 m/s. */
-    double duration;
+    dom_real duration;
     train.r = 1;
     train.s = 13.0 / 48;
-    assert_status(dom_cycle_duration(&train, &duration), DOM_OK);
+    assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
     assert_near("speed", dom_scale_speed(&scale, &train, duration), 1.28427, 5e-6);
 }
 

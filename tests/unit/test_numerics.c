@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The solvers against one list of problems, the nasty ones included. */
-#include "numerics/numerics.h"
+#include "precision/kernel.inc"
 #include "support.h"
 #include <float.h>
 
@@ -73,7 +73,7 @@ static void failures_are_reported(void **state)
     assert_int_equal(num_root(nan_inside, NULL, 0, 1, 0, &x), NUM_NOT_FINITE);
     assert_int_equal(num_maximum(root_of_sine, NULL, 0, 0.5, 1, 0, &x), NUM_NOT_BRACKETED);
     assert_int_equal(num_maximum(nan_inside, NULL, 0, 0.75, 0.8, 0, &x), NUM_NOT_BRACKETED);
-    assert_int_equal(num_integral(nan_inside, NULL, 0, 1, 1e-10, &x), NUM_NOT_FINITE);
+    assert_int_equal(num_integral(nan_inside, NULL, 0, 1, 1e-10, &x, NULL), NUM_NOT_FINITE);
     assert_near("untouched", x, -7, 0);
 }
 
@@ -111,7 +111,7 @@ static void integrals(void **state)
     (void)state;
     for (double margin = 1; margin > 1e-25; margin /= 100) {
         double integral = DOM_NAN;
-        assert_int_equal(num_integral(near_stop, &margin, 0, 1, 1e-13, &integral), NUM_OK);
+        assert_int_equal(num_integral(near_stop, &margin, 0, 1, 1e-13, &integral, NULL), NUM_OK);
         assert_near("integral", integral, asinh(1 / sqrt(margin)), 1e-13);
     }
 }

@@ -1,116 +1,139 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "numerics.h"
-#include <float.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-#include <gsl/gsl_min.h>
-#include <gsl/gsl_roots.h>
-#include <math.h>
-#include <stdbool.h>
+#include "numerics/numerics.h"
 
-/* Bisection alone needs about 1100 halvings for any two doubles; Brent needs a few dozen. */
+/* Bisection alone: from the largest to the smallest quad number it is some 33,000 halvings; 2000 suffice
+ * wherever lo and hi are of one size, or one of them is 0 and its root no smaller than 1e-300. */
 #define ITERATIONS_MAX 2000
-#define INTERVALS_MAX  2000
 
-/* What stands between GSL and f: notices a value that is not finite, which GSL would not. */
-struct probe {
+KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)
+{
+    /* a is the newest point, b the other end of the bracket, c the one before. */
+    real a = lo, b = hi, fa = f(a, context), fb = f(b, context);
+    if (!isfinite(fa) || !isfinite(fb))
+        return NUM_NOT_FINITE;
+    if ((fa > 0 && fb > 0) || (fa < 0 && fb < 0))
+        return NUM_NOT_BRACKETED;
+    tol = fmax(tol, 2 * REAL_EPSILON);
+    real t = (real)0.5;
+    for (int i = 0; i < ITERATIONS_MAX; i++) {
+        real best = fabs(fa) < fabs(fb) ? a : b, width = fabs(b - a);
+        real close = fmax(tol * fabs(best), REAL_MIN) / 2;
+        if (width <= 2 * close || fa == 0 || fb == 0) {
+            *x = best;
+            return NUM_OK;
+        }
+        t = fmin(fmax(t, close / width), 1 - close / width);
+        real next = a + t * (b - a), value = f(next, context), c, fc;
+        if (!isfinite(value))
+            return NUM_NOT_FINITE;
+        if ((value > 0) == (fa > 0)) {
+            c = a;
+            fc = fa;
+        } else {
+            c = b;
+            fc = fb;
+            b = a;
+            fb = fa;
+        }
+        a = next;
+        fa = value;
+        /* Interpolation through a, b, c stays inside the bracket where xi and phi say so. */
+        real xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
+        t = (real)0.5;
+        if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
+            t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
+    }
+    return NUM_NOT_CONVERGED;
+}
+
+KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
+                                   real *x)
+{
+    const real golden = (3 - sqrt((real)5)) / 2;
+    real top = f(middle, context), low = f(lo, context), high = f(hi, context);
+    if (!isfinite(top) || !isfinite(low) || !isfinite(high))
+        return NUM_NOT_FINITE;
+    if (!(lo < middle && middle < hi && top > low && top > high))
+        return NUM_NOT_BRACKETED;
+    for (int i = 0; i < ITERATIONS_MAX; i++) {
+        if (hi - lo <= fmax(tol, 4 * REAL_EPSILON) * fabs(middle)) {
+            *x = middle;
+            return NUM_OK;
+        }
+        bool right = hi - middle > middle - lo;
+        real probe = right ? middle + golden * (hi - middle) : middle - golden * (middle - lo);
+        real value = f(probe, context);
+        if (!isfinite(value))
+            return NUM_NOT_FINITE;
+        if (value > top) {
+            *(right ? &lo : &hi) = middle;
+            middle = probe;
+            top = value;
+        } else {
+            *(right ? &hi : &lo) = probe;
+        }
+    }
+    return NUM_NOT_CONVERGED;
+}
+
+/* ---- Integral: x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t, the step halved level by level ---- */
+
+enum { LEVELS_MAX = 12 };
+
+struct span {
     num_function *f;
     void *context;
-    double sign;
+    real lo, hi, half;
     bool failed;
 };
 
-static double probe_value(double x, void *p)
+/* The two nodes at +t and -t, with their weight; from the ends, so that no digit of the distance is lost. */
+static real node_pair(struct span *s, real t, real *weight)
 {
-    struct probe *probe = p;
-    if (probe->failed)
-        return 0; /* the search is lost: let it end quickly */
-    double value = probe->sign * probe->f(x, probe->context);
-    if (isfinite(value))
-        return value;
-    probe->failed = true;
-    return 0;
+    real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* e^(-2 u), u = pi/2 sinh t */
+    real from_end = s->half * 2 * q / (1 + q);
+    *weight = PI / 4 * (grow + 1 / grow) * 4 * q / ((1 + q) * (1 + q));
+    /* Rounded to the end itself they still count: a peak may sit there. */
+    real sum = s->f(s->lo + from_end, s->context) + s->f(s->hi - from_end, s->context);
+    s->failed = s->failed || !isfinite(sum);
+    return *weight * sum;
 }
 
-enum num_status num_root(num_function *f, void *context, double lo, double hi, double tol, double *x)
+/* All nodes at first, first + step, ...: until they no longer matter. */
+static real node_sum(struct span *s, real first, real step)
 {
-    struct probe probe = {f, context, 1, false};
-    gsl_function function = {probe_value, &probe};
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    enum num_status status = solver ? NUM_OK : NUM_NO_MEMORY;
-    if (status == NUM_OK && gsl_root_fsolver_set(solver, &function, lo, hi) != GSL_SUCCESS)
-        status = NUM_NOT_BRACKETED;
-    int verdict = GSL_CONTINUE;
-    for (int i = 0; status == NUM_OK && verdict == GSL_CONTINUE; i++) {
-        if (i == ITERATIONS_MAX || gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
-            status = NUM_NOT_CONVERGED;
-        lo = gsl_root_fsolver_x_lower(solver);
-        hi = gsl_root_fsolver_x_upper(solver);
-        verdict = gsl_root_test_interval(lo, hi, 0, fmax(tol, 4 * DBL_EPSILON));
+    real sum = 0, weight = 1;
+    for (real t = first; weight > 0 && !s->failed; t += step) {
+        real term = node_pair(s, t, &weight);
+        sum += term;
+        if (fabs(term) <= UNIT / 8 * fabs(sum) && weight < UNIT)
+            break;
     }
-    if (probe.failed)
-        status = NUM_NOT_FINITE;
-    if (status == NUM_OK)
-        *x = gsl_root_fsolver_root(solver);
-    if (solver)
-        gsl_root_fsolver_free(solver);
-    gsl_set_error_handler(handler);
-    return status;
+    return sum;
 }
 
-enum num_status num_maximum(num_function *f, void *context, double lo, double middle, double hi, double tol,
-                            double *x)
+KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
+                                    real *integral, real *error)
 {
-    struct probe probe = {f, context, -1, false};
-    gsl_function function = {probe_value, &probe};
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    gsl_min_fminimizer *solver = gsl_min_fminimizer_alloc(gsl_min_fminimizer_goldensection);
-    enum num_status status = solver ? NUM_OK : NUM_NO_MEMORY;
-    if (status == NUM_OK && gsl_min_fminimizer_set(solver, &function, middle, lo, hi) != GSL_SUCCESS)
-        status = NUM_NOT_BRACKETED;
-    int verdict = GSL_CONTINUE;
-    for (int i = 0; status == NUM_OK && verdict == GSL_CONTINUE; i++) {
-        if (i == ITERATIONS_MAX)
-            status = NUM_NOT_CONVERGED;
-        if (gsl_min_fminimizer_iterate(solver) != GSL_SUCCESS)
-            break; /* two equal values: as far as values can tell, this is the top */
-        lo = gsl_min_fminimizer_x_lower(solver);
-        hi = gsl_min_fminimizer_x_upper(solver);
-        verdict = gsl_min_test_interval(lo, hi, 0, fmax(tol, 4 * DBL_EPSILON));
+    struct span s = {f, context, lo, hi, (hi - lo) / 2, false};
+    real step = 1, sum = PI / 2 * f(lo + s.half, context) + node_sum(&s, step, step);
+    real before = s.half * sum, off_before = 1;
+    for (int level = 1; level <= LEVELS_MAX && !s.failed && isfinite(sum); level++) {
+        step /= 2;
+        sum += node_sum(&s, step, 2 * step);
+        real value = s.half * step * sum, off = fabs(value - before) / fabs(value);
+        /* Digits double from level to level, at best: then the last difference says how many are right now.
+         */
+        real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.7) : 1;
+        real left = off == 0 ? 0 : fmin(off, 8 * exp(gain * log(off)));
+        if (level >= 3 && (left <= tol || off <= 4 * REAL_EPSILON)) {
+            *integral = value;
+            if (error)
+                *error = fabs(value) * (left + 8 * UNIT);
+            return NUM_OK;
+        }
+        before = value;
+        off_before = off;
     }
-    if (probe.failed)
-        status = NUM_NOT_FINITE;
-    if (status == NUM_OK)
-        *x = gsl_min_fminimizer_x_minimum(solver);
-    if (solver)
-        gsl_min_fminimizer_free(solver);
-    gsl_set_error_handler(handler);
-    return status;
-}
-
-enum num_status num_integral(num_function *f, void *context, double lo, double hi, double tol,
-                             double *integral)
-{
-    struct probe probe = {f, context, 1, false};
-    gsl_function function = {probe_value, &probe};
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    gsl_integration_workspace *space = gsl_integration_workspace_alloc(INTERVALS_MAX);
-    enum num_status status = space ? NUM_OK : NUM_NO_MEMORY;
-    double value = 0, error = 0;
-    if (space) {
-        /* GSL refuses relative tolerances below 50 units; its error bound is a wide one. */
-        int code = gsl_integration_qag(&function, lo, hi, 0, fmax(tol, 50 * DBL_EPSILON), INTERVALS_MAX,
-                                       GSL_INTEG_GAUSS21, space, &value, &error);
-        gsl_integration_workspace_free(space);
-        /* Rounding may stop it short of tol: what it then bounds the error by must still be close. */
-        bool close = code == GSL_SUCCESS || (code == GSL_EROUND && error <= fmax(tol, 1e-13) * fabs(value));
-        status = close ? NUM_OK : NUM_NOT_CONVERGED;
-    }
-    if (probe.failed)
-        status = NUM_NOT_FINITE;
-    if (status == NUM_OK)
-        *integral = value;
-    gsl_set_error_handler(handler);
-    return status;
+    return s.failed || !isfinite(sum) ? NUM_NOT_FINITE : NUM_NOT_CONVERGED;
 }

@@ -1,31 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Roots, maxima, derivatives and integrals, as GSL has them; nothing in here knows of dominoes.
+ * Roots, maxima and integrals in the arithmetic of the kernels; nothing in here knows of dominoes.
  * A function that cannot be evaluated returns NaN, which ends the search with NUM_NOT_FINITE.
+ *
+ * Ours and not GSL's, since GSL computes in double alone: the same source serves all precisions.
+ * tests/unit/test_numerics.c holds them against GSL's: no more evaluations for the same accuracy.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
 
-enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED, NUM_NO_MEMORY };
+#include "real.h"
 
-typedef double num_function(double x, void *context);
+enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED };
+
+typedef real num_function(real x, void *context);
 
 /*
  * Root of f between lo and hi, where it has different signs (zero counts as either), to the relative
- * tolerance tol of x (Brent).
+ * tolerance tol of x: inverse quadratic interpolation wherever it is safe, else bisection (Chandrupatla,
+ * Advances in Engineering Software 28, 1997).
  */
-enum num_status num_root(num_function *f, void *context, double lo, double hi, double tol, double *x);
+KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
 /*
  * Maximum of f between lo and hi, around a middle point that is higher than both, to the relative
  * tolerance tol of x.  Golden section: a kink or a jump is met as exactly as a smooth top is not, which
  * values alone fix only to the root of the unit roundoff.
  */
-enum num_status num_maximum(num_function *f, void *context, double lo, double middle, double hi, double tol,
-                            double *x);
+KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real middle, real hi, real tol,
+                                   real *x);
 
-/* Integral of f over [lo, hi] to the relative tolerance tol (adaptive Gauss-Kronrod). */
-enum num_status num_integral(num_function *f, void *context, double lo, double hi, double tol,
-                             double *integral);
+/*
+ * Integral of f over [lo, hi] to the relative tolerance tol, with an estimate of its error, unless NULL.
+ * Double exponential (Takahasi and Mori, 1974): peaks and roots at the ends do not disturb it.
+ */
+KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
+                                    real *integral, real *error);
 
 #endif

@@ -1,0 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "precision/kernel.inc"
+
+const struct kernel kernel_double = KERNEL_TABLE;

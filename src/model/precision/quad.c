@@ -1,0 +1,5 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#define REAL_QUAD
+#include "precision/kernel.inc"
+
+const struct kernel kernel_quad = KERNEL_TABLE;

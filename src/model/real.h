@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The arithmetic of the kernels.  Their one source is compiled for each precision: REAL_FLOAT, REAL_QUAD
+ * or neither of them, which is double, says for which (precision/).  In it `real` is the type, and sqrt()
+ * and its kind are the functions of that type, as in <tgmath.h>.
+ */
+#ifndef DOM_REAL_H
+#define DOM_REAL_H
+
+#include "domino.h"
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+
+/* Every precision has its own: no kernel function has a name for the linker. */
+#define KERNEL static __attribute__((unused))
+
+/* The functions of <math.h> that there are in every precision: X(name) of one argument, Y(name) of two. */
+#define REAL_FUNCTIONS(X, Y)                                                                                 \
+    X(sqrt)                                                                                                  \
+    X(fabs)                                                                                                  \
+    X(sin)                                                                                                   \
+    X(cos)                                                                                                   \
+    X(tan)                                                                                                   \
+    X(asin)                                                                                                  \
+    X(acos)                                                                                                  \
+    X(atan)                                                                                                  \
+    X(exp)                                                                                                   \
+    X(expm1)                                                                                                 \
+    X(log)                                                                                                   \
+    X(log1p)                                                                                                 \
+    X(log10)                                                                                                 \
+    X(floor)                                                                                                 \
+    X(ceil)                                                                                                  \
+    X(round)                                                                                                 \
+    Y(fmax)                                                                                                  \
+    Y(fmin)                                                                                                  \
+    Y(hypot)                                                                                                 \
+    Y(atan2)                                                                                                 \
+    Y(pow)
+
+#if defined REAL_FLOAT
+typedef float real;
+#define REAL_BITS FLT_MANT_DIG
+#define REAL_MIN  FLT_MIN
+#define MATH(name) name##f
+#elif !defined REAL_QUAD
+typedef double real;
+#define REAL_BITS DBL_MANT_DIG
+#define REAL_MIN  DBL_MIN
+#elif defined DOM_REAL_FLOAT128
+/* glibc has these whatever the compiler; its header shows them to gcc alone. */
+#define DECLARE_ONE(f) extern dom_real f##f128(dom_real);
+#define DECLARE_TWO(f) extern dom_real f##f128(dom_real, dom_real);
+REAL_FUNCTIONS(DECLARE_ONE, DECLARE_TWO)
+extern dom_real fmaf128(dom_real, dom_real, dom_real);
+typedef dom_real real;
+#define REAL_BITS      113
+#define REAL_MIN       ((real)0x1p-16382L)
+#define MATH(name) name##f128
+#else
+typedef dom_real real;
+#define REAL_BITS LDBL_MANT_DIG
+#define REAL_MIN  LDBL_MIN
+#define MATH(name) name##l
+#endif
+
+/* Twice the unit roundoff. */
+#define REAL_EPSILON ((real)1 / ((uint64_t)1 << ((REAL_BITS - 1) / 2)) / ((uint64_t)1 << (REAL_BITS / 2)))
+
+/* The unit roundoff: what one operation may be wrong by, relative to its result. */
+#define UNIT     (REAL_EPSILON / 2)
+#define REAL_NAN ((real)NAN)
+/* As a sum of doubles: right to 49 digits. */
+#define PI ((real)3.141592653589793116 + (real)1.2246467991473532072e-16 - (real)2.9947698097183396659e-33)
+
+#ifndef MATH
+#define MATH(name) name
+#else
+#define sqrt(x)      MATH(sqrt)(x)
+#define fabs(x)      MATH(fabs)(x)
+#define sin(x)       MATH(sin)(x)
+#define cos(x)       MATH(cos)(x)
+#define asin(x)      MATH(asin)(x)
+#define atan(x)      MATH(atan)(x)
+#define sinh(x)      MATH(sinh)(x)
+#define exp(x)       MATH(exp)(x)
+#define expm1(x)     MATH(expm1)(x)
+#define log(x)       MATH(log)(x)
+#define log1p(x)     MATH(log1p)(x)
+#define floor(x)    MATH(floor)(x)
+#define log10(x)    MATH(log10)(x)
+#define tan(x)      MATH(tan)(x)
+#define acos(x)     MATH(acos)(x)
+#define ceil(x)      MATH(ceil)(x)
+#define round(x)     MATH(round)(x)
+#define fmax(x, y)   MATH(fmax)(x, y)
+#define fmin(x, y)   MATH(fmin)(x, y)
+#define hypot(x, y)  MATH(hypot)(x, y)
+#define atan2(y, x)  MATH(atan2)(y, x)
+#define pow(x, y)    MATH(pow)(x, y)
+#define fma(x, y, z) MATH(fma)(x, y, z)
+#endif
+
+#endif

@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the reference is asked for: values, found when first wanted, errors and their scale. */
+#include "reference.h"
+
+#include <stdlib.h>
+
+#define N MPFR_RNDN
+
+/* A domino 1 that just tips over hits domino 0: w_1 = sqrt(1 + d^2) - h(theta_c), (b5) and (b11). */
+static void find_pair_launch(struct ref *ref)
+{
+    mpfr_ptr w = ref->value[REF_LAUNCH_OMEGASQ], K = ref->value[REF_KINETIC];
+    mpfr_srcptr d = ref->in[REF_D], r = ref->in[REF_R];
+    mpfr_t k, t, x;
+    mpfr_set_nan(w);
+    mpfr_set_nan(K);
+    if (!mpfr_less_p(ref->theta_u, ref->theta_c))
+        return;
+    mpfr_inits2(ref->bits, k, t, x, (mpfr_ptr)0);
+    mpfr_div(k, ref->rq, r, N);
+    mpfr_sin_cos(t, x, ref->theta_c, N);
+    mpfr_mul(t, t, d, N);
+    mpfr_add(t, t, x, N);
+    mpfr_sqr(w, d, N);
+    mpfr_add_ui(w, w, 1, N);
+    mpfr_sqrt(w, w, N);
+    mpfr_sub(w, w, t, N);
+    mpfr_mul(w, w, r, N);
+    mpfr_add_ui(x, k, 1, N);
+    mpfr_div(k, k, x, N);
+    mpfr_mul(w, w, k, N);
+    mpfr_mul(w, w, k, N);
+    mpfr_mul(K, w, x, N);
+    mpfr_clears(k, t, x, (mpfr_ptr)0);
+}
+
+/* w = P T / (J0 (r^q J0 - T)), J0 = 1 + T (c6) */
+static void find_launch(struct ref *ref)
+{
+    if (ref->dominoes == 2) {
+        find_pair_launch(ref);
+        return;
+    }
+    mpfr_srcptr P = ref->paper ? ref->fuel_paper : ref->fuel_exact;
+    mpfr_ptr w = ref->value[REF_LAUNCH_OMEGASQ], K = ref->value[REF_KINETIC];
+    mpfr_set_nan(w);
+    mpfr_set_nan(K);
+    if (mpfr_sgn(P) <= 0)
+        return;
+    mpfr_t J0, t;
+    mpfr_inits2(ref->bits, J0, t, (mpfr_ptr)0);
+    mpfr_add_ui(J0, ref->T, 1, N);
+    mpfr_div(t, J0, ref->rq, N);
+    mpfr_sub(t, t, ref->T, N);
+    mpfr_mul(K, P, ref->T, N);
+    mpfr_div(K, K, t, N);
+    mpfr_div(w, K, J0, N);
+    mpfr_clears(J0, t, (mpfr_ptr)0);
+}
+
+static void find_train_values(struct ref *ref)
+{
+    mpfr_t *v = ref->value;
+    mpfr_set(v[REF_THETA_C], ref->theta_c, N);
+    mpfr_set(v[REF_THETA_U], ref->theta_u, N);
+    mpfr_set(v[REF_THETA_INF], ref->theta_inf, N);
+    mpfr_set(v[REF_THETA_F], ref->theta_f, N);
+    mpfr_set(v[REF_THETA_LEAVE], ref->theta_leave, N);
+    mpfr_set(v[REF_FUEL_EXACT], ref->fuel_exact, N);
+    mpfr_set(v[REF_FUEL_PAPER], ref->fuel_paper, N);
+    mpfr_add_ui(v[REF_J0], ref->T, 1, N);
+    find_launch(ref);
+    const enum ref_quantity found[] = {REF_THETA_C,        REF_THETA_U, REF_THETA_INF,  REF_THETA_F,
+                                       REF_THETA_LEAVE,    REF_J0,      REF_FUEL_EXACT, REF_FUEL_PAPER,
+                                       REF_LAUNCH_OMEGASQ, REF_KINETIC};
+    for (size_t k = 0; k < sizeof found / sizeof *found; k++)
+        ref->known[found[k]] = true;
+}
+
+/* (c3); negative where the head does not come as far */
+static void find_omegasq(struct ref *ref)
+{
+    mpfr_ptr w = ref->value[REF_OMEGASQ];
+    mpfr_sub(w, ref_value(ref, REF_KINETIC), ref_value(ref, REF_DH), N);
+    mpfr_div(w, w, ref->value[REF_J], N);
+    ref->known[REF_OMEGASQ] = true;
+}
+
+static void find(struct ref *ref, enum ref_quantity quantity)
+{
+    switch (quantity) {
+    case REF_THETA_1:
+    case REF_SLOPE:
+    case REF_ARM_A:
+    case REF_ARM_B:
+    case REF_LINK_THETA:
+    case REF_LINK_SLOPE:
+    case REF_LINK_ARM_A:
+    case REF_LINK_ARM_B:
+    case REF_LINK_WEIGHT:
+    case REF_DH:
+    case REF_J:
+        ref_walk_at_tilt(ref);
+        break;
+    case REF_THETA_M:
+    case REF_BARRIER:
+    case REF_MARGIN:
+        ref_find_barrier(ref);
+        break;
+    case REF_OMEGASQ:
+        find_omegasq(ref);
+        break;
+    case REF_STOP:
+        ref_find_stop(ref);
+        break;
+    case REF_DURATION:
+        ref_find_duration(ref);
+        break;
+    case REF_R_MAX:
+    case REF_PAIR:
+    case REF_BEST_S:
+    case REF_BEST_R:
+        abort(); /* see growth.h */
+    default:
+        find_train_values(ref);
+    }
+}
+
+mpfr_srcptr ref_value(struct ref *ref, enum ref_quantity quantity)
+{
+    if (!ref->known[quantity])
+        find(ref, quantity);
+    return ref->value[quantity];
+}
+
+double ref_double(struct ref *ref, enum ref_quantity quantity)
+{
+    return mpfr_get_d(ref_value(ref, quantity), N);
+}
+
+double ref_error(struct ref *ref, enum ref_quantity quantity, dom_real got)
+{
+    mpfr_t x;
+    mpfr_init2(x, ref->bits > 192 ? ref->bits : 192);
+    ref_set_real(x, got);
+    mpfr_sub(x, x, ref_value(ref, quantity), N);
+    double error = fabs(mpfr_get_d(x, N));
+    mpfr_clear(x);
+    return error;
+}
+
+/* The sizes of what is subtracted in the last step. */
+static double own_size(struct ref *ref, enum ref_quantity quantity)
+{
+    double size = fabs(ref_double(ref, quantity));
+    switch (quantity) {
+    case REF_OMEGASQ:
+        return (ref_double(ref, REF_KINETIC) + fabs(ref_double(ref, REF_DH))) / ref_double(ref, REF_J);
+    case REF_THETA_M:
+        return size + ref->theta_m_size;
+    case REF_STOP:
+        return size + ref->stop_size;
+    default:
+        return size;
+    }
+}
+
+double ref_change(struct ref *ref, enum ref_quantity quantity, int input)
+{
+    mpfr_srcptr here = ref_value(ref, quantity); /* first: those nearby follow it */
+    struct ref *near = ref_near(ref, input);
+    if (!near)
+        return 0;
+    mpfr_t x;
+    mpfr_init2(x, ref->bits);
+    mpfr_sub(x, ref_value(near, quantity), here, N);
+    double change = mpfr_get_d(x, N) / ref->nearby[input];
+    mpfr_clear(x);
+    return change;
+}
+
+double ref_scale(struct ref *ref, enum ref_quantity quantity)
+{
+    if (quantity == REF_DURATION)
+        return ref_double(ref, quantity) + ref->duration_size;
+    if (quantity == REF_MARGIN)
+        return ref_scale(ref, REF_KINETIC) + ref_scale(ref, REF_BARRIER);
+    double sum = 0;
+    for (int k = 0; k < REF_INPUTS; k++)
+        sum += fabs(ref_change(ref, quantity, k));
+    return fmax(own_size(ref, quantity), sum);
+}
+
+double ref_kappa(struct ref *ref, enum ref_quantity quantity)
+{
+    return ref_scale(ref, quantity) / fabs(ref_double(ref, quantity));
+}

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "growth.h"
+#include "sketch.h"
+
+static struct ref *open_at(const struct ref_input *input, bool pair, int digits2, dom_real r)
+{
+    struct ref_input at = *input;
+    at.r = r;
+    at.tilt = 0;
+    return pair ? ref_open_pair(&at, digits2) : ref_open_for(&at, digits2);
+}
+
+double growth_margin(const struct ref_input *input, bool pair, int digits2, dom_real r)
+{
+    struct ref *ref = open_at(input, pair, digits2, r);
+    double margin = ref_double(ref, REF_MARGIN);
+    margin /= ref_double(ref, REF_KINETIC) + ref_double(ref, REF_BARRIER);
+    ref_close(ref);
+    return margin;
+}
+
+/*
+ * dr = M / (dM/dr).  The reference changes u = 1 - r s by the fraction `part` of its own that s has, and
+ * r at constant r s; here it is s at constant r, and r at constant s.
+ */
+double growth_error(const struct ref_input *input, bool pair, int digits2, dom_real r, double *scale)
+{
+    struct ref *ref = open_at(input, pair, digits2, r);
+    double u = mpfr_get_d(ref->u, MPFR_RNDN), part = fmin(1, u / (1 - u)), r_ = (double)r;
+    double by_s = ref_change(ref, REF_MARGIN, REF_S) / part;
+    double by_r = ref_change(ref, REF_MARGIN, REF_R) + by_s;
+    double others = fabs(ref_change(ref, REF_MARGIN, REF_D)) + fabs(ref_change(ref, REF_MARGIN, REF_Q));
+    double own = ref_double(ref, REF_KINETIC) + ref_double(ref, REF_BARRIER);
+    double error = ref_double(ref, REF_MARGIN) / by_r * r_;
+    *scale = r_ * fmax(1, (fabs(by_s) + others + own) / fabs(by_r));
+    ref_close(ref);
+    return error;
+}
+
+/* ---- The first r from scratch ---- */
+
+static bool goes_on(const struct sketch *train, long double r)
+{
+    long double kinetic, barrier;
+    struct sketch grown = sketch_grown(train, r);
+    return sketch_verdict(&grown, &kinetic, &barrier) && kinetic >= barrier;
+}
+
+enum { STEPS = 160 };
+
+/* From 1 to 1/s, close to the latter more and more slowly. */
+static long double step_of_r(long double s, int step)
+{
+    if (step <= STEPS)
+        return powl(s, -(long double)step / (STEPS + 8));
+    long double last = powl(s, -(long double)STEPS / (STEPS + 8));
+    return 1 / s - (1 / s - last) * powl(10, -(long double)(step - STEPS) / 6);
+}
+
+/* A bracket of the first fall of the margin through 0; false if there is none. */
+static bool bracket_growth(const struct sketch *train, bool pair, long double *lo, long double *hi,
+                           bool *grows)
+{
+    bool on = false;
+    *grows = false;
+    for (int step = 0; step <= STEPS + 80; step++) {
+        long double r = step_of_r(train->s, step);
+        bool now = goes_on(train, r);
+        if (on && !now) {
+            *hi = r;
+            return true;
+        }
+        if (now)
+            *lo = r;
+        if (!now && !pair)
+            return false;
+        *grows |= now;
+        on = now;
+    }
+    return false;
+}
+
+struct growth growth_find(const struct ref_input *input, bool pair, int digits2)
+{
+    struct growth found = {.scale = (double)NAN};
+    struct ref *ref = open_at(input, pair, 64, 1);
+    const struct sketch train = sketch_of(ref);
+    ref_close(ref);
+    long double lo, hi;
+    bool bracketed = bracket_growth(&train, pair, &lo, &hi, &found.grows);
+    found.r_max = DOM_NAN;
+    if (!found.grows)
+        return found;
+    if (!bracketed) {
+        found.by_reach = true;
+        found.r_max = 1 / input->s;
+        found.scale = (double)found.r_max;
+        return found;
+    }
+    for (int j = 0; j < 64; j++) {
+        long double middle = (lo + hi) / 2;
+        *(goes_on(&train, middle) ? &lo : &hi) = middle;
+    }
+    found.r_max = (dom_real)lo;
+    for (int newton = 0; newton < 4; newton++)
+        found.r_max -= (dom_real)growth_error(input, pair, digits2, found.r_max, &found.scale);
+    return found;
+}

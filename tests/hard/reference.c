@@ -1,0 +1,501 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Geometry, the train, energies and launch in many bits; errors and their scale. */
+#include "reference.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#define N MPFR_RNDN
+
+/* Derivatives are differences over this fraction of an input: far below every feature of the model. */
+static const double nearness = 0x1p-60;
+
+const char *ref_name(enum ref_quantity quantity)
+{
+    static const char *const names[] = {
+#define REF_NAME(NAME, name) name,
+        REF_QUANTITIES(REF_NAME)
+#undef REF_NAME
+    };
+    return names[quantity];
+}
+
+/* In doubles: not every MPFR knows __float128, nor does every compiler. */
+void ref_set_real(mpfr_t z, dom_real x)
+{
+    mpfr_set_d(z, (double)x, N);
+    for (int part = 0; part < 3 && mpfr_number_p(z); part++) {
+        x -= (dom_real)(double)x;
+        mpfr_add_d(z, z, (double)x, N);
+    }
+}
+
+/* ---- One domino leaning on the next ---- */
+
+struct lean {
+    mpfr_t theta, sin, cos, h, h_prime; /* of the leader */
+    mpfr_t next, slope, a, b;           /* of the follower */
+    mpfr_t X, Y, t;
+};
+
+#define LEAN_ALL(l)                                                                                          \
+    (l)->theta, (l)->sin, (l)->cos, (l)->h, (l)->h_prime, (l)->next, (l)->slope, (l)->a, (l)->b, (l)->X,     \
+        (l)->Y, (l)->t, (mpfr_ptr)0
+
+static void lean_at(const struct ref *ref, struct lean *l)
+{
+    mpfr_sin_cos(l->sin, l->cos, l->theta, N);
+    mpfr_mul(l->h, ref->in[REF_D], l->sin, N);
+    mpfr_add(l->h, l->h, l->cos, N);
+    mpfr_mul(l->h_prime, ref->in[REF_D], l->cos, N);
+    mpfr_sub(l->h_prime, l->h_prime, l->sin, N);
+}
+
+/* At the reach a domino at tilt 0 has its follower, with slope 1: the limit of r s -> 1. */
+static bool has_follower(const struct ref *ref, mpfr_srcptr theta)
+{
+    return !ref->falls_off || mpfr_zero_p(theta) || mpfr_less_p(theta, ref->theta_leave);
+}
+
+static void lean_follow(const struct ref *ref, struct lean *l)
+{
+    mpfr_srcptr r = ref->in[REF_R];
+    mpfr_mul(l->X, ref->L, l->cos, N);
+    mpfr_sub(l->X, l->X, ref->in[REF_D], N);
+    mpfr_mul(l->X, l->X, r, N);
+    if (mpfr_cmp_ui(l->X, 1) > 0) /* r = 1/s, rounded up */
+        mpfr_set_ui(l->X, 1, N);
+    mpfr_asin(l->next, l->X, N);
+    mpfr_add(l->next, l->next, l->theta, N);
+    mpfr_sqr(l->t, l->X, N);
+    mpfr_ui_sub(l->t, 1, l->t, N);
+    mpfr_sqrt(l->Y, l->t, N);
+    mpfr_div(l->b, l->Y, r, N);
+    mpfr_mul(l->t, ref->L, l->sin, N);
+    mpfr_sub(l->a, l->b, l->t, N);
+    if (mpfr_zero_p(l->sin))
+        mpfr_set_ui(l->slope, 1, N);
+    else
+        mpfr_div(l->slope, l->a, l->b, N);
+}
+
+/* ---- The train at tilt 0 ---- */
+
+static void keep_energy(struct ref *ref, const struct lean *l)
+{
+    if ((ref->n & (ref->n - 1)) == 0)
+        ref->h0 = realloc(ref->h0, (ref->n ? 2 * ref->n : 1) * sizeof *ref->h0);
+    if (!ref->h0 || ref->n > 10000000) {
+        fprintf(stderr, "reference: too many dominoes\n");
+        abort();
+    }
+    mpfr_init2(ref->h0[ref->n], ref->bits);
+    mpfr_set(ref->h0[ref->n++], l->h, N);
+}
+
+/*
+ * How much of the head's motion the far followers have is cut 1 / (1 - rho) times what the last one has,
+ * rho the ratio of two of them.
+ */
+static double cut_here(const struct ref *ref)
+{
+    if (ref->falls_off)
+        return ref->cut;
+    mpfr_t rho, t;
+    mpfr_inits2(ref->bits, rho, t, (mpfr_ptr)0);
+    mpfr_sqr(t, ref->L, N);
+    mpfr_sqr(rho, ref->in[REF_D], N);
+    mpfr_sub(t, t, rho, N);
+    mpfr_sqrt(t, t, N);
+    mpfr_mul(t, t, ref->in[REF_R], N);
+    mpfr_ui_sub(t, 1, t, N);
+    mpfr_mul(rho, t, ref->rq, N);
+    double left = 1 - mpfr_get_d(rho, N);
+    mpfr_clears(rho, t, (mpfr_ptr)0);
+    return ref->cut - log2(left > 0x1p-40 ? left : 0x1p-40);
+}
+
+static void find_train_at_zero(struct ref *ref)
+{
+    struct lean l;
+    mpfr_t w, wr, slope, t;
+    mpfr_inits2(ref->bits, LEAN_ALL(&l));
+    mpfr_inits2(ref->bits, w, wr, slope, t, (mpfr_ptr)0);
+    const double cut = cut_here(ref);
+    mpfr_set_zero(l.theta, 1);
+    mpfr_set_zero(ref->T, 1);
+    mpfr_set_zero(ref->fuel_exact, 1);
+    mpfr_set_ui(w, 1, N);
+    mpfr_set_ui(wr, 1, N);
+    mpfr_set_ui(slope, 1, N);
+    lean_at(ref, &l);
+    keep_energy(ref, &l);
+    while (ref->n < ref->dominoes && has_follower(ref, l.theta)) {
+        mpfr_mul(t, w, slope, N);
+        if (mpfr_zero_p(t) || -(double)mpfr_get_exp(t) > cut)
+            break;
+        mpfr_mul(t, w, l.h, N);
+        mpfr_add(ref->fuel_exact, ref->fuel_exact, t, N);
+        lean_follow(ref, &l);
+        mpfr_mul(slope, slope, l.slope, N);
+        mpfr_set(l.theta, l.next, N);
+        lean_at(ref, &l);
+        mpfr_mul(t, w, l.h, N);
+        mpfr_sub(ref->fuel_exact, ref->fuel_exact, t, N);
+        mpfr_mul(w, w, ref->rq, N);
+        mpfr_mul(wr, wr, ref->rq, N);
+        mpfr_div(wr, wr, ref->in[REF_R], N);
+        mpfr_sqr(t, slope, N);
+        mpfr_mul(t, t, wr, N);
+        mpfr_add(ref->T, ref->T, t, N);
+        keep_energy(ref, &l);
+    }
+    /* The last one goes where far ones are, or falls off. */
+    mpfr_sub(t, l.h, ref->h_f, N);
+    mpfr_mul(t, t, w, N);
+    mpfr_add(ref->fuel_exact, ref->fuel_exact, t, N);
+    mpfr_clears(w, wr, slope, t, (mpfr_ptr)0);
+    mpfr_clears(LEAN_ALL(&l));
+}
+
+/* ---- The train at another tilt ---- */
+
+void ref_sums_init(struct ref_sums *sums, mpfr_prec_t bits)
+{
+    mpfr_inits2(bits, sums->dH, sums->dH_prime, sums->J, sums->dH_prime_size, (mpfr_ptr)0);
+}
+
+void ref_sums_clear(struct ref_sums *sums)
+{
+    mpfr_clears(sums->dH, sums->dH_prime, sums->J, sums->dH_prime_size, (mpfr_ptr)0);
+}
+
+/* The contact of domino 0 and the link that is wanted. */
+static void keep_link(struct ref *ref, size_t i, const struct lean *l, mpfr_t wsv[3], bool leads)
+{
+    mpfr_t *v = ref->value;
+    if (i == 0) {
+        mpfr_set(v[REF_THETA_1], leads ? l->next : ref->theta_f, N);
+        mpfr_set_zero(v[REF_SLOPE], 1);
+        if (leads) {
+            mpfr_set(v[REF_SLOPE], l->slope, N);
+            mpfr_set(v[REF_ARM_A], l->a, N);
+            mpfr_set(v[REF_ARM_B], l->b, N);
+        }
+    }
+    if (i == ref->link) {
+        mpfr_set(v[REF_LINK_THETA], l->theta, N);
+        mpfr_set(v[REF_LINK_SLOPE], wsv[1], N);
+        mpfr_set(v[REF_LINK_WEIGHT], wsv[0], N);
+        if (leads) {
+            mpfr_set(v[REF_LINK_ARM_A], l->a, N);
+            mpfr_set(v[REF_LINK_ARM_B], l->b, N);
+        }
+    }
+}
+
+/* Dominoes from number i on stand, or lie, where one that fell off does. */
+static void add_fallen(const struct ref *ref, size_t i, mpfr_srcptr weight, struct ref_sums *sums)
+{
+    mpfr_t w, t;
+    mpfr_inits2(ref->bits, w, t, (mpfr_ptr)0);
+    mpfr_set(w, weight, N);
+    for (; i < ref->n; i++) {
+        mpfr_sub(t, ref->h_f, ref->h0[i], N);
+        mpfr_mul(t, t, w, N);
+        mpfr_add(sums->dH, sums->dH, t, N);
+        mpfr_mul(w, w, ref->rq, N);
+    }
+    mpfr_clears(w, t, (mpfr_ptr)0);
+}
+
+static void add_domino(const struct ref *ref, const struct lean *l, size_t i, mpfr_t wsv[3], mpfr_t t,
+                       struct ref_sums *sums)
+{
+    mpfr_sub(t, l->h, ref->h0[i], N);
+    mpfr_mul(t, t, wsv[0], N);
+    mpfr_add(sums->dH, sums->dH, t, N);
+    mpfr_mul(t, wsv[0], wsv[1], N);
+    mpfr_mul(t, t, l->h_prime, N);
+    mpfr_add(sums->dH_prime, sums->dH_prime, t, N);
+    mpfr_abs(t, t, N);
+    mpfr_add(sums->dH_prime_size, sums->dH_prime_size, t, N);
+    mpfr_sqr(t, wsv[1], N);
+    mpfr_mul(t, t, wsv[2], N);
+    mpfr_add(sums->J, sums->J, t, N);
+}
+
+static void walk(struct ref *ref, mpfr_srcptr tilt, bool keep, struct ref_sums *sums)
+{
+    struct lean l;
+    mpfr_t wsv[3], t; /* weight in H, slope, weight in J */
+    mpfr_inits2(ref->bits, LEAN_ALL(&l));
+    mpfr_inits2(ref->bits, wsv[0], wsv[1], wsv[2], t, (mpfr_ptr)0);
+    mpfr_set(l.theta, tilt, N);
+    for (int k = 0; k < 3; k++)
+        mpfr_set_ui(wsv[k], 1, N);
+    mpfr_set_zero(sums->dH, 1);
+    mpfr_set_zero(sums->dH_prime, 1);
+    mpfr_set_zero(sums->J, 1);
+    mpfr_set_zero(sums->dH_prime_size, 1);
+    for (size_t i = 0; i < ref->n; i++) {
+        lean_at(ref, &l);
+        add_domino(ref, &l, i, wsv, t, sums);
+        bool leads = has_follower(ref, l.theta);
+        if (leads)
+            lean_follow(ref, &l);
+        if (keep)
+            keep_link(ref, i, &l, wsv, leads);
+        mpfr_mul(wsv[0], wsv[0], ref->rq, N);
+        mpfr_mul(wsv[2], wsv[2], ref->rq, N);
+        mpfr_div(wsv[2], wsv[2], ref->in[REF_R], N);
+        if (!leads) {
+            add_fallen(ref, i + 1, wsv[0], sums);
+            break;
+        }
+        mpfr_mul(wsv[1], wsv[1], l.slope, N);
+        mpfr_set(l.theta, l.next, N);
+    }
+    mpfr_clears(wsv[0], wsv[1], wsv[2], t, (mpfr_ptr)0);
+    mpfr_clears(LEAN_ALL(&l));
+}
+
+void ref_walk(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums)
+{
+    walk(ref, tilt, false, sums);
+}
+
+void ref_walk_at_tilt(struct ref *ref)
+{
+    struct ref_sums sums;
+    ref_sums_init(&sums, ref->bits);
+    for (int k = REF_THETA_1; k <= REF_J; k++) {
+        mpfr_set_nan(ref->value[k]);
+        ref->known[k] = true;
+    }
+    walk(ref, ref->in[REF_TILT], true, &sums);
+    mpfr_set(ref->value[REF_DH], sums.dH, N);
+    mpfr_set(ref->value[REF_J], sums.J, N);
+    ref_sums_clear(&sums);
+}
+
+/* ---- Geometry ---- */
+
+static void find_leaving(struct ref *ref)
+{
+    mpfr_srcptr r = ref->in[REF_R], d = ref->in[REF_D];
+    mpfr_t LL, dd, rr, t;
+    mpfr_inits2(ref->bits, LL, dd, rr, t, (mpfr_ptr)0);
+    mpfr_sqr(LL, ref->L, N);
+    mpfr_sqr(dd, d, N);
+    mpfr_sqr(rr, r, N);
+    mpfr_ui_div(rr, 1, rr, N);
+    mpfr_sub(t, LL, dd, N);
+    ref->falls_off = mpfr_less_p(rr, t);
+    mpfr_set_nan(ref->theta_leave);
+    mpfr_set(ref->theta_f, ref->theta_inf, N);
+    if (ref->falls_off) {
+        mpfr_add(t, t, rr, N);
+        mpfr_div(t, t, ref->L, N);
+        mpfr_mul(t, t, r, N);
+        mpfr_div_2ui(t, t, 1, N);
+        if (mpfr_cmp_ui(t, 1) > 0)
+            mpfr_set_ui(t, 1, N);
+        mpfr_asin(ref->theta_f, t, N);
+        mpfr_add(t, LL, dd, N);
+        mpfr_sub(t, t, rr, N);
+        mpfr_div(t, t, d, N);
+        mpfr_div(t, t, ref->L, N);
+        mpfr_div_2ui(t, t, 1, N);
+        if (mpfr_cmp_ui(t, 1) > 0)
+            mpfr_set_ui(t, 1, N);
+        mpfr_acos(ref->theta_leave, t, N);
+    }
+    mpfr_clears(LL, dd, rr, t, (mpfr_ptr)0);
+}
+
+static void find_geometry(struct ref *ref)
+{
+    mpfr_srcptr s = ref->in[REF_S], r = ref->in[REF_R], d = ref->in[REF_D];
+    mpfr_t t, x;
+    mpfr_inits2(ref->bits, t, x, (mpfr_ptr)0);
+    mpfr_add(ref->L, s, d, N);
+    mpfr_mul(t, r, s, N);
+    mpfr_ui_sub(ref->u, 1, t, N);
+    if (mpfr_sgn(ref->u) < 0)
+        mpfr_set_ui(t, 1, N);
+    mpfr_asin(ref->theta_c, t, N);
+    mpfr_atan(ref->theta_u, d, N);
+    mpfr_div(t, d, ref->L, N);
+    mpfr_acos(ref->theta_inf, t, N);
+    mpfr_neg(t, ref->in[REF_Q], N);
+    mpfr_pow(ref->rq, r, t, N);
+    find_leaving(ref);
+    mpfr_sin_cos(t, x, ref->theta_f, N);
+    mpfr_mul(t, t, d, N);
+    mpfr_add(ref->h_f, t, x, N);
+    mpfr_ui_sub(ref->fuel_paper, 1, ref->h_f, N);
+    mpfr_clears(t, x, (mpfr_ptr)0);
+}
+
+/* ---- Opening and closing ---- */
+
+#define REF_ALL(p)                                                                                           \
+    (p)->L, (p)->u, (p)->rq, (p)->theta_c, (p)->theta_u, (p)->theta_inf, (p)->theta_f, (p)->theta_leave,     \
+        (p)->h_f, (p)->T, (p)->fuel_exact, (p)->fuel_paper, (mpfr_ptr)0
+
+static struct ref *ref_new(mpfr_prec_t bits, double cut)
+{
+    struct ref *ref = calloc(1, sizeof *ref);
+    if (!ref)
+        abort();
+    ref->bits = bits;
+    ref->cut = cut;
+    ref->dominoes = (size_t)-1;
+    mpfr_inits2(bits, REF_ALL(ref));
+    for (int k = 0; k < REF_INPUTS; k++)
+        mpfr_init2(ref->in[k], bits);
+    for (int k = 0; k < REF_COUNT; k++)
+        mpfr_init2(ref->value[k], bits);
+    return ref;
+}
+
+static void ref_start(struct ref *ref)
+{
+    find_geometry(ref);
+    find_train_at_zero(ref);
+}
+
+static struct ref *open_limited(const struct ref_input *input, mpfr_prec_t bits, double cut, size_t dominoes)
+{
+    struct ref *ref = ref_new(bits, cut);
+    ref_set_real(ref->in[REF_S], input->s);
+    ref_set_real(ref->in[REF_R], input->r);
+    ref_set_real(ref->in[REF_D], input->d);
+    ref_set_real(ref->in[REF_Q], input->q);
+    ref_set_real(ref->in[REF_TILT], input->tilt);
+    ref->paper = input->paper;
+    ref->dominoes = dominoes;
+    ref_start(ref);
+    return ref;
+}
+
+struct ref *ref_open(const struct ref_input *input, mpfr_prec_t bits, double cut)
+{
+    return open_limited(input, bits, cut, (size_t)-1);
+}
+
+/*
+ * Bits that differences lose: h(theta) - 1 the size of d theta, r s -> 1 half of u, and the followers'
+ * share in it r^-q.  What has tilt in it is proportional to it, and so are the terms that the cut drops.
+ */
+static mpfr_prec_t bits_for(const struct ref_input *input, int digits2)
+{
+    double lost = 0;
+    if (input->tilt > 0 && input->tilt < 1)
+        lost -= log2((double)input->tilt);
+    if (input->d < 1)
+        lost -= 2 * log2((double)input->d);
+    return (mpfr_prec_t)(64 * ceil((1.5 * digits2 + 50 + lost) / 64));
+}
+
+struct ref *ref_open_for(const struct ref_input *input, int digits2)
+{
+    return ref_open(input, bits_for(input, digits2), digits2 + 40);
+}
+
+struct ref *ref_open_pair(const struct ref_input *input, int digits2)
+{
+    return open_limited(input, bits_for(input, digits2), digits2 + 40, 2);
+}
+
+static void close_near(struct ref *ref)
+{
+    for (int k = 0; k < REF_INPUTS; k++) {
+        if (ref->near[k])
+            ref_close(ref->near[k]);
+        ref->near[k] = NULL;
+    }
+}
+
+void ref_close(struct ref *ref)
+{
+    close_near(ref);
+    for (size_t i = 0; i < ref->n; i++)
+        mpfr_clear(ref->h0[i]);
+    for (int k = 0; k < REF_COUNT; k++)
+        mpfr_clear(ref->value[k]);
+    for (int k = 0; k < REF_INPUTS; k++)
+        mpfr_clear(ref->in[k]);
+    mpfr_clears(REF_ALL(ref));
+    free(ref->h0);
+    free(ref);
+}
+
+/* ---- Inputs nearby ---- */
+
+/* Like ref, but with one of its inputs changed by the fraction e; s: 1 - r s, or r s if that is smaller. */
+static struct ref *changed(const struct ref *ref, int input, double e)
+{
+    struct ref *near = ref_new(ref->bits, ref->cut);
+    mpfr_t f;
+    mpfr_init2(f, ref->bits);
+    near->centre = ref;
+    near->dominoes = ref->dominoes;
+    near->link = ref->link;
+    near->paper = ref->paper;
+    for (int k = 0; k < REF_INPUTS; k++)
+        mpfr_set(near->in[k], ref->in[k], N);
+    mpfr_set_d(f, e, N);
+    if (input == REF_S) {
+        mpfr_ui_sub(near->u, 1, ref->u, N);
+        mpfr_div(near->u, ref->u, near->u, N);
+        if (mpfr_cmp_ui(near->u, 1) < 0)
+            mpfr_mul(f, f, near->u, N);
+    }
+    mpfr_add_ui(f, f, 1, N);
+    mpfr_mul(near->in[input], near->in[input], f, N);
+    if (input == REF_R)
+        mpfr_div(near->in[REF_S], near->in[REF_S], f, N);
+    mpfr_clear(f);
+    ref_start(near);
+    return near;
+}
+
+/* NULL for an input without any effect: 1 - r s where it is 0, tilt 0. */
+struct ref *ref_near(struct ref *ref, int input)
+{
+    bool fixed = (input == REF_S && mpfr_sgn(ref->u) <= 0) || mpfr_zero_p(ref->in[input]);
+    if (!ref->near[input] && !fixed) {
+        ref->nearby[input] = nearness;
+        ref->near[input] = changed(ref, input, nearness);
+        /* Not across the edge of falling off. */
+        if (ref->near[input]->falls_off != ref->falls_off) {
+            ref_close(ref->near[input]);
+            ref->nearby[input] = -nearness;
+            ref->near[input] = changed(ref, input, -nearness);
+        }
+    }
+    return ref->near[input];
+}
+
+/* What was found for another tilt is not known any more. */
+static void forget_tilt(struct ref *ref)
+{
+    close_near(ref);
+    for (int k = REF_THETA_1; k <= REF_J; k++)
+        ref->known[k] = false;
+    ref->known[REF_OMEGASQ] = false;
+}
+
+void ref_tilt(struct ref *ref, dom_real tilt)
+{
+    ref_set_real(ref->in[REF_TILT], tilt);
+    forget_tilt(ref);
+}
+
+void ref_link(struct ref *ref, size_t link)
+{
+    ref->link = link;
+    forget_tilt(ref);
+}

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "sketch.h"
+
+#include <stdlib.h>
+
+struct sketch sketch_grown(const struct sketch *sketch, long double r)
+{
+    struct sketch k = *sketch;
+    k.r = r;
+    k.L = k.s + k.d;
+    k.rq = powl(r, -k.q);
+    k.theta_c = asinl(fminl(1, r * k.s));
+    long double room = k.s * (k.s + 2 * k.d), rr = 1 / (r * r);
+    k.falls_off = rr < room;
+    k.theta_f = k.falls_off ? asinl(fminl(1, (rr + room) * r / (2 * k.L))) : acosl(k.d / k.L);
+    long double u = fmaxl(0, fmal(-r, k.s, 1));
+    /* 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2) */
+    k.theta_leave = k.falls_off ? 2 * asinl(fminl(1, sqrtl(u * (2 - u) * rr / (4 * k.d * k.L)))) : 4;
+    k.cut = 1e-13L * (k.falls_off ? 1 : 1 - k.rq * (1 - r * sqrtl(room)));
+    return k;
+}
+
+struct sketch sketch_of(const struct ref *ref)
+{
+    struct sketch k = {.s = mpfr_get_ld(ref->in[REF_S], MPFR_RNDN),
+                       .d = mpfr_get_ld(ref->in[REF_D], MPFR_RNDN),
+                       .q = mpfr_get_ld(ref->in[REF_Q], MPFR_RNDN),
+                       .paper = ref->paper,
+                       .dominoes = ref->dominoes};
+    return sketch_grown(&k, mpfr_get_ld(ref->in[REF_R], MPFR_RNDN));
+}
+
+/* The follower of a domino at *theta; false if there is none. */
+static bool follow(const struct sketch *k, long double *theta, long double *slope)
+{
+    if (k->falls_off && *theta >= k->theta_leave)
+        return false;
+    long double X = fminl(1, k->r * (k->L * cosl(*theta) - k->d));
+    if (X >= 1)
+        return false;
+    *slope *= 1 - k->r * k->L * sinl(*theta) / sqrtl((1 - X) * (1 + X));
+    *theta += asinl(X);
+    return true;
+}
+
+long double sketch_slope(const struct sketch *k, long double tilt)
+{
+    long double theta = tilt, slope = 1, w = 1, sum = 0;
+    for (size_t i = 0; i < k->dominoes; i++) {
+        sum += w * slope * (k->d * cosl(theta) - sinl(theta));
+        w *= k->rq;
+        if (!follow(k, &theta, &slope) || w * slope < k->cut)
+            break;
+    }
+    return sum;
+}
+
+/* h(at) - h(from), without the cancellation that hides the barrier of a thin domino */
+static long double energy_gain(const struct sketch *k, long double at, long double from)
+{
+    long double half = (at - from) / 2, middle = (at + from) / 2;
+    return 2 * sinl(half) * (k->d * cosl(middle) - sinl(middle));
+}
+
+long double sketch_rise(const struct sketch *k, long double tilt)
+{
+    long double at = tilt, from = 0, slope = 1, ignored = 1, w = 1, sum = 0;
+    bool up = true, down = true;
+    for (size_t i = 0; i < k->dominoes && (up || down) && w * slope > k->cut; i++) {
+        sum += w * energy_gain(k, at, from);
+        w *= k->rq;
+        if (up && !(up = follow(k, &at, &ignored)))
+            at = k->theta_f;
+        if (down && !(down = follow(k, &from, &slope)))
+            from = k->theta_f;
+    }
+    return sum;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    long double x = *(const long double *)a, y = *(const long double *)b;
+    return (x > y) - (x < y);
+}
+
+long double sketch_leaving(const struct sketch *k)
+{
+    if (!k->falls_off)
+        return k->theta_c;
+    long double lo = 0, hi = k->theta_c;
+    size_t leader = 0;
+    for (long double theta = k->theta_c, slope = 1; theta < k->theta_leave && leader < 1000; leader++)
+        if (!follow(k, &theta, &slope))
+            break;
+    for (int j = 0; j < 80; j++) {
+        long double tilt = (lo + hi) / 2, theta = tilt, slope = 1;
+        for (size_t i = 0; i < leader; i++)
+            if (!follow(k, &theta, &slope))
+                theta = k->theta_leave;
+        *(theta < k->theta_leave ? &lo : &hi) = tilt;
+    }
+    return hi;
+}
+
+int sketch_nodes(const struct sketch *k, long double node[SKETCH_NODES])
+{
+    const long double c = k->theta_c, leave = sketch_leaving(k);
+    int n = 0;
+    node[n++] = 0;
+    for (int j = 1; j <= 60; j++)
+        node[n++] = c * powl(10, -(long double)j / 4);
+    for (int j = 1; j <= 64; j++)
+        node[n++] = c * j / 64;
+    for (int j = 1; j <= 30; j++) {
+        node[n++] = leave + (c - leave) * powl(10, -(long double)j / 3);
+        node[n++] = leave - leave * powl(10, -(long double)j / 3);
+    }
+    node[n++] = leave;
+    qsort(node, (size_t)n, sizeof *node, ascending);
+    return n;
+}
+
+static long double highest(const struct sketch *k)
+{
+    long double node[SKETCH_NODES], best = fmaxl(0, sketch_rise(k, k->theta_c));
+    int n = sketch_nodes(k, node);
+    for (int i = 0; i + 1 < n; i++) {
+        long double lo = node[i], hi = node[i + 1];
+        if (!(sketch_slope(k, lo) > 0 && sketch_slope(k, hi) <= 0))
+            continue;
+        for (int j = 0; j < 30; j++) {
+            long double middle = (lo + hi) / 2;
+            *(sketch_slope(k, middle) > 0 ? &lo : &hi) = middle;
+        }
+        best = fmaxl(best, sketch_rise(k, hi));
+    }
+    return best;
+}
+
+bool sketch_verdict(const struct sketch *k, long double *kinetic, long double *barrier)
+{
+    long double theta = 0, slope = 1, w = 1, wr = 1, T = 0, P = 0;
+    for (size_t i = 0; i < k->dominoes && w * slope > k->cut; i++) {
+        long double before = theta;
+        bool on = follow(k, &theta, &slope);
+        if (!on)
+            theta = k->theta_f;
+        P += w * energy_gain(k, before, theta);
+        w *= k->rq;
+        wr *= k->rq / k->r;
+        if (!on)
+            break;
+        T += wr * slope * slope;
+    }
+    if (k->paper)
+        P = energy_gain(k, 0, k->theta_f);
+    *kinetic = P * T / ((1 + T) / k->rq - T);
+    *barrier = highest(k);
+    if (k->dominoes == 2) {
+        long double share = k->rq / k->r;
+        P = energy_gain(k, atanl(k->d), k->theta_c);
+        *kinetic = k->r * P * share * share / (1 + share);
+        return atanl(k->d) < k->theta_c;
+    }
+    return P > 0;
+}

@@ -1,0 +1,470 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "sweep.h"
+
+#include "../unit/support.h"
+#include "growth.h"
+#include "sketch.h"
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* ---- Points ---- */
+
+static dom_real rounded(dom_real x, enum dom_precision precision)
+{
+    return precision == DOM_FLOAT ? (dom_real)(float)x : precision == DOM_DOUBLE ? (dom_real)(double)x : x;
+}
+
+/* With bits to the end of the precision. */
+static dom_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
+{
+    double x = random_log(seed, lo, hi);
+    return rounded((dom_real)x * (1 + (dom_real)(random_unit(seed) * 0x1p-52)), precision);
+}
+
+static dom_real random_growth(uint64_t *seed, dom_real s, enum dom_precision precision)
+{
+    const double finest = precision == DOM_FLOAT ? 1e-7 : precision == DOM_DOUBLE ? 1e-15 : 1e-30;
+    const double reach = 1 / (double)s, kind = random_unit(seed);
+    if (kind < 0.3)
+        return rounded((1 - random_real(seed, finest, 0.5, precision)) / s, precision);
+    if (kind < 0.55)
+        return 1 + random_real(seed, 1e-12, fmax(1e-11, reach - 1), precision);
+    if (kind < 0.9)
+        return rounded((dom_real)pow(reach, random_unit(seed)), precision);
+    return kind < 0.95 ? 1 : rounded(1 / s, precision);
+}
+
+static struct ref_input random_input(uint64_t *seed, enum dom_precision precision)
+{
+    struct ref_input input;
+    input.s = random_real(seed, 1e-6, 1, precision);
+    input.d = random_real(seed, 1e-8, 3, precision);
+    const double kind = random_unit(seed);
+    input.q = kind < 0.33 ? 3 : kind < 0.66 ? 4 : random_real(seed, 0.3, 10, precision);
+    input.r = rounded(random_growth(seed, input.s, precision), precision);
+    input.r = input.r < 1 ? 1 : input.r;
+    input.paper = random_unit(seed) < 0.3;
+    input.tilt = 0;
+    return input;
+}
+
+/* At 0, at theta_c, close to either, between. */
+static dom_real random_tilt(uint64_t *seed, dom_real theta_c, enum dom_precision precision)
+{
+    const double kind = random_unit(seed);
+    dom_real tilt;
+    if (kind < 0.06)
+        return kind < 0.03 ? 0 : theta_c;
+    if (kind < 0.3)
+        tilt = theta_c * random_real(seed, 1e-16, 1, precision);
+    else if (kind < 0.5)
+        tilt = theta_c * (1 - random_real(seed, 1e-16, 1, precision));
+    else
+        tilt = theta_c * (dom_real)random_unit(seed);
+    tilt = rounded(tilt, precision);
+    return tilt > theta_c ? theta_c : tilt;
+}
+
+/* How many dominoes matter down to 2^-100; most points are to be quick, but a few may be long. */
+static bool too_long(const struct ref_input *input, uint64_t *seed, enum dom_precision precision)
+{
+    const double s = (double)input->s, r = (double)input->r, q = (double)input->q;
+    const double rate = q * log(r) + r * sqrt(s * (s + 2 * (double)input->d)), kind = random_unit(seed);
+    const double most = kind < 0.95 ? 200 : kind < 0.996 ? 2000 : 20000;
+    /* In float also r^(2q+1) has to be below 2^127. */
+    return 70 / rate > most || (precision == DOM_FLOAT && (2 * q + 1) * log2(r) > 120);
+}
+
+/* Growth begins at r = 1, where trains are longest. */
+static bool short_at_1(const struct ref_input *input)
+{
+    return 70 / sqrt((double)(input->s * (input->s + 2 * input->d))) < 400;
+}
+
+/* ---- One point ---- */
+
+struct point {
+    const struct sweep *sweep;
+    uint64_t seed;
+    struct ref_input input;
+    struct ref *ref;
+    struct tally *tally;
+    struct dom_train train;
+    bool sharp;
+};
+
+/* Good bits that the reference is to have. */
+static int digits_of(const struct sweep *sweep)
+{
+    return sweep->precision == DOM_QUAD ? 120 : sweep->precision == DOM_DOUBLE ? 60 : 44;
+}
+
+static bool one_in(struct point *point, int n)
+{
+    return n > 0 && random_unit(&point->seed) * n < 1;
+}
+
+static struct comparison comparison_of(const struct point *point, enum ref_quantity quantity,
+                                       const struct answers *answers)
+{
+    return (struct comparison){.ref = point->ref,
+                               .input = &point->input,
+                               .quantity = quantity,
+                               .got = answers->value[quantity],
+                               .bound = answers->error[quantity],
+                               .tol = (double)point->train.tol,
+                               .unit = ask_unit(point->sweep->precision),
+                               .sharp = point->sharp};
+}
+
+static void compare(struct point *point, enum ref_quantity quantity, const struct answers *answers)
+{
+    struct comparison c = comparison_of(point, quantity, answers);
+    tally_compare(&point->tally[quantity], &c);
+}
+
+static void mistake(struct point *point, enum ref_quantity quantity, const struct answers *answers,
+                    const char *what)
+{
+    struct comparison c = comparison_of(point, quantity, answers);
+    tally_mistake(&point->tally[quantity], &c, what);
+}
+
+static void compare_all(struct point *point, enum ref_quantity first, enum ref_quantity last,
+                        const struct answers *answers)
+{
+    for (enum ref_quantity k = first; k <= last; k++)
+        compare(point, k, answers);
+}
+
+/*
+ * Is this quantity, made of terms of the given size, 0 to rounding and tolerance, so that its sign may be
+ * either?  The scale is asked for only where it could matter: a million times the terms it is not, but for
+ * the number of dominoes.
+ */
+static bool vanishes(const struct point *point, enum ref_quantity quantity, double size)
+{
+    const double allowed = (double)point->train.tol + 16 * ask_unit(point->sweep->precision);
+    const double value = fabs(ref_double(point->ref, quantity));
+    return value <= allowed * size * 1e6 * (double)point->ref->n &&
+           value <= allowed * ref_scale(point->ref, quantity);
+}
+
+static enum ref_quantity fuel_of(const struct point *point)
+{
+    return point->input.paper ? REF_FUEL_PAPER : REF_FUEL_EXACT;
+}
+
+static bool fuel_vanishes(const struct point *point)
+{
+    return vanishes(point, fuel_of(point), 1);
+}
+
+static bool margin_vanishes(const struct point *point)
+{
+    return vanishes(point, REF_MARGIN,
+                    ref_double(point->ref, REF_KINETIC) + ref_double(point->ref, REF_BARRIER));
+}
+
+static bool positive(const struct point *point, enum ref_quantity quantity)
+{
+    return ref_double(point->ref, quantity) > 0;
+}
+
+/* Where a follower just leaves, or just does not, it may have arms or not. */
+static void compare_arms(struct point *point, enum ref_quantity a, struct answers *answers)
+{
+    const double own = ref_double(point->ref, a);
+    if (isnan(own) != isnan((double)answers->value[a])) {
+        double size = isnan(own) ? fabs((double)answers->value[a]) : fabs(own);
+        if (size >
+            100 * ((double)point->train.tol + ask_unit(point->sweep->precision)) * (double)point->input.s)
+            mistake(point, a, answers, isnan(own) ? "arms of a follower that has left" : "no arms");
+        return;
+    }
+    compare_all(point, a, a + 1, answers);
+}
+
+static void check_train(struct point *point, struct answers *answers)
+{
+    ask(&point->train, 0, REF_THETA_C, answers);
+    /* At the edge of (A17) both formulas give the same theta_f. */
+    if (answers->falls_off != point->ref->falls_off) {
+        double rr = 1 / (double)(point->input.r * point->input.r);
+        double room = (double)(point->input.s * (point->input.s + 2 * point->input.d));
+        if (fabs(rr / room - 1) > 32 * ask_unit(point->sweep->precision))
+            mistake(point, REF_THETA_LEAVE, answers, "falls_off");
+        compare_all(point, REF_THETA_C, REF_THETA_F, answers);
+    } else {
+        compare_all(point, REF_THETA_C, REF_THETA_LEAVE, answers);
+    }
+    ask(&point->train, 0, REF_FUEL_EXACT, answers);
+    compare_all(point, REF_FUEL_EXACT, REF_FUEL_PAPER, answers);
+    ask(&point->train, 0, REF_LAUNCH_OMEGASQ, answers);
+    enum dom_status status = answers->status[REF_LAUNCH_OMEGASQ];
+    enum ref_quantity fuel = fuel_of(point);
+    if (!fuel_vanishes(point)) {
+        if (status != (positive(point, fuel) ? DOM_OK : DOM_NO_FUEL))
+            mistake(point, REF_LAUNCH_OMEGASQ, answers, dom_status_text(status));
+        else
+            compare_all(point, REF_LAUNCH_OMEGASQ, REF_KINETIC, answers);
+    }
+}
+
+/* STOPS is right only if the head stops before this tilt. */
+static void check_omegasq(struct point *point, bool look_closer, struct answers *answers)
+{
+    ask(&point->train, point->input.tilt, REF_OMEGASQ, answers);
+    enum dom_status status = answers->status[REF_OMEGASQ];
+    if (fuel_vanishes(point))
+        return;
+    if (!positive(point, fuel_of(point))) {
+        if (status != DOM_NO_FUEL)
+            mistake(point, REF_OMEGASQ, answers, dom_status_text(status));
+        return;
+    }
+    if (status == DOM_OK)
+        compare(point, REF_OMEGASQ, answers);
+    else if (status != DOM_STOPS)
+        mistake(point, REF_OMEGASQ, answers, dom_status_text(status));
+    else if (look_closer && positive(point, REF_OMEGASQ) && !vanishes(point, REF_OMEGASQ, 1) &&
+             !margin_vanishes(point) && !(ref_double(point->ref, REF_STOP) < (double)point->input.tilt))
+        mistake(point, REF_OMEGASQ, answers, "STOPS, but it does not");
+}
+
+static void check_tilt(struct point *point, bool look_closer, struct answers *answers)
+{
+    ask(&point->train, point->input.tilt, REF_THETA_1, answers);
+    compare_all(point, REF_THETA_1, REF_SLOPE, answers);
+    compare_arms(point, REF_ARM_A, answers);
+    ask(&point->train, point->input.tilt, REF_DH, answers);
+    compare_all(point, REF_DH, REF_J0, answers);
+    check_omegasq(point, look_closer, answers);
+    /* Some domino down the train, the last that matters or one before. */
+    ask_link(&point->train, point->input.tilt, (size_t)random_log(&point->seed, 1, 400), answers);
+    if (point->ref->link != answers->link)
+        ref_link(point->ref, answers->link);
+    compare_all(point, REF_LINK_THETA, REF_LINK_SLOPE, answers);
+    compare_arms(point, REF_LINK_ARM_A, answers);
+    compare(point, REF_LINK_WEIGHT, answers);
+}
+
+/* Of two maxima equally high either is theta_m. */
+static bool as_high(struct point *point, dom_real theta)
+{
+    struct ref_input there = point->input;
+    there.tilt = theta;
+    struct ref *ref = ref_open(&there, point->ref->bits, point->ref->cut);
+    double lower = ref_double(point->ref, REF_BARRIER) - ref_double(ref, REF_DH);
+    double allowed = (double)point->train.tol + 16 * ask_unit(point->sweep->precision);
+    bool far = fabs((double)theta - ref_double(point->ref, REF_THETA_M)) > 1e-3 * (double)theta;
+    ref_close(ref);
+    return far && lower <= allowed * ref_scale(point->ref, REF_BARRIER);
+}
+
+static void check_barrier(struct point *point, struct answers *answers)
+{
+    ask(&point->train, 0, REF_BARRIER, answers);
+    enum dom_status status = answers->status[REF_BARRIER];
+    if (!as_high(point, answers->value[REF_THETA_M]))
+        compare(point, REF_THETA_M, answers);
+    compare(point, REF_BARRIER, answers);
+    if (fuel_vanishes(point))
+        return;
+    if (positive(point, fuel_of(point)))
+        compare(point, REF_MARGIN, answers);
+    if (!positive(point, fuel_of(point)) ? status != DOM_NO_FUEL
+        : margin_vanishes(point)         ? status != DOM_OK && status != DOM_STOPS
+                                         : status != (positive(point, REF_MARGIN) ? DOM_OK : DOM_STOPS))
+        mistake(point, REF_MARGIN, answers, dom_status_text(status));
+}
+
+static void check_stop(struct point *point, struct answers *answers)
+{
+    if (fuel_vanishes(point) || !positive(point, fuel_of(point)) || margin_vanishes(point))
+        return;
+    ask(&point->train, 0, REF_STOP, answers);
+    /* The kinetic energy, and with it this angle, may be so small that it needs bits of its own. */
+    struct ref *ref = point->ref;
+    struct ref_input there = point->input;
+    there.tilt = isnan((double)answers->value[REF_STOP]) ? 0 : answers->value[REF_STOP];
+    point->ref = ref_open_for(&there, digits_of(point->sweep));
+    if (answers->status[REF_STOP] != DOM_OK)
+        mistake(point, REF_STOP, answers, dom_status_text(answers->status[REF_STOP]));
+    else
+        compare(point, REF_STOP, answers);
+    ref_close(point->ref);
+    point->ref = ref;
+}
+
+/* Where the margin is 0 to rounding there may be no duration. */
+static void check_duration(struct point *point, struct answers *answers)
+{
+    if (fuel_vanishes(point) || margin_vanishes(point) || !positive(point, REF_MARGIN))
+        return;
+    ask(&point->train, 0, REF_DURATION, answers);
+    if (answers->status[REF_DURATION] == DOM_OK)
+        compare(point, REF_DURATION, answers);
+    else
+        mistake(point, REF_DURATION, answers, dom_status_text(answers->status[REF_DURATION]));
+}
+
+/* ---- Limits of growth ---- */
+
+/* Does every smaller r go on (after the first that does, for a pair)? */
+static bool is_first(const struct point *point, bool pair, dom_real r_max)
+{
+    struct ref *ref = pair ? ref_open_pair(&point->input, 53) : ref_open_for(&point->input, 53);
+    const struct sketch train = sketch_of(ref);
+    bool on = !pair, first = true;
+    ref_close(ref);
+    for (int k = 0; k < 40 && first; k++) {
+        long double kinetic, barrier, part = k / 39.0L,
+                                      r = powl((long double)r_max, part) * (1 - 1e-6L * part);
+        struct sketch grown = sketch_grown(&train, r);
+        bool now = sketch_verdict(&grown, &kinetic, &barrier) && kinetic >= barrier * (1 - 1e-9L);
+        first = now || !on;
+        on |= now;
+    }
+    return first && on;
+}
+
+static void check_growth(struct point *point, enum ref_quantity quantity, struct answers *answers)
+{
+    const bool pair = quantity == REF_PAIR;
+    const int digits2 = digits_of(point->sweep);
+    struct comparison c = comparison_of(point, quantity, answers);
+    ask(&point->train, 0, quantity, answers);
+    c.ref = NULL;
+    c.got = answers->value[quantity];
+    c.bound = answers->error[quantity];
+    c.want = (double)c.got;
+    c.scale = c.want;
+    if (answers->status[quantity] != DOM_OK) {
+        tally_mistake(&point->tally[quantity], &c, dom_status_text(answers->status[quantity]));
+    } else if (answers->ends == DOM_END_NONE) {
+        if (!pair && growth_margin(&point->input, false, digits2, 1) > 1e-6)
+            tally_mistake(&point->tally[quantity], &c, "equal dominoes do go on");
+    } else if (answers->ends == DOM_END_BARRIER) {
+        c.error = growth_error(&point->input, pair, digits2, c.got, &c.scale);
+        c.want -= c.error;
+        tally_compare(&point->tally[quantity], &c);
+    } else {
+        dom_real reach = 1 / point->input.s;
+        c.error = (double)(c.got - reach);
+        c.want = (double)reach;
+        tally_compare(&point->tally[quantity], &c);
+        if (growth_margin(&point->input, pair, digits2, reach * (1 - (dom_real)1e-6)) < 0)
+            tally_mistake(&point->tally[quantity], &c, "it stops before the reach");
+    }
+    if (answers->ends != DOM_END_NONE && point->sharp && !is_first(point, pair, c.got))
+        tally_mistake(&point->tally[quantity], &c, "a smaller r stops");
+}
+
+/* ---- All points ---- */
+
+struct choice {
+    bool barrier, duration, growth, pair;
+};
+
+static void check_at_tolerance(struct point *point, const struct choice *choice)
+{
+    struct answers answers;
+    ask_nothing(&answers);
+    check_train(point, &answers);
+    check_tilt(point, choice->barrier, &answers);
+    if (choice->barrier) {
+        check_barrier(point, &answers);
+        check_stop(point, &answers);
+    }
+    if (choice->duration)
+        check_duration(point, &answers);
+    if (choice->growth)
+        check_growth(point, REF_R_MAX, &answers);
+    if (choice->pair)
+        check_growth(point, REF_PAIR, &answers);
+}
+
+/* r = 1/s, rounded, counts as the reach; anything beyond does not. */
+static bool check_reach(struct point *point, const struct answers *answers)
+{
+    bool reaches = mpfr_sgn(point->ref->u) >= 0 ||
+                   point->input.r == rounded(1 / point->input.s, point->sweep->precision);
+    enum dom_status status = answers->status[REF_THETA_C];
+    if (status != (reaches ? DOM_OK : DOM_OUT_OF_REACH))
+        mistake(point, REF_THETA_C, answers, dom_status_text(status));
+    return reaches && status == DOM_OK;
+}
+
+static void check_point(struct point *point)
+{
+    const struct sweep *sweep = point->sweep;
+    const double floor = ask_floor(sweep->precision);
+    struct answers answers;
+    struct choice choice = {one_in(point, sweep->barriers), one_in(point, sweep->durations),
+                            one_in(point, sweep->growths) && short_at_1(&point->input),
+                            one_in(point, sweep->pairs)};
+    ask_nothing(&answers);
+    point->train = ask_train(&point->input, sweep->precision);
+    ask(&point->train, 0, REF_THETA_C, &answers);
+    if (answers.status[REF_THETA_C] == DOM_OK)
+        point->input.tilt = random_tilt(&point->seed, answers.value[REF_THETA_C], sweep->precision);
+    point->ref = ref_open_for(&point->input, digits_of(sweep));
+    if (check_reach(point, &answers)) {
+        point->sharp = true;
+        check_at_tolerance(point, &choice);
+        point->sharp = false;
+        point->train.tol = (dom_real)random_log(&point->seed, floor * 1.0001, fmax(1e-3, 10 * floor));
+        check_at_tolerance(point, &choice);
+    }
+    ref_close(point->ref);
+}
+
+/* Every point has its own seed, so that it is the same whoever looks at it. */
+static void work(const struct sweep *sweep, int worker, int workers, struct tally *tally)
+{
+    for (int k = worker; k < sweep->points; k += workers) {
+        struct point point = {.sweep = sweep, .seed = sweep->seed + (uint64_t)k * 1000003U, .tally = tally};
+        do
+            point.input = random_input(&point.seed, sweep->precision);
+        while (too_long(&point.input, &point.seed, sweep->precision));
+        check_point(&point);
+    }
+}
+
+static bool wait_for(const pid_t *pid, int workers)
+{
+    bool good = true;
+    for (int k = 0; k < workers; k++) {
+        int status = -1;
+        if (pid[k] < 0 || waitpid(pid[k], &status, 0) != pid[k] || status != 0)
+            good = false;
+    }
+    return good;
+}
+
+int sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT])
+{
+    enum { MOST = 4 };
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const int workers = cores < 1 ? 1 : cores > MOST ? MOST : (int)cores;
+    const size_t size = MOST * REF_COUNT * sizeof(struct tally);
+    pid_t pid[MOST];
+    struct tally *shared = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (shared == MAP_FAILED)
+        return -1;
+    fflush(NULL);
+    for (int k = 0; k < workers; k++)
+        if ((pid[k] = fork()) == 0) {
+            work(sweep, k, workers, shared + k * REF_COUNT);
+            _exit(0);
+        }
+    bool good = wait_for(pid, workers);
+    memset(tally, 0, REF_COUNT * sizeof *tally);
+    for (int k = 0; k < workers; k++)
+        for (int q = 0; q < REF_COUNT; q++)
+            tally_merge(&tally[q], &shared[k * REF_COUNT + q]);
+    munmap(shared, size);
+    return good ? sweep->points : -1;
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Random points over the whole parameter space, dense towards its edges, against the reference. */
+#ifndef HARD_SWEEP_H
+#define HARD_SWEEP_H
+
+#include "tally.h"
+#include <stdint.h>
+
+struct sweep {
+    enum dom_precision precision;
+    uint64_t seed;
+    int points;
+    /* One point in so many also has: */
+    int barriers, durations, growths, pairs, bests;
+};
+
+/*
+ * Fills one tally a quantity; returns the number of points that were looked at, or -1 if a worker broke
+ * down.  The points and the outcome do not depend on the number of workers.
+ */
+int sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT]);
+
+#endif

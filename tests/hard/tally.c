@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "tally.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static double wanted(const struct comparison *c)
+{
+    return c->ref ? ref_double(c->ref, c->quantity) : c->want;
+}
+
+static double scale_of(const struct comparison *c)
+{
+    return c->ref ? ref_scale(c->ref, c->quantity) : c->scale;
+}
+
+static struct sample sample_of(const struct comparison *c, double excess)
+{
+    return (struct sample){.input = *c->input,
+                           .link = c->ref ? c->ref->link : 0,
+                           .tol = c->tol,
+                           .got = (double)c->got,
+                           .want = wanted(c),
+                           .excess = excess};
+}
+
+static void keep_worst(struct sample *worst, const struct comparison *c, double excess)
+{
+    if (excess > worst->excess)
+        *worst = sample_of(c, excess);
+}
+
+void tally_mistake(struct tally *tally, const struct comparison *c, const char *what)
+{
+    if (tally->wrong++)
+        return;
+    tally->mistake = sample_of(c, (double)INFINITY);
+    snprintf(tally->what, sizeof tally->what, "%s", what);
+}
+
+/* An error of 0 says little about its bound: half a unit in the last place stands for it. */
+static void compare_bound(struct tally *tally, const struct comparison *c, double error)
+{
+    const double bound = (double)c->bound, want = fabs(wanted(c));
+    if (isnan(bound)) {
+        tally->without_bound++;
+        return;
+    }
+    if (bound < 0)
+        tally_mistake(tally, c, "a negative bound");
+    keep_worst(&tally->bound, c, error == 0 ? 0 : error / bound);
+    if (!c->sharp)
+        return;
+    double ratio = bound / (error > 0 ? error : want * c->unit);
+    int bin =
+        ratio > 0 && ratio < (double)INFINITY ? TALLY_BINS / 2 + (int)floor(4 * log2(ratio)) : TALLY_BINS - 1;
+    if (want == 0 && error == 0) /* an exact 0 */
+        return;
+    tally->bounds++;
+    tally->bin[bin < 0 ? 0 : bin >= TALLY_BINS ? TALLY_BINS - 1 : bin]++;
+}
+
+/* |F| is the least that the scale can be: only if that makes it the worst the scale is asked for. */
+static void compare_units(struct sample *worst, const struct comparison *c, double error, double allowed,
+                          double least)
+{
+    if (error <= fmax(worst->excess, least) * allowed * fabs(wanted(c)))
+        return;
+    double excess = error / (allowed * scale_of(c));
+    if (excess > least)
+        keep_worst(worst, c, excess);
+}
+
+void tally_compare(struct tally *tally, const struct comparison *c)
+{
+    const bool got = !isnan((double)c->got), exists = !isnan(wanted(c));
+    if (!got && !exists)
+        return;
+    if (!got || !exists) {
+        tally_mistake(tally, c, got ? "a value of what does not exist" : "no value");
+        return;
+    }
+    const double error = c->ref ? ref_error(c->ref, c->quantity, c->got) : fabs(c->error);
+    tally->checked++;
+    compare_bound(tally, c, error);
+    if (error == 0)
+        return;
+    if (c->sharp)
+        compare_units(&tally->units, c, error, c->unit, TALLY_UNITS);
+    else
+        compare_units(&tally->tol, c, error, c->tol + 16 * c->unit, 0.1);
+}
+
+void tally_merge(struct tally *into, const struct tally *from)
+{
+    struct sample *const mine[] = {&into->units, &into->tol, &into->bound};
+    const struct sample *const theirs[] = {&from->units, &from->tol, &from->bound};
+    for (int k = 0; k < 3; k++)
+        if (theirs[k]->excess > mine[k]->excess)
+            *mine[k] = *theirs[k];
+    if (!into->wrong && from->wrong) {
+        into->mistake = from->mistake;
+        memcpy(into->what, from->what, sizeof into->what);
+    }
+    into->wrong += from->wrong;
+    into->checked += from->checked;
+    into->without_bound += from->without_bound;
+    into->bounds += from->bounds;
+    for (int k = 0; k < TALLY_BINS; k++)
+        into->bin[k] += from->bin[k];
+}
+
+double tally_median(const struct tally *tally)
+{
+    long below = 0;
+    for (int k = 0; k < TALLY_BINS; k++) {
+        below += tally->bin[k];
+        if (2 * below > tally->bounds)
+            return exp2((k + 1 - TALLY_BINS / 2) / 4.0);
+    }
+    return (double)NAN;
+}
+
+/* hex, and what a double leaves of it */
+static void print_real(const char *name, dom_real x)
+{
+    double hi = (double)x, lo = (double)(x - (dom_real)hi);
+    fprintf(stderr, lo != 0 ? " %s=%a%+a" : " %s=%.17g", name, hi, lo);
+}
+
+void tally_print(const char *label, enum ref_quantity quantity, const struct sample *sample)
+{
+    const struct ref_input *in = &sample->input;
+    fprintf(stderr, "# %s %s:", label, ref_name(quantity));
+    print_real("s", in->s);
+    print_real("r", in->r);
+    print_real("d", in->d);
+    print_real("q", in->q);
+    print_real("tilt", in->tilt);
+    fprintf(stderr, " fuel=%s link=%zu tol=%.3g: got %.17g, wanted %.17g: %.3g\n",
+            in->paper ? "paper" : "exact", sample->link, sample->tol, sample->got, sample->want,
+            sample->excess);
+}
