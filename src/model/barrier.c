@@ -101,6 +101,27 @@ KERNEL enum dom_status barrier_search(const struct lean *g, size_t n, real end, 
     return status;
 }
 
+KERNEL real balance_tol(real tol, real left, real whole)
+{
+    return left > whole / 4 ? tol : fmin(tol, fmax(tol * left / whole, 4 * REAL_EPSILON));
+}
+
+KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real end, struct launch *launch,
+                                       struct launch *error, struct barrier *b)
+{
+    real asked;
+    do {
+        enum dom_status status = collision_launch(g, fuel, launch, error);
+        if (status == DOM_OK)
+            status = barrier_search(g, CHAIN_ENDLESS, end, b);
+        if (status != DOM_OK || launch->fuel <= 0)
+            return status;
+        asked = g->tol;
+        g->tol = balance_tol(asked, fabs(launch->kinetic - b->height), launch->kinetic);
+    } while (g->tol < asked / 4);
+    return DOM_OK;
+}
+
 /* H''(theta) by a difference that stays inside the cycle; for error bounds its size is enough. */
 static real curvature(struct slope_context *c, real theta, real end)
 {
@@ -140,9 +161,7 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
     struct launch l, l_error;
     enum dom_status status = lean_make(train, &g);
     if (status == DOM_OK)
-        status = barrier_search(&g, CHAIN_ENDLESS, tilt_angle(g.c), &b);
-    if (status == DOM_OK)
-        status = collision_launch(&g, train->fuel, &l, error ? &l_error : NULL);
+        status = barrier_balance(&g, train->fuel, tilt_angle(g.c), &l, error ? &l_error : NULL, &b);
     if (status == DOM_OK && error)
         status = barrier_error(&g, CHAIN_ENDLESS, &b, &b_error);
     if (status != DOM_OK)

@@ -18,6 +18,17 @@ struct barrier {
 
 KERNEL enum dom_status barrier_search(const struct lean *lean, size_t n, real end, struct barrier *barrier);
 
+/*
+ * Launch of an endless train and its barrier over [0, end]; unless NULL, error gets the bounds of the
+ * launch.  Where the two nearly balance their difference is not known as well as they are: then both come
+ * at a tolerance at which it is, if the arithmetic can give it, and lean->tol is that one.
+ */
+KERNEL enum dom_status barrier_balance(struct lean *lean, enum dom_fuel fuel, real end, struct launch *launch,
+                                       struct launch *error, struct barrier *barrier);
+
+/* The tolerance at which what is left of a whole is known as well as tol says. */
+KERNEL real balance_tol(real tol, real left, real whole);
+
 /* Bounds of the errors of theta_m and height. */
 KERNEL enum dom_status barrier_error(const struct lean *lean, size_t n, const struct barrier *barrier,
                                      struct barrier *error);

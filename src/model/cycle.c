@@ -28,8 +28,12 @@ static enum dom_status cycle_climb(struct cycle *cycle, real end)
 /* The cycle from its beginning to theta_c, with its barrier. */
 static enum dom_status cycle_whole(const struct dom_train *train, struct cycle *cycle, bool errors)
 {
-    enum dom_status status = cycle_begin(train, cycle, errors);
-    return status == DOM_OK ? cycle_climb(cycle, tilt_angle(cycle->lean.c)) : status;
+    struct lean *g = &cycle->lean;
+    enum dom_status status = lean_make(train, g);
+    if (status == DOM_OK)
+        status = barrier_balance(g, train->fuel, tilt_angle(g->c), &cycle->launch,
+                                 errors ? &cycle->launch_error : NULL, &cycle->barrier);
+    return status != DOM_OK || cycle->launch.fuel > 0 ? status : DOM_NO_FUEL;
 }
 
 /* (c3), solved for tau^2 omega(theta)^2. */
@@ -67,6 +71,15 @@ KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real the
         status = DOM_STOPS;
     if (status == DOM_OK)
         status = cycle_speed(&cycle, theta, &w, error ? &w_error : NULL);
+    real asked = cycle.lean.tol;
+    if (status == DOM_OK)
+        cycle.lean.tol = balance_tol(asked, w, cycle.launch.omegasq);
+    if (cycle.lean.tol < asked / 4) {
+        status =
+            collision_launch(&cycle.lean, train->fuel, &cycle.launch, error ? &cycle.launch_error : NULL);
+        if (status == DOM_OK)
+            status = cycle_speed(&cycle, theta, &w, error ? &w_error : NULL);
+    }
     *omegasq = w;
     if (error)
         *error = w_error;
@@ -114,6 +127,9 @@ KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta
         *theta = stop;
     return status;
 }
+
+/* A margin smaller than this share of the barrier makes a peak of the slowness; larger ones a gentle hill. */
+#define NEAR_STOP 4
 
 /* 1 / (tau omega), and a bound of its error. */
 static real slowness(real theta, void *context)
@@ -166,17 +182,17 @@ KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *d
     real noise = 8 * REAL_EPSILON * cycle.launch.kinetic / margin;
     if (!(noise < (real)0.125))
         return DOM_NOT_CONVERGED;
-
-    /* The near-stop at theta_m goes to the end of a piece, where the nodes of the integral are dense. */
+    /* A near-stop at theta_m goes to the end of a piece, where the nodes of the integral are dense. */
+    bool near_stop = margin < NEAR_STOP * b->height;
     real knot[4], sum, sum_error = 0, of_speed = 0;
     int knots = 0;
     for (int i = 0; i < b->edges; i++) {
-        if (i > 0 && b->theta_m > b->edge[i - 1] && b->theta_m < b->edge[i])
+        if (i > 0 && near_stop && b->theta_m > b->edge[i - 1] && b->theta_m < b->edge[i])
             knot[knots++] = b->theta_m;
         knot[knots++] = b->edge[i];
     }
-    real tol = fmax(cycle.lean.tol / 8, noise);
-    status = pieces_integral(&cycle, knot, knots, slowness, tol, &sum, &sum_error);
+    real share = fmax((real)train->tol / 8, noise);
+    status = pieces_integral(&cycle, knot, knots, slowness, share, &sum, &sum_error);
     if (status == DOM_OK && error)
         status = pieces_integral(&cycle, knot, knots, slowness_error, (real)0.125, &of_speed, NULL);
     if (status != DOM_OK)

@@ -13,7 +13,8 @@ static enum dom_status range_check(const struct dom_train *train)
         return DOM_BAD_PARAMETER;
     if (dom_arithmetic(train->precision)->bits == 0)
         return DOM_NO_PRECISION;
-    return (double)train->tol < (double)dom_arithmetic(train->precision)->tol_floor ? DOM_BAD_PARAMETER : DOM_OK;
+    return (double)train->tol < (double)dom_arithmetic(train->precision)->tol_floor ? DOM_BAD_PARAMETER
+                                                                                    : DOM_OK;
 }
 
 static const struct kernel *const kernels[] = {

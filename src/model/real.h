@@ -41,8 +41,8 @@
 
 #if defined REAL_FLOAT
 typedef float real;
-#define REAL_BITS FLT_MANT_DIG
-#define REAL_MIN  FLT_MIN
+#define REAL_BITS  FLT_MANT_DIG
+#define REAL_MIN   FLT_MIN
 #define MATH(name) name##f
 #elif !defined REAL_QUAD
 typedef double real;
@@ -57,11 +57,11 @@ extern dom_real fmaf128(dom_real, dom_real, dom_real);
 typedef dom_real real;
 #define REAL_BITS      113
 #define REAL_MIN       ((real)0x1p-16382L)
-#define MATH(name) name##f128
+#define MATH(name)     name##f128
 #else
 typedef dom_real real;
-#define REAL_BITS LDBL_MANT_DIG
-#define REAL_MIN  LDBL_MIN
+#define REAL_BITS  LDBL_MANT_DIG
+#define REAL_MIN   LDBL_MIN
 #define MATH(name) name##l
 #endif
 
@@ -88,10 +88,10 @@ typedef dom_real real;
 #define expm1(x)     MATH(expm1)(x)
 #define log(x)       MATH(log)(x)
 #define log1p(x)     MATH(log1p)(x)
-#define floor(x)    MATH(floor)(x)
-#define log10(x)    MATH(log10)(x)
-#define tan(x)      MATH(tan)(x)
-#define acos(x)     MATH(acos)(x)
+#define floor(x)     MATH(floor)(x)
+#define log10(x)     MATH(log10)(x)
+#define tan(x)       MATH(tan)(x)
+#define acos(x)      MATH(acos)(x)
 #define ceil(x)      MATH(ceil)(x)
 #define round(x)     MATH(round)(x)
 #define fmax(x, y)   MATH(fmax)(x, y)

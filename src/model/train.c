@@ -61,7 +61,8 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 #elif LDBL_MANT_DIG == 113
         [DOM_QUAD] = {"quad", "long double", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},
 #elif LDBL_MANT_DIG > DBL_MANT_DIG
-        [DOM_QUAD] = {"quad", "long double", LDBL_MANT_DIG, (double)LDBL_EPSILON, TENTH(1e17), TENTH(1e18), 17},
+        [DOM_QUAD] = {"quad", "long double", LDBL_MANT_DIG, (double)LDBL_EPSILON, TENTH(1e17), TENTH(1e18),
+                      17},
 #else
         [DOM_QUAD] = {"quad", "none wider than double", 0, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
 #endif

@@ -259,7 +259,7 @@ static bool run_duration(struct session *session, const struct call *call)
 #define TILT                                                                                                 \
     {                                                                                                        \
         {                                                                                                    \
-            "T", ARGUMENT_TILT, NULL, false                                                                  \
+            .name = "T", .kind = ARGUMENT_TILT                                                               \
         }                                                                                                    \
     }
 

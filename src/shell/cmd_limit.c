@@ -285,7 +285,7 @@ static bool run_count(struct session *session, const struct call *call)
 #define SEPARATION                                                                                           \
     {                                                                                                        \
         {                                                                                                    \
-            "S", ARGUMENT_OF, "s", true                                                                      \
+            .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true                                    \
         }                                                                                                    \
     }
 
@@ -317,9 +317,9 @@ const struct command limit_commands[] = {
      .columns = best_columns,
      .run = run_best},
     {.name = "curve",
-     .argument = {{"FROM", ARGUMENT_OF, "s", false},
-                  {"TO", ARGUMENT_OF, "s", false},
-                  {"N", ARGUMENT_COUNT, NULL, false}},
+     .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
+                  {.name = "TO", .kind = ARGUMENT_OF, .of = "s"},
+                  {.name = "N", .kind = ARGUMENT_COUNT}},
      .summary = "the largest growth at N separations: the paper's figures",
      .example = "set q hollow; curve 0.1 0.9 5",
      .see = "rmax pair best",
@@ -328,7 +328,8 @@ const struct command limit_commands[] = {
      .rows = true,
      .run = run_curve},
     {.name = "count",
-     .argument = {{"H", ARGUMENT_HEIGHT, NULL, false}, {"R", ARGUMENT_OF, "r", true}},
+     .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
+                  {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
      .summary = "how many dominoes topple one H tall, at growth R (or r)",
      .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is "
              "at least H tall.",

@@ -147,7 +147,7 @@ static bool run_quit(struct session *session, const struct call *call)
 
 const struct command session_commands[] = {
     {.name = "set",
-     .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, false}, {"VALUE", ARGUMENT_VALUE, NULL, false}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER}, {.name = "VALUE", .kind = ARGUMENT_VALUE}},
      .summary = "give a parameter a value",
      .help =
          "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, rmax. "
@@ -157,7 +157,7 @@ const struct command session_commands[] = {
      .principal = -1,
      .run = run_set},
     {.name = "show",
-     .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, true}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER, .optional = true}},
      .summary = "the parameters: value, unit, range, default, meaning",
      .example = "show fuel",
      .see = "set reset",
@@ -166,7 +166,7 @@ const struct command session_commands[] = {
      .rows = true,
      .run = run_show},
     {.name = "reset",
-     .argument = {{"NAME", ARGUMENT_PARAMETER, NULL, true}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME the settings of the session are kept: output, digits, angle, timing.",
      .example = "set s 0.3; reset s; print s",
@@ -174,7 +174,7 @@ const struct command session_commands[] = {
      .principal = -1,
      .run = run_reset},
     {.name = "print",
-     .argument = {{"VALUE", ARGUMENT_ANY, NULL, false}},
+     .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY}},
      .summary = "the value of an expression",
      .help = "Numbers, + - * / ^ and parentheses; units m mm cm km in ft s ms rad deg; pi; sin cos tan asin "
              "acos "
@@ -186,14 +186,14 @@ const struct command session_commands[] = {
      .principal = -1,
      .run = run_print},
     {.name = "save",
-     .argument = {{"FILE", ARGUMENT_FILE, NULL, false}},
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
      .see = "source",
      .principal = -1,
      .files = true,
      .run = run_save},
     {.name = "source",
-     .argument = {{"FILE", ARGUMENT_FILE, NULL, false}},
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "run the commands in FILE",
      .see = "save",
      .principal = -1,

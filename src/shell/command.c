@@ -6,6 +6,7 @@
 const struct command_group command_groups[] = {
     {"One cycle of the train", cycle_commands},
     {"How far it can grow", limit_commands},
+    {"What accuracy costs", cost_commands},
     {"The session", session_commands},
     {"Help", help_commands},
     {NULL, NULL},

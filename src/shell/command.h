@@ -20,6 +20,7 @@ enum argument_kind {
     ARGUMENT_PARAMETER, /* the name of a parameter */
     ARGUMENT_VALUE,     /* a value for the parameter before it */
     ARGUMENT_TOPIC,     /* a command or a parameter */
+    ARGUMENT_CHOICE,    /* one of the names in argument.choices; its number */
     ARGUMENT_WORD,      /* any word, or several between "..." */
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
     ARGUMENT_REST,      /* the rest of the line as it is */
@@ -30,8 +31,9 @@ enum argument_kind {
 struct argument {
     const char *name;
     enum argument_kind kind;
-    const char *of; /* the parameter of ARGUMENT_OF */
+    const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
+    names_list *choices; /* of ARGUMENT_CHOICE */
 };
 
 enum { ARGUMENTS_MAX = 3 };
@@ -67,7 +69,8 @@ struct command_group {
 };
 
 extern const struct command_group command_groups[]; /* ends with a NULL title */
-extern const struct command cycle_commands[], limit_commands[], session_commands[], help_commands[];
+extern const struct command cycle_commands[], limit_commands[], cost_commands[], session_commands[],
+    help_commands[];
 
 /* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */
 const char *command_names(const void *context, int k);

@@ -54,6 +54,8 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
         offer_list(&offer, parameter_names, NULL);
     else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
         offer_list(&offer, topic_names, NULL);
+    else if (a->kind == ARGUMENT_CHOICE)
+        offer_list(&offer, a->choices, NULL);
     else if (p && p->words)
         offer_list(&offer, parameter_words, p);
     else if (a->kind != ARGUMENT_FILE && a->kind != ARGUMENT_REST && a->kind != ARGUMENT_NONE) {

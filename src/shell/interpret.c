@@ -254,6 +254,26 @@ static bool is_expression_topic(const char *word)
     return is_value_name(word) || names_exact(unit_names, NULL, word) >= 0;
 }
 
+/* One of the argument's names; what is none of them hears which there are. */
+static bool read_choice(struct reader *r, const struct argument *a, char **word, dom_real *number)
+{
+    char message[NAMES_MESSAGE], shown[NAMES_SHOWN], all[128] = "";
+    *word = read_word(r, false);
+    int k = *word ? names_find(a->choices, NULL, a->of, *word, message) : -1;
+    *number = k;
+    if (k >= 0)
+        return true;
+    const char *name;
+    for (int n = 0; (name = a->choices(NULL, n)) != NULL; n++) {
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", n ? ", " : "", name);
+    }
+    if (*word && !strstr(message, "did you mean"))
+        return session_error(r->session, "'%s' is no %s; those are: %s", names_shown(*word, shown), a->of,
+                             all);
+    return session_error(r->session, "%s", message);
+}
+
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
 {
     struct session *session = r->session;
@@ -283,6 +303,8 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         if (equals)
             return session_error(session, "a blank stands between a name and its value, and no '='");
         return k >= 0 || session_error(session, "%s", message);
+    case ARGUMENT_CHOICE:
+        return read_choice(r, a, &call->word[i], &call->number[i]);
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
         call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);
@@ -388,11 +410,11 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         FILE *out = session->out;
         bool answered = session->answered;
         session->out = redirect.file;
-        session->redirected = true;
+        session->redirected = path;
         session->answered = false;
         done = run_call(session, c, call);
         session->out = out;
-        session->redirected = false;
+        session->redirected = NULL;
         session->answered = answered;
         wrong = redirect_close(&redirect, done);
         if (done && wrong)

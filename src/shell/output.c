@@ -30,6 +30,13 @@ struct cell cell_bound(dom_real value, dom_real error)
     return cell;
 }
 
+struct cell cell_brief(dom_real value)
+{
+    struct cell cell = cell_real(value);
+    cell.digits = 3;
+    return cell;
+}
+
 struct cell cell_count(dom_real value)
 {
     return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
@@ -91,7 +98,7 @@ static const char *real_text(struct cell cell, int digits, char text[TEXT_SIZE])
 {
     char number[WIDE_TEXT], bound[BOUND_TEXT];
     if (cell.error == 0)
-        return wide_text(cell.number, digits, text);
+        return wide_text(cell.number, cell.digits ? cell.digits : digits, text);
     wide_text(cell.number, bound_digits(cell, digits), number);
     bound_text(cell.error + fabs(wide_read(number, NULL) - cell.number), bound);
     snprintf(text, TEXT_SIZE, "%s +/- %s", number, bound);
@@ -129,6 +136,7 @@ static const char *cell_plain(const struct answer *a, struct cell cell, char tex
 {
     int digits = a->style.all_digits - 2;
     cell.error = 0;
+    cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(a, cell.number) : cell.number;
     const char *said = cell_text(cell, digits, text);
     while (cell.kind == CELL_REAL && digits < a->style.all_digits &&

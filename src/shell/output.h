@@ -34,11 +34,13 @@ struct cell {
     dom_real number;
     dom_real error; /* bound of it; 0: exact, or not asked for */
     const char *word;
+    int digits; /* in a table; 0: as the style says */
 };
 
 /* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
 struct cell cell_real(dom_real value);
 struct cell cell_bound(dom_real value, dom_real error);
+struct cell cell_brief(dom_real value); /* three digits in a table: for what is not known better */
 struct cell cell_count(dom_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);

@@ -26,11 +26,11 @@ struct session {
     int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
     const char *typed; /* the line that runs, as it was typed, not ended */
     int typed_length, typed_columns;
-    bool fresh;          /* at the prompt: nothing stands below the typed line yet */
-    bool redirected;     /* out is the file behind '>' */
-    const char *command; /* the one that runs, for messages */
-    bool bail;           /* the first error ends the session */
-    bool safe;           /* commands may not touch files */
+    bool fresh;             /* at the prompt: nothing stands below the typed line yet */
+    const char *redirected; /* the name of the file behind '>' that out is; NULL for none */
+    const char *command;    /* the one that runs, for messages */
+    bool bail;              /* the first error ends the session */
+    bool safe;              /* commands may not touch files */
     bool quit;
     bool answered; /* something was answered before */
     int depth;     /* of nested source commands */

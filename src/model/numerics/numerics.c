@@ -84,6 +84,7 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
+    real cut; /* terms of this share end the sum: they fall off faster than a geometric series */
     bool failed;
 };
 
@@ -99,14 +100,14 @@ static real node_pair(struct span *s, real t, real *weight)
     return *weight * sum;
 }
 
-/* All nodes at first, first + step, ...: until they no longer matter. */
+/* All nodes at first, first + step, ...: until they no longer matter at the tolerance. */
 static real node_sum(struct span *s, real first, real step)
 {
     real sum = 0, weight = 1;
     for (real t = first; weight > 0 && !s->failed; t += step) {
         real term = node_pair(s, t, &weight);
         sum += term;
-        if (fabs(term) <= UNIT / 8 * fabs(sum) && weight < UNIT)
+        if (fabs(term) <= s->cut * fabs(sum) && weight < s->cut)
             break;
     }
     return sum;
@@ -115,7 +116,7 @@ static real node_sum(struct span *s, real first, real step)
 KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
                                     real *integral, real *error)
 {
-    struct span s = {f, context, lo, hi, (hi - lo) / 2, false};
+    struct span s = {f, context, lo, hi, (hi - lo) / 2, fmax(tol / 64, UNIT / 8), false};
     real step = 1, sum = PI / 2 * f(lo + s.half, context) + node_sum(&s, step, step);
     real before = s.half * sum, off_before = 1;
     for (int level = 1; level <= LEVELS_MAX && !s.failed && isfinite(sum); level++) {
@@ -126,7 +127,7 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
          */
         real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.7) : 1;
         real left = off == 0 ? 0 : fmin(off, 8 * exp(gain * log(off)));
-        if (level >= 3 && (left <= tol || off <= 4 * REAL_EPSILON)) {
+        if (level >= 2 && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
             if (error)
                 *error = fabs(value) * (left + 8 * UNIT);

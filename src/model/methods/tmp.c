@@ -1,3 +1,0 @@
-#include "kernel.h"
-const struct kernel kernel_gsl = {0};
-const struct kernel kernel_paper = {0};

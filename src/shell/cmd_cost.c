@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Commands about the price of accuracy. */
+#include "command.h"
+#include "cost.h"
+#include "picture.h"
+#include "wide.h"
+
+static const struct column cost_columns[] = {
+    {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
+    {"precision", "", "the arithmetic", 9},
+    {"tol", "", "the relative tolerance that was asked for", 7},
+    {"error", "", "relative error that was achieved, against quad at its floor", 9},
+    {"dominoes", "", "most that one pass down the train followed", 8},
+    {"passes", "", "evaluations: passes down the train", 9},
+    {"time", "us", "of one answer, the least of several", 10},
+    {"times", "", "as long as the cheapest", 9},
+    {NULL, NULL, NULL, 0},
+};
+
+static void cost_line(const struct call *call, const struct cost *cost, const struct cost_row *row)
+{
+    bool good = row->status == DOM_OK;
+    struct cell none = cell_real(DOM_NAN);
+    answer_row(call->answer,
+               ROW(cell_word(cost_method(row->method)), cell_word(dom_arithmetic(row->precision)->name),
+                   cell_brief(row->tol), good ? cell_brief(row->error) : none,
+                   good ? cell_count((dom_real)row->work.longest) : none,
+                   good ? cell_count((dom_real)row->work.passes) : none,
+                   good ? cell_brief(1e6 * row->seconds) : none,
+                   good ? cell_brief(row->seconds / cost->cheapest) : none),
+               good || answer_for_people(call->answer) ? NULL : dom_status_text(row->status));
+}
+
+/* How many times the time of another row; 0 where one of them is missing. */
+static double times_of(const struct cost_row *row, const struct cost_row *other)
+{
+    return row && other ? row->seconds / other->seconds : 0;
+}
+
+/* The lesson, in words. */
+static void cost_say(const struct call *call, const struct cost *cost)
+{
+    const struct cost_row *few = cost_find(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
+    const struct cost_row *six = cost_find(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
+    const struct cost_row *many = cost_find(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
+    double gsl = times_of(cost_find(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six);
+    double paper = times_of(cost_find(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six);
+    double quad = times_of(cost_find(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12), many);
+    if (paper > 0)
+        answer_say(call->answer, "To 6 digits the paper's recipe takes %.3g times our time.", paper);
+    if (gsl > 0)
+        answer_say(call->answer, "To 6 digits the solvers of GSL take %.3g times our time.", gsl);
+    if (few && many && quad > 0)
+        answer_say(call->answer,
+                   "12 digits cost %.3g times what 3 digits cost; quad costs %.3g times double.",
+                   times_of(many, few), quad);
+    else if (few && many)
+        answer_say(call->answer, "12 digits cost %.3g times what 3 digits cost.", times_of(many, few));
+}
+
+/* Measures what the i-th argument names; false: an error was reported. */
+static bool cost_of(struct session *session, const struct call *call, int i, struct cost *cost)
+{
+    const struct costed *answer = &cost_answers[(int)call->number[i]];
+    enum dom_status status = cost_measure(answer, &session->train, cost);
+    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
+        return session_error(session, "there is no answer to measure here: '%s' says why", answer->name);
+    return status == DOM_OK || session_status(session, status);
+}
+
+static bool cost_answer(const struct call *call, const struct cost *cost)
+{
+    for (int k = 0; k < cost->rows; k++)
+        cost_line(call, cost, &cost->row[k]);
+    cost_say(call, cost);
+    return true;
+}
+
+static bool run_cost(struct session *session, const struct call *call)
+{
+    struct cost cost;
+    return cost_of(session, call, 0, &cost) && cost_answer(call, &cost);
+}
+
+/* ---- Pictures ---- */
+
+static const char *series_title(const struct cost_row *row, char title[64])
+{
+    const char *precision = dom_arithmetic(row->precision)->name;
+    snprintf(title, 64, "%s",
+             row->method == DOM_METHOD_PAPER ? "the paper's recipe"
+             : row->method == DOM_METHOD_GSL ? "solvers of GSL"
+                                             : "");
+    if (*title == '\0')
+        snprintf(title, 64, "ours, %s", precision);
+    return title;
+}
+
+static bool same_series(const struct cost_row *a, const struct cost_row *b)
+{
+    return a->method == b->method && a->precision == b->precision;
+}
+
+/* Error against time, a line for each method and precision. */
+static bool plot_cost(struct session *session, const struct call *call)
+{
+    struct cost cost;
+    struct picture picture;
+    char title[64];
+    if (!cost_of(session, call, 1, &cost))
+        return false;
+    if (!answer_for_people(call->answer))
+        return cost_answer(call, &cost);
+    if (!picture_begin(session, &picture))
+        return false;
+    FILE *out = picture.script;
+    const struct costed *answer = &cost_answers[(int)call->number[1]];
+    fprintf(out,
+            "set title \"What a digit costs: %s at s = %.6g, q = %.6g\"\n"
+            "set logscale xy\nset format xy '%s'\nset xlabel 'time of one answer [s]'\n"
+            "set ylabel 'relative error'\nunset mytics\n"
+            "set key left bottom\n", /* nothing is fast and accurate at once: that corner is free */
+            answer->name, (double)session->train.s, (double)session->train.q,
+            picture.text ? "1e%T" : "10^{%T}");
+    for (int k = 0; k < cost.rows; k++) {
+        const struct cost_row *row = &cost.row[k];
+        if (k == 0 || !same_series(row, row - 1))
+            fprintf(out, "%s$series%d << END\n", k ? "END\n" : "", k);
+        /* A logarithm has no 0: below a unit of its precision nothing is known. */
+        if (row->status == DOM_OK)
+            fprintf(out, "%.6g %.6g\n", row->seconds,
+                    (double)fmax(row->error, (dom_real)dom_arithmetic(row->precision)->epsilon / 4));
+    }
+    fprintf(out, "END\n");
+    for (int k = 0, n = 0; k < cost.rows; k++)
+        if (k == 0 || !same_series(&cost.row[k], &cost.row[k - 1])) {
+            fprintf(out, "%s$series%d using 1:2 with linespoints lt %d title \"%s\"", n ? ", " : "plot ", k,
+                    n + 1, series_title(&cost.row[k], title));
+            n++;
+        }
+    fprintf(out, "\n");
+    return picture_end(session, &picture);
+}
+
+static const struct plot {
+    const char *name;
+    bool (*run)(struct session *session, const struct call *call);
+} plots[] = {
+    {"cost", plot_cost},
+    {NULL, NULL},
+};
+
+static const char *plot_names(const void *context, int k)
+{
+    (void)context;
+    return plots[k].name;
+}
+
+static bool run_plot(struct session *session, const struct call *call)
+{
+    return plots[(int)call->number[0]].run(session, call);
+}
+
+const struct command cost_commands[] = {
+    {.name = "cost",
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_CHOICE,
+                   .of = "command with a tolerance",
+                   .choices = cost_names}},
+     .summary = "what each digit of an answer costs in time",
+     .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, at the session's parameters. Each "
+             "method and precision is asked for more and more digits. The error is the true one, the "
+             "rounding of typed parameters included; times are measured in runs of their own.",
+     .see = "plot",
+     .columns = cost_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_cost},
+    {.name = "plot",
+     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
+                  {.name = "COMMAND",
+                   .kind = ARGUMENT_CHOICE,
+                   .of = "command with a tolerance",
+                   .choices = cost_names}},
+     .summary = "a picture, in the terminal or in the file behind '>'",
+     .help = "'plot cost rmax > cost.svg' draws error against time. The ending of the file says as what: "
+             ".svg, .png, .pdf, .txt. Pictures need gnuplot; in csv and json the data comes instead.",
+     .see = "cost",
+     .columns = cost_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_plot},
+    {.name = NULL},
+};

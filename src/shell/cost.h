@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What accuracy costs in time: one answer, asked of every method and precision at one tolerance after the
+ * other, with its true error against a finer reference, and the time it takes.
+ */
+#ifndef SHELL_COST_H
+#define SHELL_COST_H
+
+#include "domino.h"
+
+/* An answer that has a tolerance: one number, and unless error is NULL the bound of its error. */
+struct costed {
+    const char *name, *says;
+    enum dom_status (*ask)(const struct dom_train *train, dom_real *value, dom_real *error);
+};
+
+/* Ends with a NULL name. */
+extern const struct costed cost_answers[];
+
+/* Their names, for names.h. */
+const char *cost_names(const void *context, int k);
+
+struct cost_row {
+    enum dom_method method;
+    enum dom_precision precision;
+    double tol;
+    enum dom_status status; /* of the answer; the rest only where it is DOM_OK */
+    bool too_long;          /* not run, since the row before says that it would take minutes */
+    dom_real error;         /* relative; not below what the reference itself may be wrong by */
+    struct dom_work work;
+    double seconds; /* least of several runs */
+};
+
+enum { COST_ROWS = 64 };
+
+struct cost {
+    struct cost_row row[COST_ROWS];
+    int rows;
+    double cheapest; /* seconds */
+    dom_real value;  /* of the reference */
+};
+
+/* Fills cost; not DOM_OK where the answer does not exist, or after an interrupt. */
+enum dom_status cost_measure(const struct costed *answer, const struct dom_train *train, struct cost *cost);
+
+/* "paper", "GSL", "ours". */
+const char *cost_method(enum dom_method method);
+
+/* The row, or NULL where it has no time. */
+const struct cost_row *cost_find(const struct cost *cost, enum dom_method method,
+                                 enum dom_precision precision, double tol);
+
+#endif
