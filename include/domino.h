@@ -95,7 +95,7 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
     X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
 
 #define DOM_SCALE_PARAMETERS(X)                                                                              \
-    X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")                                  \
+    X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")              \
     X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
 
 /* The fuel P that enters (c6): see dom_fuel_find. */

@@ -5,7 +5,7 @@
 static enum dom_status range_check(const struct dom_train *train)
 {
 #define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
-    if (!(train->name >= (lowest) && train->name <= (highest)))                                              \
+    if (!(train->name >= (dom_real)(lowest) && train->name <= (dom_real)(highest)))                          \
         return DOM_BAD_PARAMETER;
     DOM_TRAIN_PARAMETERS(CHECK)
 #undef CHECK

@@ -23,11 +23,11 @@ static void cost_line(const struct call *call, const struct cost *cost, const st
     struct cell none = cell_real(DOM_NAN);
     answer_row(call->answer,
                ROW(cell_word(cost_method(row->method)), cell_word(dom_arithmetic(row->precision)->name),
-                   cell_brief(row->tol), good ? cell_brief(row->error) : none,
+                   cell_brief((dom_real)row->tol), good ? cell_brief(row->error) : none,
                    good ? cell_count((dom_real)row->work.longest) : none,
                    good ? cell_count((dom_real)row->work.passes) : none,
-                   good ? cell_brief(1e6 * row->seconds) : none,
-                   good ? cell_brief(row->seconds / cost->cheapest) : none),
+                   good ? cell_brief((dom_real)(1e6 * row->seconds)) : none,
+                   good ? cell_brief((dom_real)(row->seconds / cost->cheapest)) : none),
                good || answer_for_people(call->answer) ? NULL : dom_status_text(row->status));
 }
 
@@ -189,6 +189,7 @@ const struct command cost_commands[] = {
      .columns = cost_columns,
      .principal = -1,
      .rows = true,
+     .files = true,
      .run = run_plot},
     {.name = NULL},
 };

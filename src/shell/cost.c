@@ -113,7 +113,7 @@ static void row_measure(const struct costed *answer, struct dom_train train, con
     dom_real value = 0;
     train.method = row->method;
     train.precision = row->precision;
-    train.tol = row->tol;
+    train.tol = (dom_real)row->tol;
     train.work = &row->work;
     double begun = terminal_clock();
     row->status = answer->ask(&train, &value, NULL);
@@ -149,7 +149,7 @@ enum dom_status cost_measure(const struct costed *answer, const struct dom_train
     finest.method = DOM_METHOD_OURS;
     finest.precision = dom_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
     finest.tol = dom_arithmetic(finest.precision)->tol_floor;
-    *cost = (struct cost){.rows = 0, .cheapest = INFINITY};
+    *cost = (struct cost){.rows = 0, .cheapest = HUGE_VAL};
     enum dom_status status = answer->ask(&finest, &cost->value, &uncertain);
     for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
         const struct dom_arithmetic *arithmetic = dom_arithmetic(contenders[c].precision);

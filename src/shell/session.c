@@ -46,9 +46,9 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
     {.name = #name_,                                                                                         \
      .unit = unit_,                                                                                          \
      .meaning = meaning_,                                                                                    \
-     .fallback = default_,                                                                                   \
-     .lowest = lowest_,                                                                                      \
-     .highest = highest_,                                                                                    \
+     .fallback = (dom_real)(default_),                                                                       \
+     .lowest = (dom_real)(lowest_),                                                                          \
+     .highest = (dom_real)(highest_),                                                                        \
      .words = #name_[0] == 'q' ? mass_words : NULL,                                                          \
      .fallback_of = #name_[0] == 't' ? tol_default : NULL,                                                   \
      .lowest_of = #name_[0] == 't' ? tol_floor : NULL,                                                       \

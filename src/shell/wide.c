@@ -23,7 +23,7 @@ const char *wide_text(dom_real value, int digits, char text[WIDE_TEXT])
 
 struct wide_shown wide_shown(dom_real value)
 {
-    struct wide_shown shown;
+    struct wide_shown shown = {""};
     wide_text(value, 10, shown.text);
     return shown;
 }

@@ -133,7 +133,8 @@ static enum dom_status paper_limit_rmax(const struct dom_train *train, struct do
     (void)why;
     if (error)
         return DOM_NO_METHOD;
-    for (double r = 1 + step; r < reach; r += step) {
+    for (size_t k = 1; 1 + (double)k * step < reach; k++) {
+        double r = 1 + (double)k * step;
         struct paper p;
         double theta_m, height;
         enum dom_status status = paper_begin(train, r, &p);
