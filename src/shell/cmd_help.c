@@ -38,6 +38,11 @@ static void help_parameter(const struct session *session, const struct parameter
             p->unit, range, fallback);
     for (const struct word *w = p->words; !p->words_only && w && w->name; w++)
         fprintf(out, "  %-8s %g\n", w->name, (double)w->value);
+    if (p->help) {
+        putc('\n', out);
+        output_wrapped(out, p->help, 0, help_width(out));
+        putc('\n', out);
+    }
     fprintf(out, "\n'set %s VALUE' changes it, 'reset %s' takes it back.\n", p->name, p->name);
 }
 

@@ -131,17 +131,17 @@ static dom_real rounded(const struct answer *a, dom_real value)
                                               : value;
 }
 
-/* For programs: the fewest digits that read back to the same number, and no bound beside them. */
+/* For programs: digits that read back to the same number, few if few do, and no bound beside them. */
 static const char *cell_plain(const struct answer *a, struct cell cell, char text[TEXT_SIZE])
 {
-    int digits = a->style.all_digits - 2;
+    const int all = a->style.all_digits, few = all < 15 ? all - 2 : 15;
     cell.error = 0;
     cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(a, cell.number) : cell.number;
-    const char *said = cell_text(cell, digits, text);
-    while (cell.kind == CELL_REAL && digits < a->style.all_digits &&
-           rounded(a, wide_read(text, NULL)) != cell.number)
-        said = cell_text(cell, ++digits, text);
+    const char *said = cell_text(cell, few, text);
+    for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
+        if (rounded(a, wide_read(text, NULL)) != cell.number)
+            said = cell_text(cell, n, text);
     return said;
 }
 
@@ -164,10 +164,17 @@ static int number_width(const struct answer *a, int digits)
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
 }
 
-/* Digits of numbers in tables: with bounds, up to what they leave. */
+/* Digits that a table has room for: with bounds, up to what they leave. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
+}
+
+/* What has a bound shows the digits that it leaves, all else those of the style. */
+static const char *table_text(const struct answer *a, struct cell cell, int digits, char text[TEXT_SIZE])
+{
+    int most = (int)a->style.digits;
+    return cell_text(cell, cell.error == 0 && digits > most ? most : digits, text);
 }
 
 /* On a terminal with UTF-8 the field's letters are written as such. */
@@ -375,7 +382,7 @@ static void row_table(struct answer *a, const struct cell *cells)
         for (int i = 0; a->columns[i].key; i++)
             said[i] = head == 2   ? pretty(a, a->columns[i].key, line[i])
                       : head == 1 ? column_unit(a, &a->columns[i], text[i])
-                                  : pretty(a, cell_text(cells[i], digits, text[i]), line[i]);
+                                  : pretty(a, table_text(a, cells[i], digits, text[i]), line[i]);
         row_line(a, cells, digits, said, head > 0);
     }
 }
@@ -395,7 +402,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
         const struct column *c = &a->columns[i];
         field(a->out, pretty(a, c->key, line), -key_width);
         fprintf(a->out, "  %s", bold);
-        field(a->out, pretty(a, cell_text(cells[i], digits, text), line), number_width(a, digits));
+        field(a->out, pretty(a, table_text(a, cells[i], digits, text), line), number_width(a, digits));
         fprintf(a->out, "%s %-*s  ", end, unit_width,
                 cells[i].kind == CELL_NONE ? "" : column_unit(a, c, unit));
         output_wrapped(a->out, pretty(a, c->meaning, line),

@@ -27,6 +27,18 @@ static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
 static const struct word precision_words[] = {
     {"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}, {NULL, 0}};
 
+static const char tol_help[] =
+    "It decides how far down the train the sums go and when iterations stop. The floor is that of the "
+    "precision: 1e-6, 1e-15, 1e-33. A new precision takes its own default along, unless another tol was set; "
+    "'cost rmax' shows what a digit costs.";
+static const char precision_help[] =
+    "One source of the model, compiled for each. Parameters are kept in the widest and rounded to this one: "
+    "in quad 7/48 has 34 digits. tol and digits follow where they still have their defaults.";
+static const char errors_help[] =
+    "Behind each number stands +/- and a bound: of all rounding on the way from the parameters, of what tol "
+    "cuts off, and of the digits that are not printed. In csv and json it is a column or key of its own, "
+    "KEY_error.";
+
 static dom_real tol_default(const struct dom_arithmetic *arithmetic)
 {
     return arithmetic->tol_default;
@@ -46,6 +58,7 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
     {.name = #name_,                                                                                         \
      .unit = unit_,                                                                                          \
      .meaning = meaning_,                                                                                    \
+     .help = #name_[0] == 't' ? tol_help : NULL,                                                             \
      .fallback = (dom_real)(default_),                                                                       \
      .lowest = (dom_real)(lowest_),                                                                          \
      .highest = (dom_real)(highest_),                                                                        \
@@ -55,40 +68,37 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
      .offset = offsetof(struct session, member.name_)},
 #define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
-#define WORDS(name_, member, words_, setting_, meaning_)                                                     \
-    {.name = name_,                                                                                          \
-     .unit = "",                                                                                             \
-     .meaning = meaning_,                                                                                    \
-     .words = words_,                                                                                        \
-     .words_only = true,                                                                                     \
-     .offset = offsetof(struct session, member),                                                             \
-     .setting = setting_},
+#define WORDS(name_, member, words_, fallback_, setting_, meaning_, help_)                                   \
+    {                                                                                                        \
+        .name = name_, .unit = "", .meaning = meaning_, .help = help_, .fallback = fallback_,                \
+        .words = words_, .words_only = true, .offset = offsetof(struct session, member), .setting = setting_ \
+    }
 
+/* clang-format off: to it the two lists, whose commas are their own, are no elements. */
 const struct parameter session_parameters[] = {
     DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER)
-        WORDS("fuel", train.fuel, fuel_words, false, "energy balance, or the paper's closed form of (c7)"){
-            .name = "precision",
-            .unit = "",
-            .meaning = "arithmetic of the answers; quad is " QUAD_TYPE,
-            .fallback = DOM_DOUBLE,
-            .words = precision_words,
-            .words_only = true,
-            .offset = offsetof(struct session, train.precision)},
-    WORDS("output", style.output, output_words, true,
-          "how answers are written"){.name = "digits",
-                                     .unit = "",
-                                     .meaning = "significant digits in tables; csv and json have all",
-                                     .fallback = 10,
-                                     .lowest = 1,
-                                     .highest = WIDE_DIGITS,
-                                     .fallback_of = digits_default,
-                                     .whole = true,
-                                     .offset = offsetof(struct session, style.digits),
-                                     .setting = true},
-    WORDS("angle", style.angle, angle_words, true, "unit of angles, typed and answered") WORDS(
-        "errors", style.errors, switch_words, true, "whether every number has the bound of its error")
-        WORDS("timing", timing, switch_words, true, "whether every answer ends with its time"){.name = NULL},
+        WORDS("fuel", train.fuel, fuel_words, DOM_FUEL_EXACT, false,
+              "energy balance, or the paper's closed form of (c7)", NULL),
+    WORDS("precision", train.precision, precision_words, DOM_DOUBLE, false,
+          "arithmetic of the answers; quad is " QUAD_TYPE, precision_help),
+    WORDS("output", style.output, output_words, OUTPUT_TABLE, true, "how answers are written", NULL),
+    {.name = "digits",
+     .unit = "",
+     .meaning = "significant digits in tables; csv and json have all",
+     .fallback = 10,
+     .lowest = 1,
+     .highest = WIDE_DIGITS,
+     .whole = true,
+     .fallback_of = digits_default,
+     .offset = offsetof(struct session, style.digits),
+     .setting = true},
+    WORDS("angle", style.angle, angle_words, ANGLE_RAD, true, "unit of angles, typed and answered", NULL),
+    WORDS("errors", style.errors, switch_words, 0, true, "whether every number has the bound of its error",
+          errors_help),
+    WORDS("timing", timing, switch_words, 0, true, "whether every answer ends with its time", NULL),
+    {.name = NULL},
 };
+/* clang-format on */
 
 /* Blanks before a line that is repeated above its caret. */
 enum { CARET_INDENT = 2 };

@@ -64,6 +64,7 @@ struct word {
 
 struct parameter {
     const char *name, *unit, *meaning;
+    const char *help; /* more, or NULL */
     dom_real fallback, lowest, highest;
     const struct word *words; /* names for some values; NULL for none */
     bool words_only;          /* stored as an unsigned */

@@ -122,7 +122,7 @@ set s 1e5000|7|^set: s.*too large
 set s -1e5000|8|^set: s.*too large
 set s 1e-5000|7|^set: s.*too small
 set s 1e-5000|7|^set: s.*too small
-set h 1e4900/1e-900|12|^set: h.*not a finite number
+set h 1e4900/1e-90|13|^set: h.*not a finite number
 set s 1/0|8|^set: s.*division by zero
 set s 1 / (2 - 2)|9|^set: s.*division by zero
 set q solid|7|^set: .*q.*'solid'

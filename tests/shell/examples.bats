@@ -14,6 +14,7 @@ golden() {
     diff -u "$BATS_TEST_DIRNAME/golden/$1.out" "$BATS_TEST_TMPDIR/out"
 }
 
+@test "accuracy.dom" { golden accuracy; }
 @test "quiz.dom" { golden quiz; }
 @test "one-cycle.dom" { golden one-cycle; }
 @test "growth-curve.dom" { golden growth-curve; }
@@ -112,8 +113,8 @@ int main(void)
 {
     struct dom_train train = dom_train_default();
     struct dom_limit limit;
-    enum dom_status status = dom_limit_rmax(&train, &limit, NULL);
-    printf("%s %.6f\n", dom_status_text(status), limit.r_max);
+    enum dom_status status = dom_limit_rmax(&train, &limit, NULL, NULL);
+    printf("%s %.6f\n", dom_status_text(status), (double)limit.r_max);
 }
 C
     # A sanitized library needs its runtime.

@@ -566,7 +566,7 @@ END
     done
     [ "$(grep -cw rad <<<"$answer")" -eq 0 ]
     theta_c=$(json 'set angle deg; thetac' | values theta_c)
-    wrong 25 'set angle deg; theta1   37; set output json' "T = 37 deg .* \[0, $theta_c\]"
+    wrong 25 'set angle deg; theta1   37; set output json' "T = 37 deg .* \[0, ${theta_c:0:15}[0-9]*\]"
     json "set angle deg; theta1 0; theta1 $theta_c" >/dev/null
 }
 

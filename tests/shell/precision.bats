@@ -1,0 +1,221 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Precision, tolerance, bounds of errors, what they cost, and the picture of it.
+
+load common
+
+# The digits of a number in quad, as many as are wanted.
+quad() { # COMMANDS KEY DIGITS
+    obtained=$(json "set precision quad; $1" | values "$2")
+    same "$1: $2" "$3" "${obtained:0:${#3}}"
+}
+
+# The references were computed by other means: plain sums over angles in arithmetic of 75 digits.
+@test "quad: 30 correct digits of r_max, barrier, launch, fuel" {
+    quad 'rmax' r_max 1.64422903953514910728136563949
+    quad 'set q hollow; rmax' r_max 2.06377177270466132423919510133
+    quad 'rmax 0.3' r_max 1.51445179819715559622081509209
+    quad 'rmax 0.5' r_max 1.77536314127607697295941829502
+    quad barrier theta_m 0.033609639206345952749260977383444
+    quad barrier barrier 0.000585546490924827398543445669755
+    quad barrier kinetic 0.004273971434096077894374772935155
+    quad barrier margin 0.003688424943171250495831327265399
+    quad launch omega0sq 0.003764633846114133271360875675498
+    quad launch J0 1.13529538563429866110049936845
+    quad fuel fuel_exact 0.177287017324780688790030782681
+    # A table has them, too.
+    "$DOMINO" -e 'set precision quad; rmax' | grep -q '^r_max  *1\.6442290395351491072813656395 '
+}
+
+@test "quad: what is typed is not a rounded double, decimals neither" {
+    same '7/48' 0 "$(json 'set d 1; set precision quad; set d 7/48; print 7/48 - d' | values value)"
+    same 'also if it was typed in double' 0 "$(json 'set d 7/48; set precision quad; print d - 7/48' | values value)"
+    same '0.1' 0.1 "$(json 'set s 0.1; set precision quad; show s' | values value)"
+    same 'theta1' 0.1 "$(json 'set precision quad; theta1 0.1' | values theta)"
+    same 'units' 0 "$(json 'set precision quad; print 4.8 cm - 48 mm' | values value)"
+    same 'pi' 3.1415926535897932384626433832795028 "$(json 'set precision quad; print pi' | values value)"
+    same 'a second third' 0.3333333333333333333333333333333333 \
+        "$(json 'set precision quad; print 1/3' | values value | cut -c 1-36)"
+}
+
+@test "float, double, quad: numbers for programs read back as themselves, in as few digits as do" {
+    same float 1.644229 "$(json 'set precision float; rmax' | values r_max)"
+    same double 1.6442290395351482 "$(json rmax | values r_max)"
+    value=$(json 'set precision quad; rmax' | values r_max)
+    same quad "$value" "$(json "set precision quad; set r $value; show r" | values value)"
+}
+
+@test "tol and digits follow the precision where they have their defaults; a floor is kept" {
+    show='show tol; show digits'
+    state() { json "$1; $show" | values value | paste -sd ' ' -; }
+    same double '1e-12 10' "$(state '')"
+    same quad '1e-30 30' "$(state 'set precision quad')"
+    same float '1e-05 6' "$(state 'set precision float')"
+    same 'quad, then double' '1e-12 10' "$(state 'set precision quad; set precision double')"
+    same 'chosen ones stay' '1e-06 12' "$(state 'set tol 1e-6; set digits 12; set precision quad')"
+    same 'a tol below the floor becomes it' '1e-06 6' "$(state 'set tol 1e-14; set precision float')"
+    same 'reset takes the precision back' '1e-12 10' "$(state 'set precision quad; reset; reset digits')"
+    same 'reset tol' '1e-30 30' "$(state 'set precision quad; set tol 1e-3; reset tol')"
+    same 'set says that tol has changed' 'tol is now 1e-30' "$("$DOMINO" -e 'set precision quad')"
+    same 'and nothing where it has not' '' "$("$DOMINO" -e 'set tol 1e-3; set precision quad')"
+}
+
+@test "tol below what the precision can give: refused, with the floor" {
+    for pair in 'float|1e-06' 'double|1e-15' 'quad|1e-33'; do
+        run "$DOMINO" -e "set precision ${pair%|*}; set tol ${pair#*|}/2"
+        [ "$status" -eq 1 ]
+        [[ $output == *"below what ${pair%|*} precision can give; tol is a number in ${pair#*|} .. 0.1"* ]]
+        json "set precision ${pair%|*}; set tol ${pair#*|}; rmax" | grep -q '"ends_by":"barrier"'
+    done
+    for value in 0 -1 -1e-12; do
+        run "$DOMINO" -e "set tol $value"
+        [ "$status" -eq 1 ]
+        [[ $output == *'is out of range; tol is a number in 1e-15 .. 0.1'* ]]
+    done
+}
+
+@test "save and source keep every digit of every parameter" {
+    file=$BATS_TEST_TMPDIR/state.dom
+    "$DOMINO" -e "set precision quad; set d 7/48; set s 1/3; set tol 1e-33; set digits 36; set errors on; save $file"
+    same 'all of it' "$(json "set precision quad; set d 7/48; set s 1/3; set tol 1e-33; set digits 36; set errors on; show")" \
+        "$(json "source $file; set output json; show")"
+}
+
+@test "tol decides: more of it is nearer, and longer trains" {
+    exact=$(json 'set precision quad; rmax' | values r_max)
+    before=0
+    for tol in 1e-1 1e-3 1e-6 1e-12; do
+        awk -v x="$(json "set tol $tol; rmax" | values r_max)" -v e="$exact" -v tol=$tol \
+            'BEGIN { d = x / e - 1; exit !(d <= tol && -d <= tol) }'
+        rows=$(json "set tol $tol; chain 0.1" | wc -l)
+        [ "$rows" -gt "$before" ]
+        before=$rows
+    done
+}
+
+@test "errors on: every number has a bound, in table, csv and json" {
+    while IFS='|' read -r call expected; do
+        case $call in print*) continue ;; esac
+        table=$("$DOMINO" -e "set errors on; $call")
+        grep -q ' +/- [0-9.]*e-[0-9]*' <<<"$table"
+        answer=$(json "set errors on; $call" | tail -n 1)
+        for key in $expected; do
+            value=$(values "$key" <<<"$answer")
+            if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes " != *" $key "* ]]; then
+                [[ $(values "${key}_error" <<<"$answer") =~ ^[0-9.]+e[-+][0-9]+$ ]] || same "$call: $key" 'a bound' "$answer"
+            fi
+        done
+        head=$("$DOMINO" -e "set errors on; set output csv; $call" | head -n 1)
+        same "$call: csv" "$(json "set errors on; $call" | keys | tr ' ' ,)" "$head"
+    done <<<"$commands"
+    same 'off again' 's r_max ends_by r_max_exact r_max_paper' "$(json 'set errors on; set errors off; rmax' | keys)"
+}
+
+@test "errors on: the bound is one, of what is printed too" {
+    for command in rmax barrier launch duration pair; do
+        exact=$(json "set precision quad; set tol 1e-33; $command")
+        for state in 'set precision float' 'set tol 1e-3' 'set tol 1e-15' 'set digits 4'; do
+            # d and s are typed so that every precision has them exactly.
+            answer=$(json "set errors on; set d 0.125; set s 0.375; $state; $command")
+            exact=$(json "set precision quad; set tol 1e-33; set d 0.125; set s 0.375; $command")
+            for key in r_max barrier kinetic margin omega0sq duration; do
+                value=$(values "$key" <<<"$answer")
+                [ -n "$value" ] || continue
+                awk -v x="$value" -v e="$(values "$key" <<<"$exact")" -v b="$(values "${key}_error" <<<"$answer")" \
+                    'BEGIN { d = x - e; exit !(d <= b && -d <= b) }' || same "$state; $command: $key" "$exact" "$answer"
+            done
+        done
+    done
+    # A table: the number as it is printed and the bound behind it.
+    "$DOMINO" -e 'set errors on; set tol 1e-3; rmax' | awk '$1 == "r_max" { x = $2; b = $4 }
+        END { d = x - 1.64422903953514910728; exit !(b > 0 && d <= b && -d <= b) }'
+}
+
+@test "cost: a row for each method, precision and tolerance, and the lesson in words" {
+    run -0 "$DOMINO" -e 'cost rmax'
+    for word in paper GSL ours float double quad; do grep -q "\b$word\b" <<<"$output"; done
+    [[ ${lines[-1]} =~ ^12\ digits\ cost\ [0-9.e+]+\ times\ what\ 3\ digits\ cost\;\ quad\ costs\ [0-9.e+]+\ times\ double\.$ ]]
+    grep -q "^To 6 digits the paper's recipe takes [0-9.e+]* times our time\.$" <<<"$output"
+    grep -q '^To 6 digits the solvers of GSL take [0-9.e+]* times our time\.$' <<<"$output"
+}
+
+@test "cost: errors are as small as asked, for every method that answers; ours goes down to 1e-33" {
+    for command in rmax barrier duration launch fuel pair; do
+        "$DOMINO" -e "set output csv; cost $command" >"$BATS_TEST_TMPDIR/cost"
+        same "$command" method,precision,tol,error,dominoes,passes,time,times "$(head -n 1 "$BATS_TEST_TMPDIR/cost")"
+        awk -F, -v command="$command" 'NR > 1 {
+            # The paper steps of sqrt(tol) are of that order; a double and a float have their roundings.
+            room = $1 == "paper" ? 20 * $3 : $3
+            floor = $2 == "float" ? 3e-6 : $2 == "double" ? 1e-14 : 1e-31
+            if (!($4 <= room + floor && $5 >= 1 && $6 >= 1 && $7 > 0 && $8 >= 1)) { print command ": " $0; bad = 1 }
+            if ($1 == "ours" && $2 == "quad" && $3 == 1e-33) finest = 1
+            rows++
+        } END { exit bad || !finest || rows < 20 }' "$BATS_TEST_TMPDIR/cost"
+        # More digits, more work: passes times dominoes never fall by much.
+        awk -F, '$1 == "ours" && $2 == "quad" { if ($5 < before) exit 1; before = $5 }' "$BATS_TEST_TMPDIR/cost"
+    done
+}
+
+@test "cost: what has no tolerance, or no answer, is refused in one line" {
+    run -1 "$DOMINO" -e 'cost thetac'
+    same thetac "-e:1:6: cost: 'thetac' is no command with a tolerance; those are: fuel, launch, barrier, duration, rmax, pair" "$output"
+    run -1 "$DOMINO" -e 'cost brier'
+    [[ $output == *"did you mean 'barrier'?"* ]]
+    run -1 "$DOMINO" -e 'cost'
+    [[ $output == *'COMMAND is missing; usage: cost COMMAND'* ]]
+    for state in 'set s 0.001; cost duration' 'set s 0.001; cost rmax' 'set r 1.7; cost duration'; do
+        run -1 "$DOMINO" -e "$state"
+        same "$state" 1 "${#lines[@]}"
+        [[ $output == *'there is no answer to measure here'* ]]
+    done
+    run -1 "$DOMINO" -e 'set r 9; cost launch'
+    [[ $output == *'r s = 3.6 > 1'* ]]
+}
+
+@test "plot cost: text in a pipe, and each kind of file" {
+    run -0 "$DOMINO" -e 'plot cost launch'
+    for words in 'What a digit costs' 'time of one answer' 'ours, quad' 'recipe'; do
+        grep -q "$words" <<<"$output"
+    done
+    dir=$BATS_TEST_TMPDIR
+    "$DOMINO" -e "plot cost launch > $dir/a.svg; plot cost launch > $dir/b.png; plot cost launch > $dir/c.pdf
+plot cost launch > $dir/d.txt"
+    head -c 5 "$dir/a.svg" | grep -q '<?xml'
+    grep -q 'ours, double' "$dir/a.svg"
+    same png '89504e470d0a1a0a' "$(head -c 8 "$dir/b.png" | od -An -tx1 | tr -d ' \n')"
+    same pdf '%PDF-' "$(head -c 5 "$dir/c.pdf")"
+    grep -q 'time of one answer' "$dir/d.txt"
+    same 'csv has the data' method,precision,tol,error,dominoes,passes,time,times \
+        "$("$DOMINO" -e 'set output csv; plot cost launch' | head -n 1)"
+}
+
+@test "plot: endings, folders and a missing gnuplot are one line, and no file is left" {
+    dir=$BATS_TEST_TMPDIR
+    run -1 "$DOMINO" -e "plot cost launch > $dir/a.jpg"
+    same 'one line' 1 "${#lines[@]}"
+    [[ $output == *'its ending is .svg, .png, .pdf or .txt'* ]]
+    run -1 "$DOMINO" -e "plot cost launch > $dir/none/a.svg"
+    same 'one line' 1 "${#lines[@]}"
+    mkdir "$dir/empty"
+    run -1 env PATH="$dir/empty" "$DOMINO" -e "plot cost launch > $dir/a.svg; print 1"
+    [[ ${lines[0]} == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
+    same 'the session goes on' 1 "${lines[1]}"
+    same 'nothing is left' '' "$(find "$dir" -maxdepth 1 -type f -name 'a.*')"
+    run -1 "$DOMINO" -e 'plot cst launch'
+    [[ $output == *"did you mean 'cost'?"* ]]
+    run -1 "$DOMINO" --safe -e 'plot cost launch'
+    [[ $output == *'files are off in a safe session'* ]]
+}
+
+@test "timing: every answer ends with its time" {
+    run -0 "$DOMINO" -e 'set timing on; rmax; fuel'
+    same 'two times' 2 "$(grep -c '^time: [0-9.e-]* ms$' <<<"$output")"
+    [[ ${lines[-1]} =~ ^time: ]]
+}
+
+@test "completion: what cost and plot take" {
+    same cost 'barrier duration fuel launch pair rmax' "$("$DOMINO" -e 'complete cost ' | sort | paste -sd ' ' -)"
+    same plot cost "$("$DOMINO" -e 'complete plot ')"
+    same 'plot cost' rmax "$("$DOMINO" -e 'complete plot cost r')"
+    same precision 'double float quad' "$("$DOMINO" -e 'complete set precision ' | sort | paste -sd ' ' -)"
+}
