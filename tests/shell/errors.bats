@@ -126,11 +126,11 @@ set h 1e4900/1e-90|13|^set: h.*not a finite number
 set s 1/0|8|^set: s.*division by zero
 set s 1 / (2 - 2)|9|^set: s.*division by zero
 set q solid|7|^set: .*q.*'solid'
-set fuel diesel|10|^set: unknown value of fuel 'diesel'.*exact . paper
-set fuel 1|10|^set: unknown value of fuel '1'.*exact . paper
-set output xml|12|^set: unknown value of output 'xml'.*table . csv . json
-set angle grad|11|^set: unknown value of angle 'grad'.*rad . deg
-set timing maybe|12|^set: unknown value of timing 'maybe'.*off . on
+set fuel diesel|10|^set: unknown value of fuel 'diesel'.*exact.paper
+set fuel 1|10|^set: unknown value of fuel '1'.*exact.paper
+set output xml|12|^set: unknown value of output 'xml'.*table.csv.json
+set angle grad|11|^set: unknown value of angle 'grad'.*rad.deg
+set timing maybe|12|^set: unknown value of timing 'maybe'.*off.on
 theta1 nan|8|^theta1: T.*'nan' has no value
 chain inf|7|^chain: T.*'inf' has no value
 energy 0x0|8|^energy: T.*'0x0'

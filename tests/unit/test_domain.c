@@ -123,7 +123,8 @@ static void counting(void **state)
     };
     struct dom_count count;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        assert_status(dom_count_find(DOM_DOUBLE, known[i].first, known[i].height, known[i].r, &count, NULL), DOM_OK);
+        assert_status(dom_count_find(DOM_DOUBLE, known[i].first, known[i].height, known[i].r, &count, NULL),
+                      DOM_OK);
         assert_near("dominoes", count.dominoes, known[i].n, 0);
     }
     /* 48 mm doubled k times, as a person would type it, with 6 to 17 digits. */
@@ -133,7 +134,8 @@ static void counting(void **state)
             snprintf(text, sizeof text, "%.*g", digits, ldexp(0.048, k));
             assert_status(dom_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL), 2, &count, NULL), DOM_OK);
             assert_near("dominoes", count.dominoes, k, 0);
-            assert_status(dom_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count, NULL), DOM_OK);
+            assert_status(
+                dom_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count, NULL), DOM_OK);
             assert_near("dominoes", count.dominoes, k + 1, 0);
         }
     }

@@ -3,6 +3,9 @@
 #include "precision/kernel.inc"
 #include "support.h"
 #include <float.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_roots.h>
 
 static double cubic(double x, void *c)
 {
@@ -116,6 +119,102 @@ static void integrals(void **state)
     }
 }
 
+/* ---- Against GSL: as accurate, and no more evaluations over the list ---- */
+
+struct counted {
+    num_function *f;
+    void *context;
+    size_t calls;
+};
+
+static double count_call(double x, void *context)
+{
+    struct counted *c = context;
+    c->calls++;
+    return c->f(x, c->context);
+}
+
+/* Of ours, or of GSL's Brent, from the bracket to 1e-13; the root is asserted. */
+static size_t root_calls(num_function *f, double lo, double hi, double expected, bool gsl)
+{
+    struct counted c = {.f = f};
+    double x = DOM_NAN;
+    if (!gsl) {
+        assert_int_equal(num_root(count_call, &c, lo, hi, 1e-13, &x), NUM_OK);
+        assert_near("our root", x, expected, 1e-12);
+        return c.calls;
+    }
+    gsl_function function = {count_call, &c};
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    assert_int_equal(gsl_root_fsolver_set(solver, &function, lo, hi), GSL_SUCCESS);
+    do {
+        assert_int_equal(gsl_root_fsolver_iterate(solver), GSL_SUCCESS);
+    } while (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), 0,
+                                    1e-13) == GSL_CONTINUE);
+    assert_near("GSL's root", gsl_root_fsolver_root(solver), expected, 1e-12);
+    gsl_root_fsolver_free(solver);
+    return c.calls;
+}
+
+static double steep(double x, void *c)
+{
+    (void)c;
+    return exp(20 * x) - 2;
+}
+
+static double bent(double x, void *c)
+{
+    (void)c;
+    return sqrt(x) - 0.1;
+}
+
+static void roots_against_gsl(void **state)
+{
+    (void)state;
+    const struct {
+        num_function *f;
+        double lo, hi, x;
+    } problems[] = {
+        {cubic, 0, 10, cbrt(2)},
+        {cubic, -100, 100, cbrt(2)},
+        {root_of_sine, 3, 4, 3.141592653589793},
+        {root_of_sine, 2, 4.5, 3.141592653589793},
+        {steep, -1, 1, log(2) / 20},
+        {bent, 0, 4, 0.01},
+    };
+    size_t ours = 0, theirs = 0;
+    for (size_t i = 0; i < sizeof problems / sizeof *problems; i++) {
+        ours += root_calls(problems[i].f, problems[i].lo, problems[i].hi, problems[i].x, false);
+        theirs += root_calls(problems[i].f, problems[i].lo, problems[i].hi, problems[i].x, true);
+    }
+    print_message("# evaluations for the list of roots: ours %zu, GSL's Brent %zu\n", ours, theirs);
+    assert_true(ours <= theirs);
+}
+
+static void integrals_against_gsl(void **state)
+{
+    (void)state;
+    size_t ours = 0, theirs = 0;
+    gsl_integration_workspace *space = gsl_integration_workspace_alloc(1000);
+    for (double margin = 1e-4; margin > 1e-20; margin /= 100) {
+        struct counted c = {.f = near_stop, .context = &margin};
+        gsl_function function = {count_call, &c};
+        double value = DOM_NAN, error;
+        assert_int_equal(num_integral(count_call, &c, 0, 1, 1e-12, &value, NULL), NUM_OK);
+        assert_near("ours", value, asinh(1 / sqrt(margin)), 1e-12);
+        ours += c.calls;
+        c.calls = 0;
+        assert_int_equal(
+            gsl_integration_qag(&function, 0, 1, 0, 1e-12, 1000, GSL_INTEG_GAUSS21, space, &value, &error),
+            GSL_SUCCESS);
+        assert_near("GSL's", value, asinh(1 / sqrt(margin)), 1e-12);
+        theirs += c.calls;
+    }
+    gsl_integration_workspace_free(space);
+    print_message("# evaluations for the list of near-stops: ours %zu, GSL's qag %zu\n", ours, theirs);
+    assert_true(ours <= theirs);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -123,6 +222,8 @@ int main(void)
         cmocka_unit_test(failures_are_reported),
         cmocka_unit_test(maxima),
         cmocka_unit_test(integrals),
+        cmocka_unit_test(roots_against_gsl),
+        cmocka_unit_test(integrals_against_gsl),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

