@@ -263,6 +263,72 @@ enum dom_status dom_cycle_stop(const struct dom_train *train, dom_real *theta, d
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error);
 
+/* ---- One cycle, event by event ---- */
+
+enum dom_event_kind {
+    DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
+    DOM_EVENT_FALL,   /* a follower falls off the domino that it leaned on (A17) */
+    DOM_EVENT_TOP,    /* the top of the barrier, where there is one */
+    DOM_EVENT_STOP,   /* the train comes to rest below the top: there is no next hit */
+    DOM_EVENT_HIT     /* the head hits the next domino (a2) */
+};
+
+struct dom_event {
+    enum dom_event_kind kind;
+    dom_real theta; /* tilt of the head */
+    dom_real time;  /* since the launch, in tau */
+    size_t domino;  /* that falls off; else 0, the head */
+};
+
+enum { DOM_EVENTS_MAX = 5 };
+
+/*
+ * The events of the cycle in their order, at most DOM_EVENTS_MAX.  DOM_STOPS: the last is DOM_EVENT_STOP.
+ * DOM_NO_FUEL: there are none.
+ */
+enum dom_status dom_cycle_events(const struct dom_train *train, struct dom_event *events, int *count);
+
+/* "launch", "fall", "top", "stop", "hit". */
+const char *dom_event_text(enum dom_event_kind kind);
+
+/*
+ * The train at one tilt on its way, and the ledger of its energy in m g h / 2 of the head:
+ * before - lost - climbed = kinetic.  With the paper's fuel it does not close, since that is no balance.
+ */
+struct dom_state {
+    dom_real theta;
+    dom_real time;         /* since the launch, in tau */
+    dom_real omegasq;      /* tau^2 omega^2 (c3) */
+    dom_real acceleration; /* tau^2 times that of the head, (c3) differentiated */
+    dom_real kinetic;      /* J(theta) tau^2 omega^2 */
+    dom_real climbed;      /* H(theta) - H(0); what is negative was set free */
+    dom_real fallen;       /* the part of it in dominoes that fell off in this cycle */
+    dom_real before;       /* kinetic energy of the hitting train, just before the collision */
+    dom_real lost;         /* of that in the collision, the share 1 / J(0) (c4) */
+};
+
+/* 0 <= theta <= theta_c.  DOM_STOPS: the head does not come as far; DOM_NO_FUEL: it does not start. */
+enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state);
+
+/* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TILT. */
+enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta);
+
+/* The contact between domino i and the follower that leans on it. */
+struct dom_force {
+    size_t i;
+    dom_real force;   /* in m g of the head */
+    dom_real of_own;  /* in the weight of domino i */
+    dom_real impulse; /* in the collision, in m g tau of the head: > 0 presses them together */
+};
+
+/*
+ * Calls visit for the contacts that matter at the tilt theta of a moving train, from the head down (model of
+ * section 5: dominoes stay in contact as long as every force is > 0).  Statuses as dom_cycle_state.
+ */
+typedef bool dom_force_visit(const struct dom_force *force, void *context);
+enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
+                                 void *context);
+
 /* ---- The limits of growth ---- */
 
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };

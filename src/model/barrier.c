@@ -86,7 +86,7 @@ KERNEL enum dom_status barrier_search(const struct lean *g, size_t n, real end, 
         b.edge[0] = fmin(REAL_MIN, end);
     bool leaves;
     struct tilt leave;
-    enum dom_status status = chain_leave(g, n, &leaves, &leave);
+    enum dom_status status = chain_leave(g, n, &leaves, &leave, NULL);
     if (status != DOM_OK)
         return status;
     real theta_leave = leaves ? tilt_angle(leave) : 0;

@@ -88,6 +88,7 @@ static void chain_count(const struct lean *g, size_t n)
 
 struct sum_state {
     struct series J, H1, dH;
+    real left;
 };
 
 static void add_J(struct sum_state *a, const struct link *k)
@@ -114,8 +115,11 @@ static enum dom_status sum_result(const struct lean *g, const struct sum_state *
                                   struct sums *sums)
 {
     chain_count(g, n);
-    *sums = (struct sums){
-        .J = a->J.sum + a->J.lost, .H1 = a->H1.sum + a->H1.lost, .dH = a->dH.sum + a->dH.lost, .n = n};
+    *sums = (struct sums){.J = a->J.sum + a->J.lost,
+                          .H1 = a->H1.sum + a->H1.lost,
+                          .dH = a->dH.sum + a->dH.lost,
+                          .left = a->left,
+                          .n = n};
     return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -221,7 +225,8 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
             link_next(g, &b);
             real sine = g->f.x * b.tilt.y - g->f.y * b.tilt.x;
             real t_f = sine / (1 + g->f.x * b.tilt.x + g->f.y * b.tilt.y);
-            series_add(&state.dH, b.weight * rise(g, g->f, b.tilt, t_f));
+            state.left = b.weight * rise(g, g->f, b.tilt, t_f);
+            series_add(&state.dH, state.left);
             if (error) {
                 bound_next(g, &leader, &b, &e.b);
                 real angle = lean_error_f(g), made_of = g->f.x * b.tilt.y + g->f.y * b.tilt.x;
@@ -260,7 +265,8 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
     return sum_result(g, &state, a.i + 1, sums);
 }
 
-KERNEL enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct tilt *head)
+KERNEL enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct tilt *head,
+                                   size_t *domino)
 {
     *leaves = false;
     if (!g->falls_off)
@@ -279,6 +285,8 @@ KERNEL enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves,
     *head = g->leave;
     for (size_t i = b.i; i > 1; i--)
         *head = lean_leader(g, *head);
+    if (domino)
+        *domino = b.i;
     *leaves = true;
     return DOM_OK;
 }

@@ -26,10 +26,11 @@ KERNEL struct link link_head(const struct lean *lean, struct tilt head);
 KERNEL void link_next(const struct lean *lean, struct link *link);
 
 struct sums {
-    real J;   /* (c2) */
-    real H1;  /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
-    real dH;  /* H(theta) - H(0); only from chain_rise */
-    size_t n; /* dominoes followed */
+    real J;    /* (c2) */
+    real H1;   /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
+    real dH;   /* H(theta) - H(0); only from chain_rise */
+    real left; /* the part of it in a follower that has left during the cycle */
+    size_t n;  /* dominoes followed */
 };
 
 /* The sign of H1 alone, right to rounding, from as few dominoes as show it. */
@@ -44,8 +45,10 @@ KERNEL enum dom_status chain_rise(const struct lean *lean, struct tilt head, siz
 
 /*
  * The tilt of the head at which one of the first n dominoes falls off; false where none does within
- * the cycle.  One at most does: the train at theta_c is the train at 0, shifted by one.
+ * the cycle.  domino, unless NULL, gets its number.  One at most does: the train at theta_c is the train at
+ * 0, shifted by one.
  */
-KERNEL enum dom_status chain_leave(const struct lean *lean, size_t n, bool *leaves, struct tilt *head);
+KERNEL enum dom_status chain_leave(const struct lean *lean, size_t n, bool *leaves, struct tilt *head,
+                                   size_t *domino);
 
 #endif

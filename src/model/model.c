@@ -101,6 +101,28 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, dom_real *dura
     ASK(train, cycle_duration, train, duration, error);
 }
 
+enum dom_status dom_cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
+{
+    *count = 0;
+    ASK(train, cycle_events, train, events, count);
+}
+
+enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state)
+{
+    ASK(train, cycle_state, train, theta, state);
+}
+
+enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta)
+{
+    ASK(train, cycle_tilt, train, time, theta);
+}
+
+enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
+                                 void *context)
+{
+    ASK(train, cycle_forces, train, theta, visit, context);
+}
+
 /* The limits have r of their own: the train's may be anything. */
 static struct dom_train without_r(const struct dom_train *train)
 {

@@ -34,6 +34,16 @@ const char *dom_end_text(enum dom_end end)
     return text[end];
 }
 
+const char *dom_event_text(enum dom_event_kind kind)
+{
+    static const char *const text[] = {[DOM_EVENT_LAUNCH] = "launch",
+                                       [DOM_EVENT_FALL] = "fall",
+                                       [DOM_EVENT_TOP] = "top",
+                                       [DOM_EVENT_STOP] = "stop",
+                                       [DOM_EVENT_HIT] = "hit"};
+    return text[kind];
+}
+
 dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d)
 {
     return sqrt(scale->h * (1 + d * d) / (3 * scale->g));

@@ -9,7 +9,7 @@ static double brute_force(const struct lean *g, double theta_c)
     double highest = 0;
     bool leaves;
     struct tilt leave;
-    assert_status(chain_leave(g, CHAIN_ENDLESS, &leaves, &leave), DOM_OK);
+    assert_status(chain_leave(g, CHAIN_ENDLESS, &leaves, &leave, NULL), DOM_OK);
     double edge[3] = {0, leaves ? tilt_angle(leave) : theta_c / 2, theta_c};
     for (int piece = 0; piece < 2; piece++) {
         for (int k = 0; k <= 300; k++) {

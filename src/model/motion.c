@@ -1,0 +1,342 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One cycle as it runs: events, times, accelerations and the forces in the chain.  From the tail upwards,
+ * what each follower gets from gravity and does not need for its own acceleration is what its contact
+ * passes on.
+ */
+#include "barrier.h"
+#include <stdlib.h>
+
+/* ---- Times ---- */
+
+struct motion {
+    struct cycle cycle;
+    real end; /* theta_c, or where the train comes to rest */
+    real tol; /* of times: what a small margin leaves of the one that was asked for */
+    bool stops;
+};
+
+static enum dom_status motion_begin(const struct dom_train *train, struct motion *m)
+{
+    enum dom_status status = cycle_whole(train, &m->cycle, false);
+    if (status != DOM_OK)
+        return status;
+    m->end = tilt_angle(m->cycle.lean.c);
+    real margin = m->cycle.launch.kinetic - m->cycle.barrier.height;
+    m->stops = margin < 0;
+    m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
+    if (!(m->tol < (real)0.125))
+        return DOM_NOT_CONVERGED; /* as a duration, a time would grow like ln(1/margin) */
+    if (m->stops) {
+        struct cycle c = m->cycle; /* the search spoils the barrier */
+        enum num_status solver =
+            num_root(energy_short, &c, c.barrier.edge[0], c.barrier.theta_m, c.lean.tol / 8, &m->end);
+        status = model_status(c.status, solver);
+    }
+    return status;
+}
+
+/* H(end) - H(end - delta) for a small delta, as the integral of H' (Gauss, three points): nothing cancels. */
+static enum dom_status motion_drop(const struct lean *g, real end, real delta, real *drop)
+{
+    const real root = sqrt((real)3 / 5);
+    const real place[] = {(1 - root) / 2, (real)1 / 2, (1 + root) / 2};
+    static const int weight[] = {5, 8, 5};
+    *drop = 0;
+    for (int k = 0; k < 3; k++) {
+        struct tilt head;
+        struct sums at;
+        enum dom_status status = lean_tilt(g, end - place[k] * delta, &head);
+        if (status == DOM_OK)
+            status = chain_sum(g, head, CHAIN_ENDLESS, &at);
+        if (status != DOM_OK)
+            return status;
+        *drop += delta * (real)weight[k] / 18 * at.H1;
+    }
+    return DOM_OK;
+}
+
+/* This close to a stop, as a part of its tilt, the energy that is left comes from motion_drop. */
+#define CLOSE ((real)0.01)
+
+/*
+ * With theta = end (1 - u^2) the slowness before a stop, which grows like 1/sqrt(end - theta), is smooth:
+ * dt/du = 2 end u / (tau omega), and at u = 0 the limit of that.
+ */
+static real slowness_before(real u, void *context)
+{
+    struct motion *m = context;
+    struct cycle *c = &m->cycle;
+    struct tilt head;
+    struct sums at = {.J = 1};
+    real delta = m->end * u * u, theta = m->end - delta, left = 0;
+    c->status = lean_tilt(&c->lean, theta, &head);
+    if (c->status == DOM_OK)
+        c->status = u * u < CLOSE ? chain_sum(&c->lean, head, CHAIN_ENDLESS, &at)
+                                  : chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, NULL);
+    left = c->launch.kinetic - at.dH;
+    if (c->status == DOM_OK && u * u < CLOSE)
+        c->status = motion_drop(&c->lean, m->end, delta, &left);
+    return c->status == DOM_OK && left > 0 ? 2 * m->end * u * sqrt(at.J / left) : REAL_NAN;
+}
+
+static real slowness_at(real theta, void *context)
+{
+    struct motion *m = context;
+    return slowness(theta, &m->cycle);
+}
+
+/* Time from one tilt to another. */
+static enum dom_status motion_time(struct motion *m, real from, real to, real *time)
+{
+    const struct barrier *b = &m->cycle.barrier;
+    real knot[5], tol = m->tol;
+    int knots = 0;
+    *time = 0;
+    if (to <= from)
+        return DOM_OK;
+    knot[knots++] = from;
+    for (int i = 1; i < b->edges; i++) {
+        /* Between two edges, the top of the barrier. */
+        if (b->theta_m > b->edge[i - 1] && b->theta_m < b->edge[i] && b->theta_m > from && b->theta_m < to)
+            knot[knots++] = b->theta_m;
+        if (b->edge[i] > from && b->edge[i] < to)
+            knot[knots++] = b->edge[i];
+    }
+    knot[knots++] = to;
+    for (int i = 1; i < knots; i++) {
+        real part = 0;
+        bool last = m->stops && i == knots - 1;
+        enum num_status solver = last ? num_integral(slowness_before, m, sqrt(fmax(1 - knot[i] / m->end, 0)),
+                                                     sqrt(1 - knot[i - 1] / m->end), tol, &part, NULL)
+                                      : num_integral(slowness_at, m, knot[i - 1], knot[i], tol, &part, NULL);
+        enum dom_status status = model_status(m->cycle.status, solver);
+        if (status != DOM_OK)
+            return status;
+        *time += part;
+    }
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
+{
+    struct motion m;
+    bool leaves;
+    struct tilt leave;
+    size_t domino = 0;
+    enum dom_status status = motion_begin(train, &m);
+    if (status == DOM_OK)
+        status = chain_leave(&m.cycle.lean, CHAIN_ENDLESS, &leaves, &leave, &domino);
+    if (status != DOM_OK)
+        return status;
+    real top = m.cycle.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
+    int n = 0;
+    events[n++] = (struct dom_event){.kind = DOM_EVENT_LAUNCH};
+    if (top > 0 && top < m.end)
+        events[n++] = (struct dom_event){.kind = DOM_EVENT_TOP, .theta = top};
+    if (leaves && fall < m.end) {
+        int at = n++;
+        bool first = at > 1 && fall < top;
+        if (first)
+            events[at] = events[at - 1];
+        events[first ? at - 1 : at] =
+            (struct dom_event){.kind = DOM_EVENT_FALL, .theta = fall, .domino = domino};
+    }
+    events[n++] = (struct dom_event){.kind = m.stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m.end};
+    for (int i = 1; i < n && status == DOM_OK; i++) {
+        real step = 0;
+        status = motion_time(&m, (real)events[i - 1].theta, (real)events[i].theta, &step);
+        events[i].time = events[i - 1].time + step;
+    }
+    *count = status == DOM_OK ? n : 0;
+    return status == DOM_OK && m.stops ? DOM_STOPS : status;
+}
+
+KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_, dom_real *theta)
+{
+    struct motion m;
+    real time = (real)time_, lo = 0, hi, at = 0, passed = 0, whole = 0;
+    enum dom_status status = motion_begin(train, &m);
+    if (status == DOM_OK)
+        status = motion_time(&m, 0, m.end, &whole);
+    if (status != DOM_OK)
+        return status;
+    if (!(time >= 0 && time <= whole * (1 + 4 * REAL_EPSILON)))
+        return DOM_BAD_TILT;
+    hi = m.end;
+    if (time >= whole) {
+        *theta = m.end;
+        return DOM_OK;
+    }
+    /* Newton, whose derivative is omega, from where it stands; halving where that leaves the bracket. */
+    for (int i = 0; i < 100; i++) {
+        real omegasq = 0, step = 0;
+        status = cycle_speed(&m.cycle, at, &omegasq, NULL);
+        if (status != DOM_OK)
+            return status;
+        real off = time - passed, next = at + off * sqrt(fmax(omegasq, 0));
+        *(off >= 0 ? &lo : &hi) = at;
+        if (!(next > lo && next < hi))
+            next = (lo + hi) / 2;
+        if (fabs(next - at) <= fmax(m.tol, 4 * REAL_EPSILON) * m.end) {
+            *theta = next;
+            return DOM_OK;
+        }
+        status = next > at ? motion_time(&m, at, next, &step) : motion_time(&m, next, at, &step);
+        if (status != DOM_OK)
+            return status;
+        passed += next > at ? step : -step;
+        at = next;
+    }
+    return DOM_NOT_CONVERGED;
+}
+
+/* ---- Accelerations and forces ---- */
+
+/* One domino in the moving train. */
+struct moving {
+    struct link link;
+    real bend; /* theta_i'' = d^2 theta_i / d theta^2 */
+};
+
+/* theta'' of the follower: d/dtheta of (b10) along the chain. */
+static real moving_bend(const struct lean *g, const struct moving *leader, const struct link *follower)
+{
+    const struct link *k = &leader->link;
+    real X = k->turn.X, Y = k->turn.Y;
+    if (k->tilt.x == 0 && Y == 0)
+        return 0;
+    real turned = (follower->tilt.y + k->step * k->tilt.x * X) / (Y * Y);
+    return k->step * leader->bend - g->r * g->L * turned * k->slope * k->slope;
+}
+
+/* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w. */
+static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration)
+{
+    struct sums at;
+    enum dom_status status = chain_sum(g, head, CHAIN_ENDLESS, &at);
+    if (status != DOM_OK)
+        return status;
+    struct moving k = {.link = link_head(g, head), .bend = 0};
+    real half_J1 = 0;
+    for (size_t i = 0; i < at.n; i++) {
+        half_J1 += k.link.inertia * k.link.slope * k.bend;
+        if (!k.link.leads || i + 1 == at.n)
+            break;
+        struct moving leader = k;
+        link_next(g, &k.link);
+        k.bend = moving_bend(g, &leader, &k.link);
+    }
+    *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta_, struct dom_state *state)
+{
+    struct motion m;
+    struct tilt head;
+    struct sums at;
+    real theta = (real)theta_, omegasq = 0, time = 0, acceleration = 0;
+    enum dom_status status = motion_begin(train, &m);
+    if (status != DOM_OK)
+        return status;
+    const struct cycle *c = &m.cycle;
+    status = lean_tilt(&c->lean, theta, &head);
+    if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
+        return DOM_STOPS;
+    theta = fmin(theta, m.end);
+    if (status == DOM_OK)
+        status = chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, NULL);
+    if (status == DOM_OK)
+        status = cycle_speed(c, theta, &omegasq, NULL);
+    omegasq = fmax(omegasq, 0); /* at the stop it is 0 to rounding */
+    if (status == DOM_OK)
+        status = motion_time(&m, 0, theta, &time);
+    if (status == DOM_OK)
+        status = motion_acceleration(&c->lean, head, omegasq, &acceleration);
+    struct fuel fuel;
+    if (status == DOM_OK)
+        status = energy_fuel(&c->lean, &fuel, NULL);
+    if (status != DOM_OK)
+        return status;
+    /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
+    real before = c->lean.weight * (c->launch.kinetic + fuel.exact);
+    *state = (struct dom_state){
+        .theta = theta,
+        .time = time,
+        .omegasq = omegasq,
+        .acceleration = acceleration,
+        .kinetic = at.J * omegasq,
+        .climbed = at.dH,
+        .fallen = at.left,
+        .before = before,
+        .lost = before / c->launch.J0,
+    };
+    return DOM_OK;
+}
+
+/* Dominoes beyond those that matter, so that the last that is reported has a tail that matters to it. */
+#define FORCES_MORE 64
+
+KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real theta_, dom_force_visit *visit,
+                                    void *context)
+{
+    struct motion m;
+    struct tilt head;
+    struct sums at;
+    real theta = (real)theta_, w = 0, acceleration = 0;
+    enum dom_status status = motion_begin(train, &m);
+    if (status != DOM_OK)
+        return status;
+    const struct lean *g = &m.cycle.lean;
+    status = lean_tilt(g, theta, &head);
+    if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
+        return DOM_STOPS;
+    if (status == DOM_OK)
+        status = chain_sum(g, head, CHAIN_ENDLESS, &at);
+    if (status == DOM_OK)
+        status = cycle_speed(&m.cycle, fmin(theta, m.end), &w, NULL);
+    w = fmax(w, 0);
+    if (status == DOM_OK)
+        status = motion_acceleration(g, head, w, &acceleration);
+    if (status != DOM_OK)
+        return status;
+    size_t n = 2 * at.n + FORCES_MORE, count = 0;
+    struct moving *k = malloc(n * sizeof *k);
+    struct dom_force *force = malloc(n * sizeof *force);
+    if (!k || !force) {
+        free(k);
+        free(force);
+        return DOM_NO_MEMORY;
+    }
+    k[0] = (struct moving){.link = link_head(g, head), .bend = 0};
+    for (count = 1; count < n && k[count - 1].link.leads; count++) {
+        k[count].link = k[count - 1].link;
+        link_next(g, &k[count].link);
+        k[count].bend = moving_bend(g, &k[count - 1], &k[count].link);
+    }
+    /* The old train's domino j - 1 is this one's j: in the collision its theta_j' omega falls to J-1 of J. */
+    real omega_lost = sqrt(m.cycle.launch.omegasq) / (m.cycle.launch.J0 - 1);
+    real rest = 0, push = 0; /* sums over the followers, as torques on the first of them */
+    for (size_t j = count - 1; j > 0; j--) {
+        const struct link *own = &k[j].link;
+        real theta_2 = own->slope * acceleration + k[j].bend * w;
+        real gravity = own->weight * (own->tilt.x - g->d * own->tilt.y) / 2;
+        rest = gravity - own->inertia * theta_2 + k[j].link.step * (j + 1 < count ? rest : 0);
+        push = own->inertia * own->slope * omega_lost + k[j].link.step * (j + 1 < count ? push : 0);
+        real size = own->weight == 0 ? 0 : pow(g->r, -(real)(j - 1)); /* h_(j-1) over that of the head */
+        real arm_b = k[j - 1].link.turn.Y / g->r * size;
+        force[j - 1] = (struct dom_force){
+            .i = j - 1,
+            .force = rest / arm_b,
+            .of_own = rest / arm_b * size / k[j - 1].link.weight,
+            .impulse = theta == 0 ? push / arm_b : REAL_NAN,
+        };
+    }
+    for (size_t i = 0; i + 1 < count && i < at.n; i++)
+        if (!visit(&force[i], context))
+            break;
+    free(k);
+    free(force);
+    return DOM_OK;
+}

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One cycle as it runs: events, times, the ledger of energy, accelerations and contact forces. */
+#include "support.h"
+#include <float.h>
+
+/* Trains that complete their cycle or stop in it; none without fuel. */
+static bool next_train(uint64_t *seed, struct dom_train *train, struct dom_event *events, int *count)
+{
+    *train = random_train(seed);
+    train->tol = 1e-13;
+    train->r = fmin((double)train->r, 1 + 2 * random_unit(seed));
+    train->s = fmax((double)train->s, 0.02);
+    if (train->r * train->s > 1)
+        return false;
+    enum dom_status status = dom_cycle_events(train, events, count);
+    return status == DOM_OK || status == DOM_STOPS;
+}
+
+static void events_are_in_order(void **state)
+{
+    (void)state;
+    uint64_t seed = 41;
+    int stops = 0, falls = 0, tops = 0, hits = 0;
+    for (int i = 0; i < 400; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        struct dom_barrier barrier;
+        struct dom_angles angles;
+        int n;
+        if (!next_train(&seed, &train, events, &n))
+            continue;
+        assert_true(n >= 2 && n <= DOM_EVENTS_MAX);
+        assert_true(events[0].kind == DOM_EVENT_LAUNCH && events[0].theta == 0 && events[0].time == 0);
+        for (int k = 1; k < n; k++)
+            assert_true(events[k].theta >= events[k - 1].theta && events[k].time >= events[k - 1].time);
+        bool good = dom_barrier_find(&train, &barrier, NULL) == DOM_OK;
+        assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+        assert_true(events[n - 1].kind == (good ? DOM_EVENT_HIT : DOM_EVENT_STOP));
+        if (good)
+            assert_near("hit", events[n - 1].theta, angles.theta_c, 1e-15);
+        else
+            assert_true(events[n - 1].theta < barrier.theta_m);
+        for (int k = 1; k < n; k++) {
+            stops += events[k].kind == DOM_EVENT_STOP;
+            hits += events[k].kind == DOM_EVENT_HIT;
+            falls += events[k].kind == DOM_EVENT_FALL;
+            tops += events[k].kind == DOM_EVENT_TOP;
+            if (events[k].kind == DOM_EVENT_FALL) {
+                /* Its leader has come to theta_leave, it lies at theta_f. */
+                struct dom_contact c = {.theta_1 = events[k].theta};
+                for (size_t j = 1; j < events[k].domino; j++)
+                    assert_status(dom_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c, NULL),
+                                  DOM_OK);
+                if (events[k].domino == 1)
+                    assert_near("leader", events[k].theta, angles.theta_leave, 1e-12);
+            }
+        }
+    }
+    print_message("# %d stops, %d hits, %d falls, %d tops\n", stops, hits, falls, tops);
+    assert_true(stops > 10 && hits > 10 && falls > 10 && tops > 10);
+}
+
+/* before - lost - climbed = kinetic, at every event and between them. */
+static void ledger_closes(void **state)
+{
+    (void)state;
+    uint64_t seed = 42;
+    int checked = 0;
+    for (int i = 0; i < 200; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        int n;
+        if (!next_train(&seed, &train, events, &n))
+            continue;
+        for (int k = 0; k < 2 * n - 1; k++) {
+            double theta = k % 2 ? ((double)events[k / 2].theta + (double)events[k / 2 + 1].theta) / 2
+                                 : (double)events[k / 2].theta;
+            struct dom_state s;
+            assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
+            double size = (double)s.before + fabs((double)s.climbed);
+            double open = (double)(s.before - s.lost - s.climbed - s.kinetic);
+            if (fabs(open) > 1e-12 * size)
+                fail_msg("the ledger is open by %g of %g at theta %g of s %g r %g d %g q %g", open, size,
+                         theta, (double)train.s, (double)train.r, (double)train.d, (double)train.q);
+            if (k % 2 == 0)
+                assert_near("time", s.time, events[k / 2].time, 1e-10);
+            checked++;
+        }
+    }
+    assert_true(checked > 300);
+}
+
+/* With the paper's fuel energy comes from nowhere: the ledger shows how much. */
+static void ledger_of_the_paper_is_open(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_state s;
+    train.fuel = DOM_FUEL_PAPER;
+    assert_status(dom_cycle_state(&train, 0.3, &s), DOM_OK);
+    assert_true(s.kinetic > 1.05 * (double)(s.before - s.lost - s.climbed));
+}
+
+static void acceleration_is_the_slope_of_omega(void **state)
+{
+    (void)state;
+    uint64_t seed = 43;
+    int checked = 0;
+    for (int i = 0; i < 300; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        struct dom_state s, below, above;
+        int n;
+        if (!next_train(&seed, &train, events, &n) || train.s < 0.05)
+            continue;
+        double end = (double)events[n - 1].theta, theta = (0.1 + 0.8 * random_unit(&seed)) * end,
+               h = 1e-4 * end;
+        assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta - h, &below), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta + h, &above), DOM_OK);
+        double slope = (double)(above.omegasq - below.omegasq) / (4 * h);
+        double scale = fabs((double)s.acceleration) + (double)s.omegasq / end;
+        bool near_fall = n > 2 && (fabs((double)events[1].theta - theta) < 5 * h ||
+                                   fabs((double)events[2].theta - theta) < 5 * h);
+        if (!near_fall && fabs(slope - (double)s.acceleration) > 1e-4 * scale)
+            fail_msg("acceleration %g, omega's slope %g", (double)s.acceleration, slope);
+        checked++;
+    }
+    assert_true(checked > 50);
+}
+
+struct smallest {
+    double head, force, impulse;
+};
+
+static bool force_seen(const struct dom_force *force, void *context)
+{
+    struct smallest *s = context;
+    if (force->i == 0)
+        s->head = (double)force->force;
+    s->force = fmin(s->force, (double)force->of_own);
+    s->impulse = fmin(s->impulse, (double)force->impulse);
+    return true;
+}
+
+/*
+ * The head obeys its own equation of motion with the force that comes up the chain, and all forces and
+ * impulses are positive: in the frictionless cycle dominoes stay in contact.
+ */
+static void forces_hold_the_train_together(void **state)
+{
+    (void)state;
+    uint64_t seed = 44;
+    int checked = 0;
+    for (int i = 0; i < 300; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        int n;
+        if (!next_train(&seed, &train, events, &n))
+            continue;
+        for (int k = 0; k < 4; k++) {
+            double theta = k / 3.0 * (double)events[n - 1].theta;
+            struct smallest seen = {.head = 0, .force = 1, .impulse = 1};
+            struct dom_state s;
+            struct dom_contact c;
+            assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
+            assert_status(dom_cycle_forces(&train, theta, force_seen, &seen), DOM_OK);
+            assert_status(dom_contact_find(&train, theta, &c, NULL), DOM_OK);
+            double d = (double)train.d, gravity = (sin(theta) - d * cos(theta)) / 2;
+            double torque = isnan((double)c.arm_a) ? 0 : seen.head * (double)c.arm_a;
+            double scale = fabs(gravity) + fabs((double)s.acceleration) + fabs(torque);
+            if (fabs(gravity + torque - (double)s.acceleration) > 1e-9 * scale)
+                fail_msg("the head: gravity %g + contact %g, acceleration %g", gravity, torque,
+                         (double)s.acceleration);
+            assert_true(seen.force > 0 && seen.impulse > 0);
+            checked++;
+        }
+    }
+    assert_true(checked > 300);
+}
+
+/* Time and tilt are each other's inverse; the whole is the duration. */
+static void tilt_inverts_time(void **state)
+{
+    (void)state;
+    uint64_t seed = 45;
+    int checked = 0;
+    for (int i = 0; i < 60; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        dom_real theta, duration;
+        struct dom_state s;
+        int n;
+        if (!next_train(&seed, &train, events, &n))
+            continue;
+        double whole = (double)events[n - 1].time;
+        for (int k = 1; k < 4; k++) {
+            assert_status(dom_cycle_tilt(&train, k * whole / 4, &theta), DOM_OK);
+            assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
+            assert_near("time", s.time, k * whole / 4, 1e-9);
+            checked++;
+        }
+        assert_status(dom_cycle_tilt(&train, 1.01 * whole, &theta), DOM_BAD_TILT);
+        assert_status(dom_cycle_tilt(&train, -1e-9, &theta), DOM_BAD_TILT);
+        if (events[n - 1].kind == DOM_EVENT_HIT && dom_cycle_duration(&train, &duration, NULL) == DOM_OK)
+            assert_near("duration", duration, whole, 1e-9);
+    }
+    assert_true(checked > 50);
+}
+
+/* Of a train that stops just below the top: double against quad. */
+static void stops_to_the_digit(void **state)
+{
+    (void)state;
+    const double r[] = {1.7, 1.65, 1.64425};
+    for (int i = 0; i < 3; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_event events[DOM_EVENTS_MAX], finer[DOM_EVENTS_MAX];
+        int n, m;
+        train.r = r[i];
+        assert_status(dom_cycle_events(&train, events, &n), DOM_STOPS);
+        train.precision = DOM_QUAD;
+        train.tol = 1e-25;
+        assert_status(dom_cycle_events(&train, finer, &m), DOM_STOPS);
+        assert_int_equal(n, m);
+        assert_near("where", events[n - 1].theta, finer[n - 1].theta, 1e-12);
+        assert_near("when", events[n - 1].time, finer[n - 1].time, 1e-11);
+    }
+    struct dom_train none = dom_train_default();
+    struct dom_event events[DOM_EVENTS_MAX];
+    struct dom_state s;
+    int n = 7;
+    none.s = 0.001;
+    assert_status(dom_cycle_events(&none, events, &n), DOM_NO_FUEL);
+    assert_int_equal(n, 0);
+    none.s = 0.4;
+    none.r = 1.7;
+    assert_status(dom_cycle_state(&none, 0.1, &s), DOM_STOPS);
+    assert_status(dom_cycle_state(&none, 1, &s), DOM_BAD_TILT);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(events_are_in_order),
+        cmocka_unit_test(ledger_closes),
+        cmocka_unit_test(ledger_of_the_paper_is_open),
+        cmocka_unit_test(acceleration_is_the_slope_of_omega),
+        cmocka_unit_test(forces_hold_the_train_together),
+        cmocka_unit_test(tilt_inverts_time),
+        cmocka_unit_test(stops_to_the_digit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
