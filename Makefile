@@ -95,23 +95,24 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(B)/libdomino.a
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
-.SECONDARY: $(call OBJ,$(UNIT))
+.SECONDARY: $(call OBJ,$(UNIT) $(wildcard tests/hard/*.c))
 
-# Hard cases and sweeps against a reference in MPFR.
-HARD := $(wildcard tests/hard/*.c)
-$(B)/hard/test_hard: $(call OBJ,$(HARD)) $(B)/libdomino.a
+# Hard cases and sweeps against a reference in MPFR: what test_*.c there share is linked into each.
+HARD     := $(wildcard tests/hard/*.c)
+HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(wildcard tests/hard/test_*.c))
+$(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,$(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
 	@mkdir -p $(@D)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@
 
-test: all $(UNIT_BIN) $(B)/hard/test_hard
-	@tests/run $(B) $(UNIT_BIN) $(B)/hard/test_hard tests/shell/*.bats
+test: all $(UNIT_BIN) $(HARD_BIN)
+	@tests/run $(B) $(UNIT_BIN) $(HARD_BIN) tests/shell/*.bats
 
 unit: $(UNIT_BIN)
 	@tests/run $(B) $(UNIT_BIN)
 
-hard: $(B)/hard/test_hard
-	@tests/run $(B) $(B)/hard/test_hard
+hard: $(HARD_BIN)
+	@tests/run $(B) $(HARD_BIN)
 
 sessions: all
 	@tests/run $(B) tests/shell/*.bats
@@ -154,8 +155,8 @@ H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/unit/*.h tests/har
 # for those from float to double.
 lint: | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
-	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(UNIT_BIN)) $(B)/gcc/hard/test_hard
-	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(UNIT_BIN)) $(B)/clang/hard/test_hard
+	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/gcc/%,$(HARD_BIN))
+	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/clang/%,$(HARD_BIN))
 	clang-tidy --quiet $(MODEL) $(SHELL_C) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem -Iinclude -Isrc/model src

@@ -308,7 +308,8 @@ struct dom_state {
 };
 
 /* 0 <= theta <= theta_c.  DOM_STOPS: the head does not come as far; DOM_NO_FUEL: it does not start. */
-enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state);
+enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state,
+                                struct dom_state *error);
 
 /* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TILT. */
 enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta);

@@ -57,8 +57,9 @@ static void series_add(struct series *s, real term)
  */
 static bool series_done(struct series *s, real term, real ratio, real tol)
 {
-    s->tail = term * ratio / (1 - ratio);
-    return s->tail <= fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
+    real next = term * ratio;
+    s->tail = next == 0 ? 0 : next / (1 - ratio);
+    return next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
 /* Rounding of the sum, and its tail: 0 where the train has ended. */

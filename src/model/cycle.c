@@ -29,6 +29,7 @@ static enum dom_status cycle_climb(struct cycle *cycle, real end)
 static enum dom_status cycle_whole(const struct dom_train *train, struct cycle *cycle, bool errors)
 {
     struct lean *g = &cycle->lean;
+    cycle->status = DOM_OK;
     enum dom_status status = lean_make(train, g);
     if (status == DOM_OK)
         status = barrier_balance(g, train->fuel, tilt_angle(g->c), &cycle->launch,

@@ -22,7 +22,8 @@ struct kernel {
     enum dom_status (*cycle_stop)(const struct dom_train *, dom_real *, dom_real *);
     enum dom_status (*cycle_duration)(const struct dom_train *, dom_real *, dom_real *);
     enum dom_status (*cycle_events)(const struct dom_train *, struct dom_event *, int *);
-    enum dom_status (*cycle_state)(const struct dom_train *, dom_real, struct dom_state *);
+    enum dom_status (*cycle_state)(const struct dom_train *, dom_real, struct dom_state *,
+                                   struct dom_state *);
     enum dom_status (*cycle_tilt)(const struct dom_train *, dom_real, dom_real *);
     enum dom_status (*cycle_forces)(const struct dom_train *, dom_real, dom_force_visit *, void *);
     enum dom_status (*limit_rmax)(const struct dom_train *, struct dom_limit *, struct dom_limit *,

@@ -107,9 +107,10 @@ enum dom_status dom_cycle_events(const struct dom_train *train, struct dom_event
     ASK(train, cycle_events, train, events, count);
 }
 
-enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state)
+enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state,
+                                struct dom_state *error)
 {
-    ASK(train, cycle_state, train, theta, state);
+    ASK(train, cycle_state, train, theta, state, error);
 }
 
 enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta)

@@ -231,36 +231,53 @@ static enum dom_status motion_acceleration(const struct lean *g, struct tilt hea
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta_, struct dom_state *state)
+/*
+ * Of the time up to theta: the integral of the slowness's bound, and what the tolerance leaves.  Towards a
+ * stop, where the slowness has no bound, the rounding of the energy counts through m->tol alone.
+ */
+static enum dom_status time_error(struct motion *m, real theta, real time, real *error)
+{
+    real of_speed = 0;
+    enum num_status solver = NUM_OK;
+    if (!m->stops && theta > 0)
+        solver = num_integral(slowness_error, &m->cycle, 0, theta, (real)0.125, &of_speed, NULL);
+    *error = 2 * of_speed + (m->stops ? 64 : 1) * fmax(m->tol, 8 * UNIT) * time;
+    return model_status(m->cycle.status, solver);
+}
+
+KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta_, struct dom_state *state,
+                                   struct dom_state *error)
 {
     struct motion m;
     struct tilt head;
-    struct sums at;
-    real theta = (real)theta_, omegasq = 0, time = 0, acceleration = 0;
+    struct sums at, e = {0};
+    struct fuel fuel, fuel_error = {0};
+    real theta = (real)theta_, omegasq = 0, omegasq_error = 0, time = 0, acceleration = 0;
     enum dom_status status = motion_begin(train, &m);
     if (status != DOM_OK)
         return status;
-    const struct cycle *c = &m.cycle;
+    struct cycle *c = &m.cycle;
     status = lean_tilt(&c->lean, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
     theta = fmin(theta, m.end);
+    if (status == DOM_OK && error)
+        status = collision_launch(&c->lean, train->fuel, &c->launch, &c->launch_error);
     if (status == DOM_OK)
-        status = chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, NULL);
+        status = chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, error ? &e : NULL);
     if (status == DOM_OK)
-        status = cycle_speed(c, theta, &omegasq, NULL);
+        status = cycle_speed(c, theta, &omegasq, error ? &omegasq_error : NULL);
     omegasq = fmax(omegasq, 0); /* at the stop it is 0 to rounding */
     if (status == DOM_OK)
         status = motion_time(&m, 0, theta, &time);
     if (status == DOM_OK)
         status = motion_acceleration(&c->lean, head, omegasq, &acceleration);
-    struct fuel fuel;
     if (status == DOM_OK)
-        status = energy_fuel(&c->lean, &fuel, NULL);
+        status = energy_fuel(&c->lean, &fuel, error ? &fuel_error : NULL);
     if (status != DOM_OK)
         return status;
     /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
-    real before = c->lean.weight * (c->launch.kinetic + fuel.exact);
+    real before = c->lean.weight * (c->launch.kinetic + fuel.exact), J0 = c->launch.J0;
     *state = (struct dom_state){
         .theta = theta,
         .time = time,
@@ -270,9 +287,24 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         .climbed = at.dH,
         .fallen = at.left,
         .before = before,
-        .lost = before / c->launch.J0,
+        .lost = before / J0,
     };
-    return DOM_OK;
+    if (!error)
+        return DOM_OK;
+    real of_time = 0, of_kinetic = c->launch_error.kinetic;
+    real of_before = c->lean.weight * (of_kinetic + fuel_error.exact) + 5 * UNIT * before;
+    status = time_error(&m, theta, time, &of_time);
+    *error = (struct dom_state){
+        .time = of_time,
+        .omegasq = omegasq_error,
+        .acceleration = REAL_NAN, /* no bound is known */
+        .kinetic = of_kinetic + e.dH + 3 * UNIT * at.J * omegasq,
+        .climbed = e.dH,
+        .fallen = at.left == 0 ? 0 : e.dH,
+        .before = of_before,
+        .lost = (of_before + before * c->launch_error.J0 / J0) / J0 + UNIT * before,
+    };
+    return status;
 }
 
 /* Dominoes beyond those that matter, so that the last that is reported has a tail that matters to it. */

@@ -21,9 +21,13 @@ static void help_list(FILE *out)
         for (const struct command *c = g->commands; c->name; c++)
             fprintf(out, "  %-18s %s\n", command_usage(c, usage), c->summary);
     }
-    fputs("\nParameters:", out);
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        fprintf(out, " %s", p->name);
+    char names[256] = "Parameters:";
+    for (const struct parameter *p = session_parameters; p->name; p++) {
+        size_t used = strlen(names);
+        snprintf(names + used, sizeof names - used, " %s", p->name);
+    }
+    putc('\n', out);
+    output_wrapped(out, names, 0, 80);
     fputs("\n'help NAME' explains a command or a parameter, 'apropos WORD' finds one.\n", out);
 }
 

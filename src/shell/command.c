@@ -5,6 +5,7 @@
 
 const struct command_group command_groups[] = {
     {"One cycle of the train", cycle_commands},
+    {"The cycle, step by step", walk_commands},
     {"How far it can grow", limit_commands},
     {"What accuracy costs", cost_commands},
     {"The session", session_commands},
@@ -83,13 +84,18 @@ static bool tilt_check(struct session *session, const struct argument *a, struct
     return true;
 }
 
+static bool is_tilt(const struct argument *a)
+{
+    return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
+}
+
 bool argument_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
 {
     char kind[64], wanted[64];
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
     struct quantity unit = p                            ? expression_unit(p->unit)
                            : a->kind == ARGUMENT_HEIGHT ? (struct quantity){1, 1, 0, 0}
-                           : a->kind == ARGUMENT_TILT   ? (struct quantity){1, 0, 0, 1}
+                           : is_tilt(a)                 ? (struct quantity){1, 0, 0, 1}
                                                         : (struct quantity){1, 0, 0, 0};
     bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
     if (!bare && a->kind != ARGUMENT_ANY &&
@@ -100,7 +106,7 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     *number = q.value;
     if (a->kind == ARGUMENT_ANY)
         return true;
-    if (a->kind == ARGUMENT_TILT)
+    if (is_tilt(a))
         return tilt_check(session, a, q, number);
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
         return session_error(session, "%s = %s is no height; %s is a length in metres, larger than 0",

@@ -21,6 +21,7 @@ enum argument_kind {
     ARGUMENT_VALUE,     /* a value for the parameter before it */
     ARGUMENT_TOPIC,     /* a command or a parameter */
     ARGUMENT_CHOICE,    /* one of the names in argument.choices; its number */
+    ARGUMENT_PLACE,     /* the same, as -1 - its number, or an angle in [0, theta_c] */
     ARGUMENT_WORD,      /* any word, or several between "..." */
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
     ARGUMENT_REST,      /* the rest of the line as it is */
@@ -33,7 +34,7 @@ struct argument {
     enum argument_kind kind;
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
-    names_list *choices; /* of ARGUMENT_CHOICE */
+    names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
 };
 
 enum { ARGUMENTS_MAX = 3 };
@@ -69,7 +70,7 @@ struct command_group {
 };
 
 extern const struct command_group command_groups[]; /* ends with a NULL title */
-extern const struct command cycle_commands[], limit_commands[], cost_commands[], session_commands[],
+extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[], session_commands[],
     help_commands[];
 
 /* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */

@@ -54,7 +54,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
         offer_list(&offer, parameter_names, NULL);
     else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
         offer_list(&offer, topic_names, NULL);
-    else if (a->kind == ARGUMENT_CHOICE)
+    else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE)
         offer_list(&offer, a->choices, NULL);
     else if (p && p->words)
         offer_list(&offer, parameter_words, p);

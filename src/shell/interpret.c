@@ -305,6 +305,18 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);
+    case ARGUMENT_PLACE: {
+        const char *begin = r->at;
+        char *name = read_word(r, false);
+        int place = name ? names_exact(a->choices, NULL, name) : -1;
+        free(name);
+        if (place >= 0) {
+            call->number[i] = -1 - place;
+            return true;
+        }
+        r->at = begin;
+        return read_quantity(r, a, &call->quantity[i], &call->number[i]);
+    }
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
         call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);

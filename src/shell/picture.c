@@ -2,10 +2,13 @@
 #include "picture.h"
 #include "names.h"
 #include "terminal.h"
+#include "wide.h"
 #include <errno.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,7 +19,7 @@ static const struct {
     {".png", "pngcairo size 1000,700 font 'sans,13'"},
     {".pdf", "pdfcairo size 16cm,11cm font 'sans,11'"},
 };
-enum { KINDS = sizeof kinds / sizeof *kinds, TEXT_WIDTH = 79, TEXT_HEIGHT = 30 };
+enum { KINDS = sizeof kinds / sizeof *kinds, TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
 
 /* What gnuplot is to draw for this file; NULL where its ending is none of ours. */
 static const char *terminal_for(const char *path)
@@ -28,32 +31,110 @@ static const char *terminal_for(const char *path)
     return NULL;
 }
 
-bool picture_begin(struct session *session, struct picture *picture)
+bool picture_is_text(const struct session *session)
 {
-    char shown[NAMES_SHOWN];
-    const char *path = session->redirected, *terminal = path ? terminal_for(path) : NULL;
-    picture->text = !path || (strlen(path) > 4 && strcasecmp(path + strlen(path) - 4, ".txt") == 0);
-    if (!picture->text && !terminal)
+    const char *path = session->redirected;
+    return !path || (strlen(path) > 4 && strcasecmp(path + strlen(path) - 4, ".txt") == 0);
+}
+
+void picture_room(const struct session *session, int *width, int *height)
+{
+    struct winsize size;
+    int file = fileno(session->out);
+    bool known = file >= 0 && isatty(file) && ioctl(file, TIOCGWINSZ, &size) == 0;
+    *width = known && size.ws_col > 40 ? size.ws_col - 1 : TEXT_WIDTH;
+    *height = known && size.ws_row > 16 ? size.ws_row - 1 : TEXT_HEIGHT;
+    *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
+}
+
+/* Is there a gnuplot in one of the folders of PATH? */
+static bool gnuplot_there(void)
+{
+    const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
+    char path[4096];
+    for (size_t n; folder; folder = folder[n] ? folder + n + 1 : NULL) {
+        n = strcspn(folder, ":");
+        snprintf(path, sizeof path, "%.*s/gnuplot", (int)n, n ? folder : ".");
+        if (access(path, X_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* The script up to what every picture has in common. */
+static bool script_begin(struct session *session, struct picture *picture, const char *terminal)
+{
+    /* Told apart by their points and dashes: in print and for people who see no colours. */
+    static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555"};
+    static const int points[] = {1, 2, 6, 4, 8, 10};
+    if (!gnuplot_there())
         return session_error(session,
-                             "'%s' does not say as what to draw: its ending is .svg, .png, .pdf or .txt",
-                             names_shown(path, shown));
+                             "pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'; "
+                             "'set output csv' gives the data");
     picture->script = tmpfile();
     if (!picture->script)
         return session_error(session, "cannot draw: %s", strerror(errno));
-    int width = path ? 0 : terminal_width(session->out);
-    if (picture->text)
-        fprintf(picture->script, "set terminal dumb size %d,%d noenhanced\n",
-                width > 40 ? width - 1 : TEXT_WIDTH, TEXT_HEIGHT);
-    else
-        fprintf(picture->script, "set terminal %s enhanced\n", terminal);
-    /* Told apart by their points and dashes: in print and for people who see no colours. */
-    static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7"};
-    static const int points[] = {1, 2, 6, 4, 8};
-    for (int k = 0; k < 5; k++)
+    fprintf(picture->script, "set encoding utf8\nset terminal %s\n", terminal);
+    for (int k = 0; k < 6; k++)
         fprintf(picture->script, "set linetype %d lc rgb '%s' lw 2 dt %d pt %d ps 1\n", k + 1, colours[k],
-                k + 1, points[k]);
-    fprintf(picture->script,
-            "set encoding utf8\nset border 3\nset tics nomirror\nset grid lc rgb '#bbbbbb' lw 0.5 dt 1\n");
+                k % 5 + 1, points[k]);
+    fprintf(picture->script, "set border 3\nset tics nomirror\nset grid lc rgb '#bbbbbb' lw 0.5 dt 1\n"
+                             "set datafile missing 'nan'\n");
+    return true;
+}
+
+bool picture_begin(struct session *session, struct picture *picture)
+{
+    char shown[NAMES_SHOWN], terminal[128];
+    const char *path = session->redirected, *kind = path ? terminal_for(path) : NULL;
+    bool text = picture_is_text(session);
+    int width, height;
+    if (!text && !kind)
+        return session_error(session,
+                             "'%s' does not say as what to draw: its ending is .svg, .png, .pdf or .txt",
+                             names_shown(path, shown));
+    picture_room(session, &width, &height);
+    if (text)
+        snprintf(terminal, sizeof terminal, "dumb size %d,%d noenhanced", width, height);
+    else
+        snprintf(terminal, sizeof terminal, "%s enhanced", kind);
+    *picture = (struct picture){.out = session->out,
+                                .text = text,
+                                .theta = text ? "theta" : "\u03b8",
+                                .omega = text ? "omega" : "\u03c9"};
+    return script_begin(session, picture, terminal);
+}
+
+bool picture_animation(struct session *session, struct picture *picture, FILE *out, int width, int height,
+                       int delay)
+{
+    char terminal[128];
+    snprintf(terminal, sizeof terminal, "gif animate delay %d loop 0 size %d,%d noenhanced optimize", delay,
+             width, height);
+    *picture = (struct picture){.out = out, .theta = "theta", .omega = "omega"};
+    return script_begin(session, picture, terminal);
+}
+
+bool picture_comes_to(struct session *session, dom_real theta)
+{
+    dom_real omegasq, stop = DOM_NAN;
+    const struct output_style *style = &session->style;
+    enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq, NULL);
+    if (status == DOM_NO_FUEL)
+        return session_error(session,
+                             "no domino effect: the fuel P is not positive, nothing moves; 'fuel' says "
+                             "why, 'rmax' how large r may be");
+    if (status == DOM_STOPS)
+        status = dom_cycle_stop(&session->train, &stop, NULL);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    /* As it was answered, with 10 digits, the end may have been rounded up. */
+    if (stop < theta * (1 - (dom_real)1e-9))
+        return session_error(session,
+                             "the train does not come to T = %.10g %s: it stops at %.10g %s, below the "
+                             "barrier",
+                             (double)style_angle(style, theta), style_angle_unit(style),
+                             (double)style_angle(style, stop), style_angle_unit(style));
     return true;
 }
 
@@ -61,7 +142,7 @@ bool picture_begin(struct session *session, struct picture *picture)
 static int gnuplot_run(FILE *script, FILE *drawing, FILE *complaints)
 {
     extern char **environ;
-    char *const argv[] = {"gnuplot", "-", NULL};
+    char *const argv[] = {"gnuplot", "-d", "-", NULL};
     posix_spawn_file_actions_t actions;
     pid_t child;
     int status = 0;
@@ -100,12 +181,10 @@ static bool draw(struct session *session, const struct picture *picture, FILE *d
 {
     char line[256] = "";
     int wrong = gnuplot_run(picture->script, drawing, complaints);
-    if (wrong == ENOENT)
-        return session_error(session,
-                             "pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'; "
-                             "'set output csv' gives the data");
     if (wrong > 0)
         return session_error(session, "cannot run gnuplot: %s", strerror(wrong));
+    if (wrong && session->train.interrupt && *session->train.interrupt)
+        return session_status(session, DOM_INTERRUPTED);
     rewind(complaints);
     while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n^") == strlen(line))
         ;
@@ -113,7 +192,7 @@ static bool draw(struct session *session, const struct picture *picture, FILE *d
     if (wrong)
         return session_error(session, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
     ticker_stop();
-    drawing_copy(drawing, session->out, picture->text);
+    drawing_copy(drawing, picture->out, picture->text);
     return true;
 }
 
@@ -128,4 +207,10 @@ bool picture_end(struct session *session, struct picture *picture)
         fclose(complaints);
     fclose(picture->script);
     return drawn;
+}
+
+bool picture_drop(struct picture *picture)
+{
+    fclose(picture->script);
+    return false;
 }

@@ -76,9 +76,19 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
 
 /* clang-format off: to it the two lists, whose commas are their own, are no elements. */
 const struct parameter session_parameters[] = {
-    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER)
-        WORDS("fuel", train.fuel, fuel_words, DOM_FUEL_EXACT, false,
-              "energy balance, or the paper's closed form of (c7)", NULL),
+    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER){
+        .name = "mass",
+        .unit = "kg",
+        .meaning = "mass of the first domino, 0 for none: energies are then in m g h/2",
+        .highest = 1e9,
+        .offset = offsetof(struct session, mass)},
+    {.name = "density",
+     .unit = "kg/m^3",
+     .meaning = "of solid dominoes half as wide as tall, where no mass is set",
+     .highest = 1e9,
+     .offset = offsetof(struct session, density)},
+    WORDS("fuel", train.fuel, fuel_words, DOM_FUEL_EXACT, false,
+          "energy balance, or the paper's closed form of (c7)", NULL),
     WORDS("precision", train.precision, precision_words, DOM_DOUBLE, false,
           "arithmetic of the answers; quad is " QUAD_TYPE, precision_help),
     WORDS("output", style.output, output_words, OUTPUT_TABLE, true, "how answers are written", NULL),

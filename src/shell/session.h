@@ -9,16 +9,19 @@
 #include "domino.h"
 #include "expression.h"
 #include "output.h"
+#include "walk.h"
 
 struct command;
 
-enum { ANSWER_CELLS = 8, SOURCE_DEPTH = 16 };
+enum { ANSWER_CELLS = 12, SOURCE_DEPTH = 16 };
 
 struct session {
     struct dom_train train;
     struct dom_scale scale;
+    dom_real mass, density;    /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
     struct output_style style; /* output, digits, angle */
     unsigned timing;
+    struct walk walk;
     FILE *out;          /* where answers go: standard output, or the file behind '>' */
     const char *source; /* name of the script for messages; NULL at the prompt */
     long line;

@@ -6,6 +6,16 @@
 
 #define N MPFR_RNDN
 
+const char *ref_name(enum ref_quantity quantity)
+{
+    static const char *const names[] = {
+#define REF_NAME(NAME, name) name,
+        REF_QUANTITIES(REF_NAME)
+#undef REF_NAME
+    };
+    return names[quantity];
+}
+
 /* A domino 1 that just tips over hits domino 0: w_1 = sqrt(1 + d^2) - h(theta_c), (b5) and (b11). */
 static void find_pair_launch(struct ref *ref)
 {

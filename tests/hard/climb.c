@@ -195,37 +195,46 @@ void ref_find_barrier(struct ref *ref)
 
 /* ---- Where a train that does not go on comes to rest ---- */
 
-/* The node, cut off at theta_c. */
-static void set_node(struct ref *ref, mpfr_t z, const long double *node, int n, int i)
+/* Is the first tilt at which H - H(0) reaches K between these? */
+static bool passes(struct ref *ref, long double from, mpfr_srcptr to, mpfr_t lo, mpfr_t hi,
+                   struct ref_sums *sums)
 {
-    mpfr_set_ld(z, node[i < n ? i : n - 1], N);
-    if (i >= n || mpfr_greater_p(z, ref->theta_c))
-        mpfr_set(z, ref->theta_c, N);
+    mpfr_t f;
+    mpfr_init2(f, ref->bits);
+    mpfr_set_ld(lo, from, N);
+    mpfr_set(hi, to, N);
+    energy_left(ref, lo, sums, f);
+    if (mpfr_sgn(f) <= 0) /* the sketch was wrong */
+        mpfr_set_zero(lo, 1);
+    energy_left(ref, hi, sums, f);
+    bool found = mpfr_sgn(f) <= 0;
+    mpfr_clear(f);
+    return found;
 }
 
-/* A bracket of the first tilt at which H - H(0) reaches K; false if it does not. */
+/* A bracket of it; false if there is none.  theta_m is a node, too: H may reach K only around it. */
 static bool bracket_stop(struct ref *ref, mpfr_t lo, mpfr_t hi, struct ref_sums *sums)
 {
     long double node[SKETCH_NODES];
     const struct sketch sketch = sketch_of(ref);
     const int n = sketch_nodes(&sketch, node);
     const long double K = mpfr_get_ld(ref_value(ref, REF_KINETIC), N);
+    const long double top = mpfr_get_ld(ref_value(ref, REF_THETA_M), N);
+    mpfr_t to;
+    mpfr_init2(to, ref->bits);
     bool found = false;
-    mpfr_t f;
-    mpfr_init2(f, ref->bits);
-    for (int i = 1; i <= n && !found; i++) {
+    for (int i = 1; i < n && !found; i++) {
+        if (node[i] >= top && node[i - 1] < top)
+            found = passes(ref, node[i - 1], ref->value[REF_THETA_M], lo, hi, sums);
         /* The sketch may be wrong where it is close. */
-        if (i < n && sketch_rise(&sketch, node[i]) < K * (1 - 1e-6L))
-            continue;
-        set_node(ref, lo, node, n, i - 1);
-        set_node(ref, hi, node, n, i);
-        energy_left(ref, lo, sums, f);
-        if (mpfr_sgn(f) <= 0)
-            mpfr_set_zero(lo, 1);
-        energy_left(ref, hi, sums, f);
-        found = mpfr_sgn(f) <= 0;
+        if (!found && sketch_rise(&sketch, node[i]) >= K * (1 - 1e-6L)) {
+            mpfr_set_ld(to, node[i], N);
+            if (mpfr_greater_p(to, ref->theta_c))
+                mpfr_set(to, ref->theta_c, N);
+            found = passes(ref, node[i - 1], to, lo, hi, sums);
+        }
     }
-    mpfr_clear(f);
+    mpfr_clear(to);
     return found;
 }
 

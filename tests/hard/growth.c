@@ -37,6 +37,17 @@ double growth_error(const struct ref_input *input, bool pair, int digits2, dom_r
     return error;
 }
 
+double growth_distance(const struct ref_input *input, bool pair, int digits2, dom_real r, double delta)
+{
+    for (; delta < (double)r - 1; delta *= 2) {
+        dom_real above = r + (dom_real)delta;
+        if (growth_margin(input, pair, digits2, r - (dom_real)delta) >= 0 &&
+            (above * input->s >= 1 || !(growth_margin(input, pair, digits2, above) >= 0)))
+            break;
+    }
+    return delta;
+}
+
 /* ---- The first r from scratch ---- */
 
 static bool goes_on(const struct sketch *train, long double r)

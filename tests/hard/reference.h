@@ -120,7 +120,8 @@ double ref_scale(struct ref *ref, enum ref_quantity quantity);
 double ref_kappa(struct ref *ref, enum ref_quantity quantity);
 
 /* For the files that make up the reference. */
-struct ref *ref_near(struct ref *ref, int input);
+void ref_start(struct ref *ref);                  /* with inputs set: geometry and the train at tilt 0 */
+struct ref *ref_near(struct ref *ref, int input); /* NULL for an input without any effect */
 void ref_sums_init(struct ref_sums *sums, mpfr_prec_t bits);
 void ref_sums_clear(struct ref_sums *sums);
 void ref_walk(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums);

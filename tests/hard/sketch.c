@@ -27,7 +27,11 @@ struct sketch sketch_of(const struct ref *ref)
                        .q = mpfr_get_ld(ref->in[REF_Q], MPFR_RNDN),
                        .paper = ref->paper,
                        .dominoes = ref->dominoes};
-    return sketch_grown(&k, mpfr_get_ld(ref->in[REF_R], MPFR_RNDN));
+    k = sketch_grown(&k, mpfr_get_ld(ref->in[REF_R], MPFR_RNDN));
+    /* In long double 1 - r s of quad precision is lost. */
+    if (k.falls_off && ref->falls_off)
+        k.theta_leave = mpfr_get_ld(ref->theta_leave, MPFR_RNDN);
+    return k;
 }
 
 /* The follower of a domino at *theta; false if there is none. */

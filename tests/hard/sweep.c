@@ -3,84 +3,9 @@
 
 #include "../unit/support.h"
 #include "growth.h"
+#include "points.h"
 #include "sketch.h"
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-/* ---- Points ---- */
-
-static dom_real rounded(dom_real x, enum dom_precision precision)
-{
-    return precision == DOM_FLOAT ? (dom_real)(float)x : precision == DOM_DOUBLE ? (dom_real)(double)x : x;
-}
-
-/* With bits to the end of the precision. */
-static dom_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
-{
-    double x = random_log(seed, lo, hi);
-    return rounded((dom_real)x * (1 + (dom_real)(random_unit(seed) * 0x1p-52)), precision);
-}
-
-static dom_real random_growth(uint64_t *seed, dom_real s, enum dom_precision precision)
-{
-    const double finest = precision == DOM_FLOAT ? 1e-7 : precision == DOM_DOUBLE ? 1e-15 : 1e-30;
-    const double reach = 1 / (double)s, kind = random_unit(seed);
-    if (kind < 0.3)
-        return rounded((1 - random_real(seed, finest, 0.5, precision)) / s, precision);
-    if (kind < 0.55)
-        return 1 + random_real(seed, 1e-12, fmax(1e-11, reach - 1), precision);
-    if (kind < 0.9)
-        return rounded((dom_real)pow(reach, random_unit(seed)), precision);
-    return kind < 0.95 ? 1 : rounded(1 / s, precision);
-}
-
-static struct ref_input random_input(uint64_t *seed, enum dom_precision precision)
-{
-    struct ref_input input;
-    input.s = random_real(seed, 1e-6, 1, precision);
-    input.d = random_real(seed, 1e-8, 3, precision);
-    const double kind = random_unit(seed);
-    input.q = kind < 0.33 ? 3 : kind < 0.66 ? 4 : random_real(seed, 0.3, 10, precision);
-    input.r = rounded(random_growth(seed, input.s, precision), precision);
-    input.r = input.r < 1 ? 1 : input.r;
-    input.paper = random_unit(seed) < 0.3;
-    input.tilt = 0;
-    return input;
-}
-
-/* At 0, at theta_c, close to either, between. */
-static dom_real random_tilt(uint64_t *seed, dom_real theta_c, enum dom_precision precision)
-{
-    const double kind = random_unit(seed);
-    dom_real tilt;
-    if (kind < 0.06)
-        return kind < 0.03 ? 0 : theta_c;
-    if (kind < 0.3)
-        tilt = theta_c * random_real(seed, 1e-16, 1, precision);
-    else if (kind < 0.5)
-        tilt = theta_c * (1 - random_real(seed, 1e-16, 1, precision));
-    else
-        tilt = theta_c * (dom_real)random_unit(seed);
-    tilt = rounded(tilt, precision);
-    return tilt > theta_c ? theta_c : tilt;
-}
-
-/* How many dominoes matter down to 2^-100; most points are to be quick, but a few may be long. */
-static bool too_long(const struct ref_input *input, uint64_t *seed, enum dom_precision precision)
-{
-    const double s = (double)input->s, r = (double)input->r, q = (double)input->q;
-    const double rate = q * log(r) + r * sqrt(s * (s + 2 * (double)input->d)), kind = random_unit(seed);
-    const double most = kind < 0.95 ? 200 : kind < 0.996 ? 2000 : 20000;
-    /* In float also r^(2q+1) has to be below 2^127. */
-    return 70 / rate > most || (precision == DOM_FLOAT && (2 * q + 1) * log2(r) > 120);
-}
-
-/* Growth begins at r = 1, where trains are longest. */
-static bool short_at_1(const struct ref_input *input)
-{
-    return 70 / sqrt((double)(input->s * (input->s + 2 * input->d))) < 400;
-}
+#include "workers.h"
 
 /* ---- One point ---- */
 
@@ -347,7 +272,10 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
         if (!pair && growth_margin(&point->input, false, digits2, 1) > 1e-6)
             tally_mistake(&point->tally[quantity], &c, "equal dominoes do go on");
     } else if (answers->ends == DOM_END_BARRIER) {
+        const double delta = (double)c.got * ask_unit(point->sweep->precision);
         c.error = growth_error(&point->input, pair, digits2, c.got, &c.scale);
+        if (!(fabs(c.error) <= TALLY_UNITS * delta))
+            c.error = fmin(fabs(c.error), growth_distance(&point->input, pair, digits2, c.got, delta));
         c.want -= c.error;
         tally_compare(&point->tally[quantity], &c);
     } else {
@@ -390,7 +318,7 @@ static void check_at_tolerance(struct point *point, const struct choice *choice)
 static bool check_reach(struct point *point, const struct answers *answers)
 {
     bool reaches = mpfr_sgn(point->ref->u) >= 0 ||
-                   point->input.r == rounded(1 / point->input.s, point->sweep->precision);
+                   point->input.r == point_rounded(1 / point->input.s, point->sweep->precision);
     enum dom_status status = answers->status[REF_THETA_C];
     if (status != (reaches ? DOM_OK : DOM_OUT_OF_REACH))
         mistake(point, REF_THETA_C, answers, dom_status_text(status));
@@ -402,14 +330,15 @@ static void check_point(struct point *point)
     const struct sweep *sweep = point->sweep;
     const double floor = ask_floor(sweep->precision);
     struct answers answers;
-    struct choice choice = {one_in(point, sweep->barriers), one_in(point, sweep->durations),
-                            one_in(point, sweep->growths) && short_at_1(&point->input),
-                            one_in(point, sweep->pairs)};
+    struct choice choice = {
+        one_in(point, sweep->barriers), one_in(point, sweep->durations),
+        one_in(point, sweep->growths) && point_can_grow(&point->input, false, sweep->precision),
+        one_in(point, sweep->pairs) && point_can_grow(&point->input, true, sweep->precision)};
     ask_nothing(&answers);
     point->train = ask_train(&point->input, sweep->precision);
     ask(&point->train, 0, REF_THETA_C, &answers);
     if (answers.status[REF_THETA_C] == DOM_OK)
-        point->input.tilt = random_tilt(&point->seed, answers.value[REF_THETA_C], sweep->precision);
+        point->input.tilt = point_tilt(&point->seed, answers.value[REF_THETA_C], sweep->precision);
     point->ref = ref_open_for(&point->input, digits_of(sweep));
     if (check_reach(point, &answers)) {
         point->sharp = true;
@@ -421,50 +350,37 @@ static void check_point(struct point *point)
     ref_close(point->ref);
 }
 
+struct share {
+    const struct sweep *sweep;
+    struct tally (*tally)[REF_COUNT]; /* of each job */
+    int jobs;
+};
+
 /* Every point has its own seed, so that it is the same whoever looks at it. */
-static void work(const struct sweep *sweep, int worker, int workers, struct tally *tally)
+static long sweep_part(int job, void *context)
 {
-    for (int k = worker; k < sweep->points; k += workers) {
-        struct point point = {.sweep = sweep, .seed = sweep->seed + (uint64_t)k * 1000003U, .tally = tally};
-        do
-            point.input = random_input(&point.seed, sweep->precision);
-        while (too_long(&point.input, &point.seed, sweep->precision));
+    const struct share *share = context;
+    const struct sweep *sweep = share->sweep;
+    long points = 0;
+    for (int k = job; k < sweep->points; k += share->jobs, points++) {
+        struct point point = {
+            .sweep = sweep, .seed = sweep->seed + (uint64_t)k * 1000003U, .tally = share->tally[job]};
+        point.input = point_random(&point.seed, sweep->precision);
         check_point(&point);
     }
+    return points;
 }
 
-static bool wait_for(const pid_t *pid, int workers)
+long sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT])
 {
-    bool good = true;
-    for (int k = 0; k < workers; k++) {
-        int status = -1;
-        if (pid[k] < 0 || waitpid(pid[k], &status, 0) != pid[k] || status != 0)
-            good = false;
-    }
-    return good;
-}
-
-int sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT])
-{
-    enum { MOST = 4 };
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    const int workers = cores < 1 ? 1 : cores > MOST ? MOST : (int)cores;
-    const size_t size = MOST * REF_COUNT * sizeof(struct tally);
-    pid_t pid[MOST];
-    struct tally *shared = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (shared == MAP_FAILED)
-        return -1;
-    fflush(NULL);
-    for (int k = 0; k < workers; k++)
-        if ((pid[k] = fork()) == 0) {
-            work(sweep, k, workers, shared + k * REF_COUNT);
-            _exit(0);
-        }
-    bool good = wait_for(pid, workers);
+    struct share share = {.sweep = sweep, .jobs = 40};
+    const size_t size = (size_t)share.jobs * sizeof *share.tally;
+    share.tally = workers_share(size);
+    long points = workers_run(share.jobs, sweep_part, &share);
     memset(tally, 0, REF_COUNT * sizeof *tally);
-    for (int k = 0; k < workers; k++)
+    for (int k = 0; k < share.jobs; k++)
         for (int q = 0; q < REF_COUNT; q++)
-            tally_merge(&tally[q], &shared[k * REF_COUNT + q]);
-    munmap(shared, size);
-    return good ? sweep->points : -1;
+            tally_merge(&tally[q], &share.tally[k][q]);
+    workers_unshare(share.tally, size);
+    return points;
 }

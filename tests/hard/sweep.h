@@ -11,13 +11,13 @@ struct sweep {
     uint64_t seed;
     int points;
     /* One point in so many also has: */
-    int barriers, durations, growths, pairs, bests;
+    int barriers, durations, growths, pairs;
 };
 
 /*
  * Fills one tally a quantity; returns the number of points that were looked at, or -1 if a worker broke
- * down.  The points and the outcome do not depend on the number of workers.
+ * down.  Neither the points nor the outcome depend on the number of processors.
  */
-int sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT]);
+long sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT]);
 
 #endif

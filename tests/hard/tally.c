@@ -52,8 +52,8 @@ static void compare_bound(struct tally *tally, const struct comparison *c, doubl
     if (!c->sharp)
         return;
     double ratio = bound / (error > 0 ? error : want * c->unit);
-    int bin =
-        ratio > 0 && ratio < (double)INFINITY ? TALLY_BINS / 2 + (int)floor(4 * log2(ratio)) : TALLY_BINS - 1;
+    int bin = ratio > 0 && ratio < (double)INFINITY ? TALLY_BINS / 2 + (int)floor(16 * log2(ratio))
+                                                    : TALLY_BINS - 1;
     if (want == 0 && error == 0) /* an exact 0 */
         return;
     tally->bounds++;
@@ -116,16 +116,22 @@ double tally_median(const struct tally *tally)
     for (int k = 0; k < TALLY_BINS; k++) {
         below += tally->bin[k];
         if (2 * below > tally->bounds)
-            return exp2((k + 1 - TALLY_BINS / 2) / 4.0);
+            return exp2((k + 1 - TALLY_BINS / 2) / 16.0);
     }
     return (double)NAN;
 }
 
-/* hex, and what a double leaves of it */
+/* A double, or a sum of them in hex, the way one would write it in C. */
 static void print_real(const char *name, dom_real x)
 {
-    double hi = (double)x, lo = (double)(x - (dom_real)hi);
-    fprintf(stderr, lo != 0 ? " %s=%a%+a" : " %s=%.17g", name, hi, lo);
+    double part = (double)x;
+    if ((dom_real)part == x) {
+        fprintf(stderr, " %s=%.17g", name, part);
+        return;
+    }
+    fprintf(stderr, " %s=%a", name, part);
+    while ((x -= (dom_real)part) != 0)
+        fprintf(stderr, "%+a", part = (double)x);
 }
 
 void tally_print(const char *label, enum ref_quantity quantity, const struct sample *sample)

@@ -6,7 +6,7 @@
 #include "ask.h"
 
 /* Errors of fewer units are not told apart: finding the scale costs five more references. */
-enum { TALLY_UNITS = 2, TALLY_BINS = 512 };
+enum { TALLY_UNITS = 2, TALLY_BINS = 2048 };
 
 struct sample {
     struct ref_input input;
@@ -22,7 +22,7 @@ struct tally {
     struct sample bound; /* the largest error over the library's own bound of it */
     long without_bound;  /* the library gave a value, but no bound */
     long bounds;
-    long bin[TALLY_BINS];  /* of log2(bound / error), four to an octave */
+    long bin[TALLY_BINS];  /* of log2(bound / error), 16 to an octave */
     long wrong;            /* values or statuses that contradict the reference outright */
     struct sample mistake; /* the first of them */
     char what[80];

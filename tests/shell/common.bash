@@ -15,6 +15,10 @@ launch|omega0sq omega0 kinetic J0
 omega 0.1|theta omegasq omega
 barrier|theta_m barrier kinetic margin verdict
 duration|duration tau seconds speed
+cycle 3|event t theta theta_1 theta_2 omega kinetic potential
+goto 0.1|cycle event theta t omega before lost gained fallen kinetic potential
+where|cycle event theta t omega before lost gained fallen kinetic potential
+why|verdict fuel J0 kinetic barrier margin r_max
 rmax|s r_max ends_by r_max_exact r_max_paper
 rmax 0.3|s r_max ends_by r_max_exact r_max_paper
 pair|s r_max ends_by

@@ -481,7 +481,7 @@ END
 7|print sqr(2)|^print:.*'sqr' has no value; did you mean 'sqrt'\?
 7|print baricr|^print:.*'baricr' has no value; did you mean 'barrier'\?
 7|print rmax.r_max_papr|^print:.*unknown key of rmax 'r_max_papr'; did you mean 'r_max_paper'\?
-1|b|^'b' may be barrier, best$
+1|b|^'b' may be barrier, back, best$
 1|the|^'the' may be thetac, theta1$
 6|show t|^show: 't' may be tol, timing$
 5|set t 1|^set: 't' may be tol, timing$
@@ -844,7 +844,7 @@ set |$parameters
 show |$parameters
 reset |$parameters
 set ou|output
-set d|d digits
+set d|d density digits
 show t|tol timing
 se ti|timing
 set output |table csv json

@@ -76,7 +76,7 @@ static void ledger_closes(void **state)
             double theta = k % 2 ? ((double)events[k / 2].theta + (double)events[k / 2 + 1].theta) / 2
                                  : (double)events[k / 2].theta;
             struct dom_state s;
-            assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
+            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
             double size = (double)s.before + fabs((double)s.climbed);
             double open = (double)(s.before - s.lost - s.climbed - s.kinetic);
             if (fabs(open) > 1e-12 * size)
@@ -97,7 +97,7 @@ static void ledger_of_the_paper_is_open(void **state)
     struct dom_train train = dom_train_default();
     struct dom_state s;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(dom_cycle_state(&train, 0.3, &s), DOM_OK);
+    assert_status(dom_cycle_state(&train, 0.3, &s, NULL), DOM_OK);
     assert_true(s.kinetic > 1.05 * (double)(s.before - s.lost - s.climbed));
 }
 
@@ -115,9 +115,9 @@ static void acceleration_is_the_slope_of_omega(void **state)
             continue;
         double end = (double)events[n - 1].theta, theta = (0.1 + 0.8 * random_unit(&seed)) * end,
                h = 1e-4 * end;
-        assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
-        assert_status(dom_cycle_state(&train, theta - h, &below), DOM_OK);
-        assert_status(dom_cycle_state(&train, theta + h, &above), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
         double slope = (double)(above.omegasq - below.omegasq) / (4 * h);
         double scale = fabs((double)s.acceleration) + (double)s.omegasq / end;
         bool near_fall = n > 2 && (fabs((double)events[1].theta - theta) < 5 * h ||
@@ -163,7 +163,7 @@ static void forces_hold_the_train_together(void **state)
             struct smallest seen = {.head = 0, .force = 1, .impulse = 1};
             struct dom_state s;
             struct dom_contact c;
-            assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
+            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
             assert_status(dom_cycle_forces(&train, theta, force_seen, &seen), DOM_OK);
             assert_status(dom_contact_find(&train, theta, &c, NULL), DOM_OK);
             double d = (double)train.d, gravity = (sin(theta) - d * cos(theta)) / 2;
@@ -196,7 +196,7 @@ static void tilt_inverts_time(void **state)
         double whole = (double)events[n - 1].time;
         for (int k = 1; k < 4; k++) {
             assert_status(dom_cycle_tilt(&train, k * whole / 4, &theta), DOM_OK);
-            assert_status(dom_cycle_state(&train, theta, &s), DOM_OK);
+            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
             assert_near("time", s.time, k * whole / 4, 1e-9);
             checked++;
         }
@@ -235,8 +235,43 @@ static void stops_to_the_digit(void **state)
     assert_int_equal(n, 0);
     none.s = 0.4;
     none.r = 1.7;
-    assert_status(dom_cycle_state(&none, 0.1, &s), DOM_STOPS);
-    assert_status(dom_cycle_state(&none, 1, &s), DOM_BAD_TILT);
+    assert_status(dom_cycle_state(&none, 0.1, &s, NULL), DOM_STOPS);
+    assert_status(dom_cycle_state(&none, 1, &s, NULL), DOM_BAD_TILT);
+}
+
+/* The bounds of a state hold against quad. */
+static void bounds_hold(void **state)
+{
+    (void)state;
+    uint64_t seed = 46;
+    int checked = 0;
+    for (int i = 0; i < 60; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        struct dom_state s, e, finer;
+        int n;
+        if (!next_train(&seed, &train, events, &n) || train.s < 0.05)
+            continue;
+        double theta = (i % 4) / 3.0 * 0.999 * (double)events[n - 1].theta;
+        assert_status(dom_cycle_state(&train, theta, &s, &e), DOM_OK);
+        train.precision = DOM_QUAD;
+        train.tol = 1e-22;
+        assert_status(dom_cycle_state(&train, theta, &finer, NULL), DOM_OK);
+        const dom_real pairs[][3] = {
+            {s.time, finer.time, e.time},          {s.omegasq, finer.omegasq, e.omegasq},
+            {s.kinetic, finer.kinetic, e.kinetic}, {s.climbed, finer.climbed, e.climbed},
+            {s.before, finer.before, e.before},    {s.lost, finer.lost, e.lost},
+        };
+        for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) {
+            double off = fabs((double)(pairs[k][0] - pairs[k][1])), bound = (double)pairs[k][2];
+            if (off > bound)
+                fail_msg("member %zu of train %d: off by %g, bound %g (s %g r %g d %g q %g theta %g)", k, i,
+                         off, bound, (double)train.s, (double)train.r, (double)train.d, (double)train.q,
+                         theta);
+            checked++;
+        }
+    }
+    assert_true(checked > 60);
 }
 
 int main(void)
@@ -249,6 +284,7 @@ int main(void)
         cmocka_unit_test(forces_hold_the_train_together),
         cmocka_unit_test(tilt_inverts_time),
         cmocka_unit_test(stops_to_the_digit),
+        cmocka_unit_test(bounds_hold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The dominoes of a train as they stand and lean: hinges, corners and contacts, and how gnuplot draws them. */
+#ifndef SHELL_SCENE_H
+#define SHELL_SCENE_H
+
+#include "domino.h"
+#include <stdio.h>
+
+enum { DOMINOES = 200, CORNERS = 4 };
+
+struct point {
+    double x, y;
+};
+
+/* A domino as it is drawn, in heights of the head. */
+struct drawn {
+    int number; /* 0 = head, 1, 2, ... behind it, -1 = the next, upright one */
+    double height, foot, theta;
+    struct point corner[CORNERS]; /* front foot, front top, back top, back foot */
+    bool touched;                 /* by the one behind it, at: */
+    struct point contact;
+    double force, of_own; /* of that contact, in m g of the head and of this domino; NaN: not known */
+};
+
+struct scene {
+    struct drawn domino[DOMINOES]; /* the next one, the head, its followers */
+    int count;
+    double left, right, top; /* of the view */
+};
+
+/* A step of this length in the direction (x, y). */
+static inline struct point along(struct point from, double length, double x, double y)
+{
+    return (struct point){from.x + length * x, from.y + length * y};
+}
+
+/* A domino with its hinge at (foot, 0); d is its thickness over its height. */
+struct drawn drawn_at(int number, double height, double foot, double theta, double d);
+
+/*
+ * The train at one tilt, with the next domino in front; as far back as `behind` heights, 0 for what fits a
+ * picture.  0 <= theta <= theta_c.
+ */
+enum dom_status scene_make(const struct dom_train *train, dom_real theta, double behind, struct scene *scene);
+
+/* The contact forces into the scene; a status as of dom_cycle_forces. */
+enum dom_status scene_forces(const struct dom_train *train, dom_real theta, struct scene *scene);
+
+/* Where a scene is in the picture, and how large: an animation's heads grow and go on. */
+struct place {
+    double scale, shift;
+};
+
+/* One domino as an object of gnuplot, with its contact, and its number if there is room. */
+void script_domino(FILE *script, const struct drawn *domino, struct place at, bool names);
+
+/* Both axes to the same scale. */
+void script_axes(FILE *script, double left, double right, double top);
+
+#endif

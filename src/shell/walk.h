@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A walk through the cycles, event by event: where it stands, and what is said there. */
+#ifndef SHELL_WALK_H
+#define SHELL_WALK_H
+
+#include "domino.h"
+#include "output.h"
+
+/* Where the walk stands: at an event of a cycle, or between two. */
+struct walk {
+    struct dom_train train; /* of the walk; another one begins anew */
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count; /* of the events; 0: no walk has begun */
+    int event; /* the last one that was passed */
+    dom_real theta;
+    int cycle;               /* from 1 */
+    enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
+};
+
+/* What a length, a time and an energy of the model are in the cycle of a walk. */
+struct walk_units {
+    dom_real height; /* of the head, in m */
+    dom_real tau;    /* in s */
+    dom_real energy; /* m g h / 2 of the head: in J, or in that of the first head where no mass is known */
+    const char *energy_unit;
+    dom_real weight; /* m g of the head, in N or in that of the first head */
+    const char *weight_unit;
+};
+
+struct session;
+struct walk_units walk_units(const struct session *session, int cycle);
+
+/* The event in words, with the paper's symbols and the numbers of its equations. */
+void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
+              struct answer *answer);
+
+/* The smallest contact force along the cycle, where, and the smallest impulse: what the paper assumes. */
+struct walk_contact {
+    dom_real force, theta; /* force in the weight of the domino that it acts on */
+    size_t domino;
+    dom_real impulse; /* in m g tau of the head */
+};
+enum dom_status walk_contact(const struct dom_train *train, dom_real end, struct walk_contact *contact);
+
+#endif

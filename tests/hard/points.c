@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "points.h"
+
+#include "../unit/support.h"
+
+dom_real point_rounded(dom_real x, enum dom_precision precision)
+{
+    return precision == DOM_FLOAT ? (dom_real)(float)x : precision == DOM_DOUBLE ? (dom_real)(double)x : x;
+}
+
+/* With bits to the end of the precision. */
+static dom_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
+{
+    double x = random_log(seed, lo, hi);
+    return point_rounded((dom_real)x * (1 + (dom_real)(random_unit(seed) * 0x1p-52)), precision);
+}
+
+static dom_real random_growth(uint64_t *seed, dom_real s, enum dom_precision precision)
+{
+    const double finest = precision == DOM_FLOAT ? 1e-7 : precision == DOM_DOUBLE ? 1e-15 : 1e-30;
+    const double reach = 1 / (double)s, kind = random_unit(seed);
+    if (kind < 0.3)
+        return point_rounded((1 - random_real(seed, finest, 0.5, precision)) / s, precision);
+    if (kind < 0.55)
+        return 1 + random_real(seed, 1e-12, fmax(1e-11, reach - 1), precision);
+    if (kind < 0.9)
+        return point_rounded((dom_real)pow(reach, random_unit(seed)), precision);
+    return kind < 0.95 ? 1 : point_rounded(1 / s, precision);
+}
+
+static struct ref_input random_input(uint64_t *seed, enum dom_precision precision)
+{
+    struct ref_input input;
+    input.s = random_real(seed, 1e-6, 1, precision);
+    input.d = random_real(seed, 1e-8, 3, precision);
+    const double kind = random_unit(seed);
+    input.q = kind < 0.33 ? 3 : kind < 0.66 ? 4 : random_real(seed, 0.3, 10, precision);
+    input.r = point_rounded(random_growth(seed, input.s, precision), precision);
+    input.r = input.r < 1 ? 1 : input.r;
+    input.paper = random_unit(seed) < 0.3;
+    input.tilt = 0;
+    return input;
+}
+
+dom_real point_tilt(uint64_t *seed, dom_real theta_c, enum dom_precision precision)
+{
+    const double kind = random_unit(seed);
+    dom_real tilt;
+    if (kind < 0.06)
+        return kind < 0.03 ? 0 : theta_c;
+    if (kind < 0.3)
+        tilt = theta_c * random_real(seed, 1e-16, 1, precision);
+    else if (kind < 0.5)
+        tilt = theta_c * (1 - random_real(seed, 1e-16, 1, precision));
+    else
+        tilt = theta_c * (dom_real)random_unit(seed);
+    tilt = point_rounded(tilt, precision);
+    return tilt > theta_c ? theta_c : tilt;
+}
+
+/* How many dominoes matter down to 2^-100; most points are to be quick, but a few may be long. */
+static bool too_long(const struct ref_input *input, uint64_t *seed, enum dom_precision precision)
+{
+    const double s = (double)input->s, r = (double)input->r, q = (double)input->q;
+    const double rate = q * log(r) + r * sqrt(s * (s + 2 * (double)input->d)), kind = random_unit(seed);
+    const double most = kind < 0.96 ? 200 : kind < 0.998 ? 2000 : 10000;
+    /* In float also r^-(2q+1), which energies can be as small as, has to keep its bits above 2^-126. */
+    return 70 / rate > most || (precision == DOM_FLOAT && (2 * q + 1) * log2(r) > 126 - 24);
+}
+
+static bool short_at_1(const struct ref_input *input)
+{
+    return 70 / sqrt((double)(input->s * (input->s + 2 * input->d))) < 400;
+}
+
+static bool underflows_at_reach(const struct ref_input *input, enum dom_precision precision)
+{
+    return precision == DOM_FLOAT && -(2 * (double)input->q + 1) * log2((double)input->s) > 126 - 24;
+}
+
+struct ref_input point_random(uint64_t *seed, enum dom_precision precision)
+{
+    struct ref_input input;
+    do
+        input = random_input(seed, precision);
+    while (too_long(&input, seed, precision));
+    return input;
+}
+
+bool point_can_grow(const struct ref_input *input, bool pair, enum dom_precision precision)
+{
+    return (pair || short_at_1(input)) && !underflows_at_reach(input, precision);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Random trains over the whole parameter space, dense towards its edges. */
+#ifndef HARD_POINTS_H
+#define HARD_POINTS_H
+
+#include "reference.h"
+#include <stdint.h>
+
+dom_real point_rounded(dom_real x, enum dom_precision precision);
+
+/*
+ * 1 - r s down to 1e-15 and r s = 1, r - 1 down to 1e-12 and r = 1, d from 1e-8 to 3, s from 1e-6 to 1, q
+ * 3, 4 and from 0.3 to 10; most of them trains of a few hundred dominoes, some of thousands.  Tilt 0.
+ */
+struct ref_input point_random(uint64_t *seed, enum dom_precision precision);
+
+/* At 0, at theta_c, close to either, between. */
+dom_real point_tilt(uint64_t *seed, dom_real theta_c, enum dom_precision precision);
+
+/* Is growth within the precision as far as the reach, and (but for a pair) quickly found from r = 1 on? */
+bool point_can_grow(const struct ref_input *input, bool pair, enum dom_precision precision);
+
+#endif

@@ -1,0 +1,341 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Hard cases.  Each has a trap in it: the library has to come through, within 16 units (reference.h) at
+ * its sharpest tolerance, of which that tolerance itself, 1e-15, is 9; and the naive code has not.  That
+ * the naive code is a fair opponent, and the reference right, is tested first.
+ */
+#include "../unit/support.h"
+#include "ask.h"
+#include "cases.h"
+#include "growth.h"
+#include "naive.h"
+#include "workers.h"
+
+static void none_fails(long failures)
+{
+    if (failures < 0)
+        fail_msg("%s", "a worker broke down");
+    if (failures > 0)
+        fail_msg("%ld checks failed, see stderr", failures);
+}
+
+/* ---- The reference against digits that were computed elsewhere ---- */
+
+static dom_real csv_real(const struct csv *csv, const char *name)
+{
+    return (dom_real)csv_number(csv, name);
+}
+
+/* |value / text - 1| <= bound */
+static void assert_digits(const struct csv *csv, const char *column, struct ref *ref,
+                          enum ref_quantity quantity, double bound)
+{
+    const char *text = csv_text(csv, column);
+    mpfr_srcptr value = ref_value(ref, quantity);
+    mpfr_t want, error;
+    if (*text == '\0')
+        return;
+    mpfr_inits2(ref->bits, want, error, (mpfr_ptr)0);
+    mpfr_set_str(want, text, 10, MPFR_RNDN);
+    mpfr_sub(error, value, want, MPFR_RNDN);
+    if (!mpfr_zero_p(want))
+        mpfr_div(error, error, want, MPFR_RNDN);
+    double e = fabs(mpfr_get_d(error, MPFR_RNDN));
+    mpfr_clears(want, error, (mpfr_ptr)0);
+    if (!(e <= bound))
+        fail_msg("%s: %s: the reference is %.17g, the table has %s: %.2g > %.2g", csv_text(csv, "name"),
+                 column, ref_double(ref, quantity), text, e, bound);
+}
+
+static void reference_of_points(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *column;
+        enum ref_quantity quantity;
+        bool paper;
+        double bound;
+    } known[] = {
+        {"theta_c", REF_THETA_C, false, 1e-24},
+        {"theta_f", REF_THETA_F, false, 1e-24},
+        {"theta_leave", REF_THETA_LEAVE, false, 1e-24},
+        {"theta_1", REF_THETA_1, false, 1e-24},
+        {"dtheta_1", REF_SLOPE, false, 1e-24},
+        {"J0", REF_J0, false, 1e-24},
+        {"J", REF_J, false, 1e-24},
+        {"dH", REF_DH, false, 1e-24},
+        {"fuel_paper", REF_FUEL_PAPER, false, 1e-24},
+        {"fuel_exact", REF_FUEL_EXACT, false, 1e-24},
+        {"omega0sq_paper", REF_LAUNCH_OMEGASQ, true, 1e-24},
+        {"omega0sq_exact", REF_LAUNCH_OMEGASQ, false, 1e-24},
+        {"theta_m", REF_THETA_M, false, 1e-24},
+        {"barrier", REF_BARRIER, false, 1e-24},
+        {"omegasq_paper", REF_OMEGASQ, true, 1e-24},
+        {"omegasq_exact", REF_OMEGASQ, false, 1e-24},
+        {"duration_paper", REF_DURATION, true, 1e-13},
+        {"duration_exact", REF_DURATION, false, 1e-13},
+    };
+    int rows = 0;
+    struct csv *csv = csv_open("tests/reference/points.csv");
+    for (; csv_next(csv); rows++) {
+        struct ref_input input = {csv_real(csv, "s"), csv_real(csv, "r"),     csv_real(csv, "d"),
+                                  csv_real(csv, "q"), csv_real(csv, "theta"), false};
+        struct ref *exact = ref_open_for(&input, 90), *paper;
+        input.paper = true;
+        paper = ref_open_for(&input, 90);
+        for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+            struct ref *ref = known[k].paper ? paper : exact;
+            bool fuel = !isnan(ref_double(ref, REF_KINETIC));
+            /* Without fuel the table goes on with the formula: here there is no cycle. */
+            if (fuel || !isnan(ref_double(ref, known[k].quantity)))
+                assert_digits(csv, known[k].column, ref, known[k].quantity, known[k].bound);
+        }
+        ref_close(exact);
+        ref_close(paper);
+    }
+    assert_int_equal(rows, 16);
+}
+
+enum { GROWTHS = 60 };
+
+struct known_growth {
+    struct ref_input input;
+    bool pair, by_reach;
+    long double r_max;
+};
+
+/* 18 digits; 1/s was rounded to a double somewhere. */
+static long check_growth(int number, void *context)
+{
+    const struct known_growth *known = (const struct known_growth *)context + number;
+    const struct growth found = growth_find(&known->input, known->pair, 64);
+    const long double error = fabsl((long double)found.r_max / known->r_max - 1);
+    if (found.grows && found.by_reach == known->by_reach && error <= (found.by_reach ? 1e-16L : 5e-18L))
+        return 0;
+    fprintf(stderr, "# s = %g, q = %g: the reference has r_max = %.20Lg%s, the table %.20Lg%s\n",
+            (double)known->input.s, (double)known->input.q, (long double)found.r_max,
+            found.by_reach ? " by reach" : "", known->r_max, known->by_reach ? " by reach" : "");
+    return 1;
+}
+
+static void reference_of_growth(void **state)
+{
+    (void)state;
+    static const char *const tables[] = {"tests/reference/rmax.csv", "tests/reference/pair.csv"};
+    static struct known_growth known[GROWTHS];
+    int rows = 0;
+    for (int pair = 0; pair < 2; pair++) {
+        struct csv *csv = csv_open(tables[pair]);
+        for (; csv_next(csv) && rows < GROWTHS; rows++) {
+            struct ref_input input = {
+                .s = csv_real(csv, "s"), .q = csv_real(csv, "q"), .d = (dom_real)(7.0 / 48)};
+            if (!pair) {
+                input.d = csv_real(csv, "d");
+                input.paper = strcmp(csv_text(csv, "fuel"), "paper") == 0;
+            }
+            known[rows] = (struct known_growth){input, pair, strcmp(csv_text(csv, "ends_by"), "reach") == 0,
+                                                strtold(csv_text(csv, "r_max"), NULL)};
+        }
+    }
+    assert_int_equal(rows, GROWTHS);
+    none_fails(workers_run(GROWTHS, check_growth, known));
+}
+
+/* ---- Cases ---- */
+
+/* The input of a case, with the tilt that the library calls theta_c. */
+static struct ref_input input_of(const struct hard_case *c, enum dom_precision precision)
+{
+    struct ref_input input = {(dom_real)c->s, (dom_real)c->r, (dom_real)c->d, (dom_real)c->q, 0, c->paper};
+    if (c->r == 1 / c->s) /* the reach of this precision */
+        input.r = precision == DOM_QUAD ? 1 / input.s : (dom_real)c->r;
+    if (c->tilt >= 0) {
+        input.tilt = (dom_real)c->tilt;
+    } else {
+        struct answers answers;
+        ask_nothing(&answers);
+        struct dom_train train = ask_train(&input, precision);
+        ask(&train, 0, REF_THETA_C, &answers);
+        input.tilt = -(dom_real)c->tilt * answers.value[REF_THETA_C];
+        if (precision == DOM_DOUBLE)
+            input.tilt = (dom_real)(double)input.tilt;
+    }
+    return input;
+}
+
+/* What the reference has to say about one quantity of a case. */
+struct verdict {
+    double want, scale, got_error, naive_error;
+};
+
+static struct verdict judge_growth(const struct ref_input *input, enum ref_quantity quantity, int digits2,
+                                   dom_real got, double naive)
+{
+    struct growth found = growth_find(input, quantity == REF_PAIR, digits2);
+    return (struct verdict){(double)found.r_max, found.scale, fabs((double)(got - found.r_max)),
+                            fabs((double)((dom_real)naive - found.r_max))};
+}
+
+static struct verdict judge(const struct hard_case *c, struct ref *ref, enum ref_quantity quantity,
+                            dom_real got, double naive)
+{
+    struct verdict v = {.want = ref_double(ref, quantity),
+                        .got_error = ref_error(ref, quantity, got),
+                        .naive_error = ref_error(ref, quantity, (dom_real)naive)};
+    /* The scale of a lengthy train takes minutes: there the bound of the case is for |F| alone. */
+    v.scale = c->lengthy ? fabs(v.want) : ref_scale(ref, quantity);
+    return v;
+}
+
+static struct verdict judge_stop(const struct hard_case *c, const struct ref_input *input, int digits2,
+                                 dom_real got, double naive)
+{
+    struct ref_input at = *input;
+    at.tilt = got; /* so that there are bits enough */
+    struct ref *ref = ref_open_for(&at, digits2);
+    struct verdict v = judge(c, ref, REF_STOP, got, naive);
+    ref_close(ref);
+    return v;
+}
+
+/* Is the library right, and the naive code wrong?  If not, one line on stderr. */
+static bool fair(const struct hard_case *c, enum ref_quantity quantity, enum dom_precision precision,
+                 dom_real got, const struct verdict *v)
+{
+    const double allowed = c->units > 0 ? c->units : 16;
+    const double units = v->got_error / (v->scale * ask_unit(precision));
+    /* The naive code has nothing but doubles. */
+    const bool hard = !(v->naive_error <= allowed * v->scale * ask_unit(DOM_DOUBLE));
+    const bool good = v->got_error <= allowed * v->scale * ask_unit(precision);
+    if (!good || !hard)
+        fprintf(stderr, "# %s (%s), %s, %s: got %.17g, wanted %.17g: %.3g units of %.3g allowed%s\n", c->name,
+                c->trap, dom_arithmetic(precision)->name, ref_name(quantity), (double)got, v->want, units,
+                allowed, hard ? "" : "; it is not hard, the naive code is right");
+    return good && hard;
+}
+
+/* Returns the number of checks that fail. */
+static long check_case(int number, void *context)
+{
+    const struct hard_case *c = &hard_cases[number];
+    const enum dom_precision precision = *(const enum dom_precision *)context;
+    if (c->lengthy && precision != DOM_DOUBLE)
+        return 0;
+    const struct ref_input input = input_of(c, precision);
+    const struct dom_train train = ask_train(&input, precision);
+    const int digits2 = precision == DOM_QUAD ? 120 : 60;
+    struct ref *ref = ref_open_for(&input, digits2);
+    struct answers answers;
+    long failures = 0;
+    ask_nothing(&answers);
+    for (int k = 0; k < CASE_CHECKS && c->check[k] != REF_COUNT; k++) {
+        const enum ref_quantity quantity = c->check[k];
+        ask(&train, input.tilt, quantity, &answers);
+        const dom_real got = answers.value[quantity];
+        const double naive = naive_value(&input, quantity);
+        struct verdict v = quantity == REF_R_MAX || quantity == REF_PAIR
+                               ? judge_growth(&input, quantity, digits2, got, naive)
+                           : quantity == REF_STOP ? judge_stop(c, &input, digits2, got, naive)
+                                                  : judge(c, ref, quantity, got, naive);
+        failures += !fair(c, quantity, precision, got, &v);
+    }
+    ref_close(ref);
+    return failures;
+}
+
+static void check_cases(enum dom_precision precision)
+{
+    none_fails(workers_run(hard_cases_number, check_case, &precision));
+}
+
+static void hard_cases_in_double(void **state)
+{
+    (void)state;
+    assert_true(hard_cases_number >= 60);
+    check_cases(DOM_DOUBLE);
+}
+
+static void hard_cases_in_quad(void **state)
+{
+    (void)state;
+    if (dom_arithmetic(DOM_QUAD)->bits == 0)
+        skip();
+    check_cases(DOM_QUAD);
+}
+
+/* Within 1e-13 of the scale: what bisection to the last bit and honest sums leave of a double. */
+static void naive_code_is_right_on_friendly_trains(void **state)
+{
+    (void)state;
+    for (int k = 0; k < friendly_cases_number; k++) {
+        const struct hard_case *c = &friendly_cases[k];
+        const struct ref_input input = input_of(c, DOM_DOUBLE);
+        struct ref *ref = ref_open_for(&input, 60);
+        for (int j = 0; j < CASE_CHECKS && c->check[j] != REF_COUNT; j++) {
+            const enum ref_quantity quantity = c->check[j];
+            double naive = naive_value(&input, quantity);
+            struct verdict v = quantity == REF_R_MAX || quantity == REF_PAIR
+                                   ? judge_growth(&input, quantity, 60, (dom_real)naive, naive)
+                                   : judge(c, ref, quantity, (dom_real)naive, naive);
+            if (!(v.naive_error <= 1e-13 * v.scale))
+                fail_msg("%s, %s: the naive code has %.17g, wanted %.17g", c->name, ref_name(quantity), naive,
+                         v.want);
+        }
+        ref_close(ref);
+    }
+}
+
+/* ---- Refusals ---- */
+
+static void refusals_have_their_reasons(void **state)
+{
+    (void)state;
+    for (int k = 0; k < refusals_number; k++) {
+        const struct refusal *c = &refusals[k];
+        const struct hard_case as_case = {.s = c->s, .r = c->r, .d = c->d, .q = c->q, .tilt = c->tilt};
+        struct ref_input input = {(dom_real)c->s, (dom_real)c->r,    (dom_real)c->d,
+                                  (dom_real)c->q, (dom_real)c->tilt, false};
+        if (c->status == DOM_BAD_TILT && c->tilt < -0.5 && c->tilt != -1)
+            input = input_of(&as_case, DOM_DOUBLE);
+        struct dom_train train = ask_train(&input, DOM_DOUBLE);
+        struct answers answers;
+        ask_nothing(&answers);
+        ask(&train, input.tilt, c->asked, &answers);
+        if (answers.status[c->asked] != c->status || !isnan((double)answers.value[c->asked]))
+            fail_msg("%s: \"%s\" and %.17g, wanted \"%s\" and nothing", c->name,
+                     dom_status_text(answers.status[c->asked]), (double)answers.value[c->asked],
+                     dom_status_text(c->status));
+    }
+}
+
+static void tolerances_have_a_floor(void **state)
+{
+    (void)state;
+    for (enum dom_precision precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
+        const struct dom_arithmetic *arithmetic = dom_arithmetic(precision);
+        struct dom_train train = dom_train_default();
+        train.precision = precision;
+        if (arithmetic->bits == 0)
+            continue;
+        train.tol = arithmetic->tol_floor;
+        assert_status(dom_train_check(&train), DOM_OK);
+        train.tol = arithmetic->tol_floor * (dom_real)0.999;
+        assert_status(dom_train_check(&train), DOM_BAD_PARAMETER);
+        train.tol = DOM_NAN;
+        assert_status(dom_train_check(&train), DOM_BAD_PARAMETER);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(reference_of_points),
+        cmocka_unit_test(reference_of_growth),
+        cmocka_unit_test(naive_code_is_right_on_friendly_trains),
+        cmocka_unit_test(hard_cases_in_double),
+        cmocka_unit_test(hard_cases_in_quad),
+        cmocka_unit_test(refusals_have_their_reasons),
+        cmocka_unit_test(tolerances_have_a_floor),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Random trains over the whole parameter space, in every precision: at its sharpest tolerance each answer
+ * is as good as its inputs allow (reference.h), at any other as good as the tolerance says, and the
+ * library's own bounds of its errors hold, and are not far off.  The worst of each quantity is printed.
+ */
+#include "../unit/support.h"
+#include "sweep.h"
+
+/* An answer may be wrong by so many units; the tolerance itself is about 9 of them. */
+static const double units_allowed[REF_COUNT] = {
+    /* Each of hundreds of dominoes adds a rounding. */
+    [REF_LINK_THETA] = 64,
+    /*
+     * How far a follower turns is lost to rounding where it turns little while the head turns much (thin
+     * dominoes near the reach), and energies of such a train with it.
+     */
+    [REF_DH] = 128,
+    [REF_THETA_M] = 128,
+    [REF_BARRIER] = 128,
+    [REF_MARGIN] = 128,
+    [REF_STOP] = 1024,
+};
+
+/* Half of the bounds are at most so many times the error. */
+static const double closeness = 100;
+
+struct swept {
+    struct sweep sweep;
+    long done;
+    struct tally tally[REF_COUNT];
+};
+
+static struct swept sweeps[] = {
+    {.sweep = {DOM_DOUBLE, 1, 20000, .barriers = 6, .durations = 100, .growths = 40, .pairs = 100}},
+    {.sweep = {DOM_FLOAT, 2, 4000, .barriers = 8, .durations = 50, .growths = 50, .pairs = 50}},
+    {.sweep = {DOM_QUAD, 3, 1500, .barriers = 8, .durations = 50, .growths = 50, .pairs = 50}},
+};
+
+static const char *label(const struct swept *swept)
+{
+    return dom_arithmetic(swept->sweep.precision)->name;
+}
+
+/* Skips a precision that this machine does not have. */
+static struct swept *look_at(void **state)
+{
+    struct swept *swept = *state;
+    if (dom_arithmetic(swept->sweep.precision)->bits == 0)
+        skip();
+    return swept;
+}
+
+static void report(const struct swept *swept)
+{
+    for (int k = 0; k < REF_COUNT; k++) {
+        const struct tally *t = &swept->tally[k];
+        if (t->checked > 0)
+            fprintf(stderr,
+                    "# %-6s %-15s %6ld: %8.3g units, %8.3g of tol, %8.3g of bound, bound %8.3g times\n",
+                    label(swept), ref_name((enum ref_quantity)k), t->checked,
+                    fmax(t->units.excess, TALLY_UNITS), t->tol.excess, t->bound.excess, tally_median(t));
+    }
+}
+
+static void all_points_are_looked_at(void **state)
+{
+    struct swept *swept = look_at(state);
+    swept->done = sweep_run(&swept->sweep, swept->tally);
+    report(swept);
+    assert_int_equal(swept->done, swept->sweep.points);
+    /* Every quantity that is not for the whole of a curve occurred. */
+    for (int k = 0; k <= REF_PAIR; k++)
+        if (swept->tally[k].checked < 8)
+            fail_msg("%s %s was looked at %ld times", label(swept), ref_name((enum ref_quantity)k),
+                     swept->tally[k].checked);
+}
+
+/* One line for each quantity with a sample beyond its limit, then failure. */
+static void judge(const struct swept *swept, const char *what, size_t sample, const double limit[REF_COUNT],
+                  double usual)
+{
+    int failures = 0;
+    for (int k = 0; k < REF_COUNT; k++) {
+        const struct sample *worst = (const struct sample *)((const char *)&swept->tally[k] + sample);
+        const double allowed = limit && limit[k] > 0 ? limit[k] : usual;
+        if (worst->excess <= allowed)
+            continue;
+        failures++;
+        fprintf(stderr, "# %s, %.3g allowed\n", what, allowed);
+        tally_print(label(swept), (enum ref_quantity)k, worst);
+    }
+    if (failures)
+        fail_msg("%s: %d quantities: %s", label(swept), failures, what);
+}
+
+static void errors_are_those_of_the_inputs(void **state)
+{
+    judge(look_at(state), "units of error", offsetof(struct tally, units), units_allowed, 16);
+}
+
+static void tolerances_are_kept(void **state)
+{
+    judge(look_at(state), "of tolerance and conditioning", offsetof(struct tally, tol), NULL, 1);
+}
+
+static void bounds_hold(void **state)
+{
+    const struct swept *swept = look_at(state);
+    judge(swept, "of the library's bound", offsetof(struct tally, bound), NULL, 1);
+    for (int k = 0; k < REF_COUNT; k++)
+        if (swept->tally[k].without_bound)
+            fail_msg("%s %s: %ld values have no bound", label(swept), ref_name((enum ref_quantity)k),
+                     swept->tally[k].without_bound);
+}
+
+static void bounds_are_close(void **state)
+{
+    const struct swept *swept = look_at(state);
+    int failures = 0;
+    for (int k = 0; k < REF_COUNT; k++) {
+        if (swept->tally[k].bounds == 0 || tally_median(&swept->tally[k]) <= closeness)
+            continue;
+        failures++;
+        fprintf(stderr, "# %s %s: half of the bounds are more than %.3g times the error, %.3g allowed\n",
+                label(swept), ref_name((enum ref_quantity)k), tally_median(&swept->tally[k]), closeness);
+    }
+    if (failures)
+        fail_msg("%s: bounds of %d quantities are too wide", label(swept), failures);
+}
+
+static void statuses_are_right(void **state)
+{
+    const struct swept *swept = look_at(state);
+    int failures = 0;
+    for (int k = 0; k < REF_COUNT; k++) {
+        const struct tally *t = &swept->tally[k];
+        if (!t->wrong)
+            continue;
+        failures++;
+        fprintf(stderr, "# %s %s: wrong %ld times, first: %s\n", label(swept), ref_name((enum ref_quantity)k),
+                t->wrong, t->what);
+        tally_print(label(swept), (enum ref_quantity)k, &t->mistake);
+    }
+    if (failures)
+        fail_msg("%s: %d quantities contradict the reference", label(swept), failures);
+}
+
+#define SWEEP(k, name)                                                                                       \
+    {name ": all_points_are_looked_at", all_points_are_looked_at, NULL, NULL, &sweeps[k]},                   \
+        {name ": errors_are_those_of_the_inputs", errors_are_those_of_the_inputs, NULL, NULL, &sweeps[k]},   \
+        {name ": tolerances_are_kept", tolerances_are_kept, NULL, NULL, &sweeps[k]},                         \
+        {name ": bounds_hold", bounds_hold, NULL, NULL, &sweeps[k]},                                         \
+        {name ": bounds_are_close", bounds_are_close, NULL, NULL, &sweeps[k]},                               \
+    {                                                                                                        \
+        name ": statuses_are_right", statuses_are_right, NULL, NULL, &sweeps[k]                              \
+    }
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {SWEEP(0, "double"), SWEEP(1, "float"), SWEEP(2, "quad")};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

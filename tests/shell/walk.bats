@@ -1,0 +1,136 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One cycle as a table, and the walk through the cycles event by event.
+
+load common
+
+# Of json answers: values of a key, joined.
+all() { values "$1" | paste -sd ' ' -; }
+
+@test "cycle: N rows and the events in order; the columns agree with omega, energy, chain, duration" {
+    rows=$(json 'cycle 7')
+    same events 'launch top hit' "$(values event <<<"$rows" | grep . | paste -sd ' ' -)"
+    same 'rows' 8 "$(wc -l <<<"$rows")"
+    close t_f "$(json duration | values seconds)" "$(values t <<<"$rows" | tail -n 1)"
+    close theta_m "$(json barrier | values theta_m)" "$(grep '"event":"top"' <<<"$rows" | values theta)"
+    while IFS= read -r row; do
+        theta=$(values theta <<<"$row")
+        close omega "$(json "omega $theta" | values omega)" "$(values omega <<<"$row")"
+        close potential "$(json "energy $theta" | values dH)" "$(values potential <<<"$row")"
+        close theta_1 "$(json "theta1 $theta" | values theta_1)" "$(values theta_1 <<<"$row")"
+        close theta_2 "$(json "chain $theta" | sed -n 3p | values theta_i)" "$(values theta_2 <<<"$row")"
+    done <<<"$rows"
+    # Even in time, or in tilt.
+    values t <<<"$rows" | awk 'NR == 1 { next } { print $1 }' >"$BATS_TEST_TMPDIR/t"
+    json 'cycle 5 tilt' | grep '"event":""' | values theta | awk 'NR > 1 { print $1 - before } { before = $1 }' |
+        awk 'NR == 1 { step = $1 } { d = $1 / step - 1; if (d > 1e-9 || d < -1e-9) exit 1 }'
+    json 'cycle 5' | grep -v '"event":"top"' | values t | awk 'NR > 1 { print $1 - before } { before = $1 }' |
+        awk 'NR == 1 { step = $1 } { d = $1 / step - 1; if (d > 1e-9 || d < -1e-9) exit 1 }'
+}
+
+@test "cycle: energies in J where a mass or a density is set" {
+    plain=$(json 'cycle 2' | tail -n 1 | values kinetic)
+    close mass "$(awk -v k="$plain" 'BEGIN { print k * 0.008 * 9.81 * 0.048 / 2 }')" \
+        "$(json 'set mass 0.008; cycle 2' | tail -n 1 | values kinetic | awk '{ print $1 }')" || true
+    awk -v k="$plain" -v j="$(json 'set mass 0.008; cycle 2' | tail -n 1 | values kinetic)" \
+        'BEGIN { d = j / (k * 0.008 * 9.81 * 0.048 / 2) - 1; exit !(d < 1e-12 && d > -1e-12) }'
+    # 48 x 24 x 7 mm at 1000 kg/m^3 are 8.064 g.
+    same density "$(json 'set mass 0.008064; why' | values kinetic | cut -c 1-14)" \
+        "$(json 'set density 1000; why' | values kinetic | cut -c 1-14)"
+    "$DOMINO" -e 'set mass 0.008; cycle 2' | grep -q '\bJ\b'
+    "$DOMINO" -e 'cycle 2' | grep -q 'mgh/2'
+}
+
+@test "cycle: a follower that falls off is an event, in both orders with the top" {
+    same 'fall, then top' 'launch fall top hit' \
+        "$(json 'set q hollow; set s 0.54; set r 1.8518; cycle 4' | values event | grep . | paste -sd ' ' -)"
+    same 'top, then fall' 'launch top fall hit' \
+        "$(json 'set q hollow; set s 0.5; set r 1.9; cycle 4' | values event | grep . | paste -sd ' ' -)"
+}
+
+@test "cycle where the train stops, or does not start: rows up to there, and the reason" {
+    rows=$(json 'set r 1.7; cycle 4')
+    same 'stops' stop "$(tail -n 1 <<<"$rows" | values event)"
+    same 'at rest' 0 "$(tail -n 1 <<<"$rows" | values omega)"
+    "$DOMINO" -e 'set r 1.7; cycle 4' | grep -q 'The train stops below its barrier'
+    run -0 "$DOMINO" -e 'set s 0.001; cycle'
+    [[ $output == *'no domino effect: the fuel P is not positive (c7)'* ]]
+}
+
+@test "step: launch, top, hit, then the next cycle, sqrt(r) slower and r times larger" {
+    walk=$(json 'step; step; step; step; step; step')
+    same events 'launch top hit launch top hit' "$(all event <<<"$walk")"
+    same cycles '1 1 1 2 2 2' "$(all cycle <<<"$walk")"
+    awk -v a="$(values t <<<"$walk" | sed -n 3p)" -v b="$(values t <<<"$walk" | sed -n 6p)" \
+        'BEGIN { d = b / a / sqrt(1.5) - 1; exit !(d < 1e-12 && d > -1e-12) }'
+    same 'N steps' "$(sed -n 5p <<<"$walk")" "$(json 'step 5')"
+    same 'back' "$(sed -n 2p <<<"$walk")" "$(json 'step 5; back 3' | tail -n 1)"
+    same 'where' "$(sed -n 2p <<<"$walk")" "$(json 'step 2; where' | tail -n 1)"
+    run -0 "$DOMINO" -e 'step 4'
+    for words in 'Cycle 2, event 1 of 3' '0\.072 m tall' '(c4)' '(c6)' 'The impulse runs down the train' \
+        'the share 1/J(0) = 88\.08 %' '7\.299 times that: it clears the barrier'; do
+        grep -q "$words" <<<"$output" || same "$words" "$words" "$output"
+    done
+}
+
+@test "the ledger closes at every event and between: before - lost + gained = kinetic" {
+    for state in '' 'set q hollow; set s 0.54; set r 1.8518' 'set q hollow; set s 0.5; set r 1.9' 'set r 1.7' 'set r 1; set s 0.1'; do
+        json "$state; step; goto 0.01; goto 0.02; goto launch" >"$BATS_TEST_TMPDIR/ledger"
+        json "$state; step 2" >>"$BATS_TEST_TMPDIR/ledger"
+        paste <(values before <"$BATS_TEST_TMPDIR/ledger") <(values lost <"$BATS_TEST_TMPDIR/ledger") \
+            <(values gained <"$BATS_TEST_TMPDIR/ledger") <(values kinetic <"$BATS_TEST_TMPDIR/ledger") |
+            awk '{ d = $1 - $2 + $3 - $4; if (d > 1e-12 * $1 || d < -1e-12 * $1) { print; bad = 1 } rows++ }
+                END { exit bad || rows < 5 }'
+    done
+    "$DOMINO" -e 'set fuel paper; step' | grep -q "The ledger is open by -0.009769 mgh/2: the paper's fuel is no balance"
+}
+
+@test "step where the train stops: up to there, says where and why, and no further" {
+    run -1 "$DOMINO" -e 'set r 1.7; step; step; step; print 1'
+    [[ $output == *'The train stops at theta = 0.0280216 rad'* ]]
+    [[ $output == *'step: the train has stopped, it comes no further'* ]]
+    same 'the session goes on' 1 "${lines[-1]}"
+    run -1 "$DOMINO" -e 'set r 1.7; step 9'
+    [[ $output == *'The train stops at theta'* ]]
+    run -1 "$DOMINO" -e 'back'
+    [[ $output == *'this is the launch of the first cycle'* ]]
+    run -0 "$DOMINO" -e 'set s 0.001; step'
+    [[ $output == *'no cycle begins'* ]]
+}
+
+@test "goto: a tilt, an event; beyond the cycle or the stop is refused" {
+    same 'tilt' '0.3 top' "$(json 'goto 0.3' | values theta) $(json 'goto 0.3' | values event)"
+    same 'event' "$(json barrier | values theta_m)" "$(json 'goto top' | values theta)"
+    same 'degrees' 0.17453292519943295 "$(json 'goto 10 deg' | values theta)"
+    run -1 "$DOMINO" -e 'goto 2'
+    [[ $output == *'goto: PLACE = 2 rad is outside the cycle; PLACE is an angle in [0, theta_c]'* ]]
+    run -1 "$DOMINO" -e 'goto fall'
+    [[ $output == *"there is no 'fall' in this cycle"* ]]
+    run -1 "$DOMINO" -e 'set r 1.7; goto 0.3'
+    [[ $output == *'the train stops at theta = 0.02802163121 rad, it does not come as far'* ]]
+    same completion 'launch' "$("$DOMINO" -e 'complete goto l' | head -n 1)"
+}
+
+@test "other parameters begin the walk anew, and say so" {
+    run -0 "$DOMINO" -e 'step 2; set r 1.4; where'
+    [[ $output == *'The parameters have changed: the walk begins anew.'* ]]
+    same 'launch' launch "$(json 'step 2; set r 1.4; where' | tail -n 1 | values event)"
+    same 'output does not count' top "$(json 'step 2; set digits 5; where' | tail -n 1 | values event)"
+}
+
+@test "why: the verdict, the term that decides, and that dominoes stay in contact" {
+    run -0 "$DOMINO" -e 'why'
+    for words in 'It goes on: (c8) decides' '7.299 times' 'r_max = 1.64422904' 'Contact holds' \
+        "the paper's assumption, dominoes stay in contact, is met"; do
+        [[ $output == *"$words"* ]] || same "$words" "$words" "$output"
+    done
+    run -0 "$DOMINO" -e 'set r 1.7; why'
+    [[ $output == *'It stops: (c8) decides, K < B'*'61.51 %'* ]]
+    run -0 "$DOMINO" -e 'set s 0.001; why'
+    [[ $output == *'No cycle begins: (c7) decides'* ]]
+    run -0 "$DOMINO" -e 'set s 0.1; set r 1.01; why'
+    [[ $output == *'there is no barrier (c8)'* ]]
+    run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why'
+    [[ $output == *'growth ends by reach: beyond r = 1/s = 1.25'* ]]
+    same 'keys' "goes on" "$(json why | values verdict)"
+}
