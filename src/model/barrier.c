@@ -125,7 +125,7 @@ KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real 
 /* H''(theta) by a difference that stays inside the cycle; for error bounds its size is enough. */
 static real curvature(struct slope_context *c, real theta, real end)
 {
-    real h = sqrt(REAL_EPSILON) * 64 * end, lo = fmax(theta - h, 0), hi = fmin(theta + h, end);
+    real h = sqrt(REAL_EPSILON) * 64 * theta, lo = fmax(theta - h, 0), hi = fmin(theta + h, end);
     real below = slope_of_H(lo, c), above = c->status == DOM_OK ? slope_of_H(hi, c) : 0;
     return (above - below) / (hi - lo);
 }
@@ -148,7 +148,7 @@ KERNEL enum dom_status barrier_error(const struct lean *g, size_t n, const struc
     /* At an inner top H' vanishes; where it does not, the top is an end of a piece, known as an angle. */
     real off = (fabs(at.H1) + e.H1) / bend;
     bool inner = off < (real)0.01 * b->theta_m;
-    error->theta_m = (inner ? off : 0) + 8 * UNIT * b->theta_m;
+    error->theta_m = (inner ? 2 * off : 0) + 8 * UNIT * b->theta_m;
     error->height = e.dH + (fabs(at.H1) + bend * error->theta_m) * error->theta_m;
     return DOM_OK;
 }

@@ -1,18 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bound.h"
 
-/* Of Y and of the step of the lean on this domino. */
+/* Of Y, the arm and the step of the lean on this domino. */
 static void bound_lean(const struct lean *g, const struct link *k, struct bound *b)
 {
-    b->Y = b->step = 0;
-    if (!k->leads || k->tilt.x == 0) {
-        b->Y = k->leads ? 6 * UNIT * k->turn.Y : 0;
+    b->Y = b->arm = b->step = 0;
+    if (!k->leads)
+        return;
+    if (k->tilt.x == 0) {
+        b->Y = b->arm = 6 * UNIT * k->turn.Y;
         return;
     }
-    real X = fabs(k->turn.X), Y = k->turn.Y, arm = g->r * g->L * k->tilt.x; /* -dX/dtheta */
-    real G = arm / Y;                                                       /* 1 - step, in [0, 1] */
-    b->Y = X * G * b->angle + 6 * UNIT * Y;
-    b->step = G * (k->tilt.y / k->tilt.x * b->angle + b->Y / Y + 5 * UNIT) + UNIT;
+    real X = fabs(k->turn.X), Y = k->turn.Y, arm = k->turn.arm, rLx = g->r * g->L * k->tilt.x;
+    real of_rLx = g->r * g->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
+    b->Y = X * rLx / Y * b->angle + 5 * UNIT * Y;
+    if (2 * rLx <= Y) { /* as in lean_turn: the slope is 1 - r L x / Y, in which little of Y counts */
+        b->arm = b->Y + of_rLx + UNIT * arm;
+        b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
+        return;
+    }
+    real part = g->leave_by * (k->tilt.x * b->angle + 6 * UNIT * k->tilt.v) + 4 * UNIT * g->leave_at;
+    b->arm = (part + arm * (b->Y + of_rLx)) / (Y + rLx) + 2 * UNIT * arm;
+    b->step = (b->arm + k->step * b->Y) / Y + UNIT * k->step;
 }
 
 KERNEL struct bound bound_head(const struct lean *g, const struct link *head, real angle)
@@ -28,11 +37,10 @@ KERNEL void bound_next(const struct lean *g, const struct link *leader, const st
     /* X and Y each carry 6 units of the positive terms that they are made of. */
     real made_of = g->r * (g->s + g->L * leader->tilt.v);
     real turn = 6 * UNIT * leader->turn.Y * (made_of + fabs(leader->turn.X));
-    real powers = UNIT * log(g->r);
-    b->angle = leader->step * b->angle + turn + 4 * UNIT * follower->tilt.x;
+    b->angle = leader->step * b->angle + turn + 3 * UNIT * follower->tilt.x;
     b->slope = leader->step * b->slope + leader->slope * b->step + UNIT * follower->slope;
-    b->weight += 3 * UNIT + g->q * powers / 2;
-    b->inertia += 3 * UNIT + (g->q + 1) * powers;
+    b->weight += 3 * UNIT;
+    b->inertia += 4 * UNIT;
     bound_lean(g, follower, b);
 }
 
@@ -59,15 +67,12 @@ KERNEL real bound_rise(const struct lean *g, struct tilt a, struct tilt b, real 
     return fabs(cosines - sines) * t_error + (fabs(t) + t_error) * lift_error;
 }
 
-KERNEL real bound_half_turn(const struct lean *g, const struct link *a, const struct link *b,
-                            const struct bound *bound_a, const struct bound *bound_b, real t, real t_error,
-                            real G)
+KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
+                            const struct bound *bound_b, real t, real t_error, real F)
 {
-    (void)g;
-    real sines = a->tilt.x + b->tilt.x, Y = a->turn.Y + b->turn.Y;
-    if (t == 0 || sines == 0)
+    real Y = a->turn.Y + b->turn.Y;
+    if (t == 0)
         return t_error;
-    real of_sines = (a->tilt.y * bound_a->angle + b->tilt.y * bound_b->angle) / sines;
-    real of_G = G * (of_sines + (bound_a->Y + bound_b->Y) / Y + 6 * UNIT);
-    return fabs(1 - G) * (t_error + 6 * UNIT * fabs(t)) + fabs(t) * (1 + t * t) * of_G;
+    real of_F = (bound_a->arm + bound_b->arm + F * (bound_a->Y + bound_b->Y)) / Y + 3 * UNIT * F;
+    return F * (t_error + 6 * UNIT * fabs(t)) + fabs(t) * (1 + t * t) * of_F;
 }

@@ -10,10 +10,10 @@
 #include "chain.h"
 
 struct bound {
-    real angle;   /* of theta_i */
-    real Y, step; /* of the turn and the slope of the lean to the follower */
-    real slope;   /* of theta_i' */
-    real weight;  /* of r^(-q i), r^(-(q+1) i): relative */
+    real angle;        /* of theta_i */
+    real Y, arm, step; /* of the turn and the slope of the lean to the follower */
+    real slope;        /* of theta_i' */
+    real weight;       /* of r^(-q i), r^(-(q+1) i): relative */
     real inertia;
 };
 
@@ -31,9 +31,8 @@ KERNEL real bound_H1(const struct lean *lean, const struct link *link, const str
 KERNEL real bound_rise(const struct lean *lean, struct tilt a, struct tilt b, real angle_a, real angle_b,
                        real t, real t_error);
 
-/* Of the t of the followers of a and b, whose G is given (chain_rise). */
-KERNEL real bound_half_turn(const struct lean *lean, const struct link *a, const struct link *b,
-                            const struct bound *bound_a, const struct bound *bound_b, real t, real t_error,
-                            real G);
+/* Of the t of the followers of a and b, whose F is given (chain_rise). */
+KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
+                            const struct bound *bound_b, real t, real t_error, real F);
 
 #endif

@@ -14,7 +14,7 @@ static void link_lean(const struct lean *g, struct link *k)
     k->leads = !g->falls_off || k->tilt.v < g->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->turn = lean_turn(g, k->tilt);
-        k->step = lean_slope(g, k->tilt, k->turn);
+        k->step = k->turn.step;
     }
 }
 
@@ -238,16 +238,17 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
             }
             break;
         }
-        real G = t == 0 ? 0 : g->r * g->L * (a.tilt.x + b.tilt.x) / (a.turn.Y + b.turn.Y);
-        real ratio = fmax(g->weight * (1 - G), g->decay);
+        /* F = 1 - G, from the arms: the smallest slopes keep their digits, too. */
+        real Y = a.turn.Y + b.turn.Y, F = t == 0 ? 1 : (a.turn.arm + b.turn.arm) / Y;
+        real G = t == 0 ? 0 : g->r * g->L * (a.tilt.x + b.tilt.x) / Y, ratio = fmax(g->weight * F, g->decay);
         ended = false;
         if (series_done(&state.dH, a.weight * 2 * t * g->reach, ratio, g->tol) && done_J(g, &state, &a) &&
             done_H1(g, &state, &a, g->tol))
             break;
         ended = true;
         if (error)
-            e.t = bound_half_turn(g, &a, &b, &e.a, &e.b, t, e.t, G);
-        t *= (1 - G) / (1 + t * t * G);
+            e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t, F);
+        t *= F / (1 + t * t * G);
         if (error) {
             struct link leader_a = a;
             link_next(g, &a);
@@ -301,7 +302,7 @@ static struct dom_link link_public(const struct lean *g, const struct link *k)
         .i = k->i,
         .theta = tilt_angle(k->tilt),
         .slope = k->slope,
-        .arm_a = b - g->L * k->tilt.x,
+        .arm_a = k->leads ? k->turn.arm / g->r : REAL_NAN,
         .arm_b = b,
         .weight = k->weight,
     };
@@ -313,7 +314,7 @@ static struct dom_link link_error(const struct lean *g, const struct link *k, co
     return (struct dom_link){
         .theta = e->angle + 2 * UNIT * tilt_angle(k->tilt),
         .slope = e->slope,
-        .arm_a = b + g->L * (k->tilt.y * e->angle + 4 * UNIT * k->tilt.x) + UNIT * k->turn.Y / g->r,
+        .arm_a = k->leads ? (e->arm + UNIT * k->turn.arm) / g->r : REAL_NAN,
         .arm_b = b,
         .weight = e->weight * k->weight,
     };
@@ -333,6 +334,8 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
     struct link k = link_head(&g, head);
     struct bound e = bound_head(&g, &k, lean_error_head(head));
     for (;;) {
+        if ((status = chain_watch(&g, k.i)) != DOM_OK)
+            return status;
         struct dom_link link = link_public(&g, &k), error = link_error(&g, &k, &e);
         if (!visit(&link, errors ? &error : NULL, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;

@@ -15,7 +15,7 @@ KERNEL enum dom_status collision_launch(const struct lean *g, enum dom_fuel fuel
     *launch = (struct launch){.fuel = P, .J0 = J0, .omegasq = kinetic / J0, .kinetic = kinetic};
     if (error) {
         real size = fabs(kinetic), P_error = paper ? e.paper : e.exact;
-        real powers = UNIT * (10 + 6 * g->q * log(g->r)); /* of the denominator, and of what is left to do */
+        real powers = 12 * UNIT; /* of the denominator, and of what is left to do */
         real of_kinetic = P_error * f.T / (g->rq + f.T * g->rq_1) + size * (e.T / f.T + powers);
         real of_J0 = e.T + UNIT * J0;
         *error = (struct launch){

@@ -104,7 +104,8 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     if (status == DOM_OK)
         status = chain_rise(&cycle->lean, head, CHAIN_ENDLESS, &at, &e);
     if (status == DOM_OK)
-        *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) +
+        *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
+                     (1 + 4 * cycle->lean.tol) + /* to second order in a loose tolerance */
                  4 * UNIT * theta;
     return status;
 }
@@ -151,14 +152,15 @@ static real slowness_error(real theta, void *context)
                : REAL_NAN;
 }
 
-/* The integral over the pieces between the knots; its error is added to, unless NULL. */
+/* The integral over the pieces between the knots; unless NULL, error gets its bound. */
 static enum dom_status pieces_integral(struct cycle *cycle, const real *knot, int knots, num_function *f,
                                        real tol, real *sum, real *error)
 {
     *sum = 0;
     for (int i = 1; i < knots; i++) {
         real part = 0, part_error = 0;
-        enum num_status solver = num_integral(f, cycle, knot[i - 1], knot[i], tol, &part, &part_error);
+        enum num_status solver =
+            num_integral(f, cycle, knot[i - 1], knot[i], tol, &part, error ? &part_error : NULL);
         enum dom_status status = model_status(cycle->status, solver);
         if (status != DOM_OK)
             return status;
@@ -193,7 +195,7 @@ KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *d
         knot[knots++] = b->edge[i];
     }
     real share = fmax((real)train->tol / 8, noise);
-    status = pieces_integral(&cycle, knot, knots, slowness, share, &sum, &sum_error);
+    status = pieces_integral(&cycle, knot, knots, slowness, share, &sum, error ? &sum_error : NULL);
     if (status == DOM_OK && error)
         status = pieces_integral(&cycle, knot, knots, slowness_error, (real)0.125, &of_speed, NULL);
     if (status != DOM_OK)

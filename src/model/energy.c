@@ -17,7 +17,7 @@ static real fuel_paper_error(const struct lean *g)
     real s = g->s, d = g->d;
     if (g->falls_off) {
         real rises = d * g->f.y + g->f.x, half = g->f.x / (1 + g->f.y);
-        return rises * lean_error_f(g) + 4 * UNIT * g->f.x * (half + d);
+        return rises * lean_error_f(g) + 12 * UNIT * g->f.x * (half + d);
     }
     real made_of = s * fabs((1 - d) * (1 + d)) + 2 * d * d * d;
     return 4 * UNIT * s * made_of / (g->L * (s + d * g->L * g->inf.x)) +
@@ -32,8 +32,7 @@ KERNEL enum dom_status energy_fuel(const struct lean *g, struct fuel *fuel, stru
         return status;
     *fuel = (struct fuel){.exact = -at_c.dH, .paper = energy_fuel_paper(g), .T = g->inertia * at_c.J};
     if (error) {
-        real power = UNIT * (4 + (g->q + 1) * log(g->r)); /* of r^-(q+1) */
-        *error = (struct fuel){e.dH, fuel_paper_error(g), g->inertia * e.J + power * fuel->T};
+        *error = (struct fuel){e.dH, fuel_paper_error(g), g->inertia * e.J + 4 * UNIT * fuel->T};
     }
     return DOM_OK;
 }

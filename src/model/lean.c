@@ -23,9 +23,10 @@ KERNEL enum dom_status lean_make_at(const struct dom_train *t, real s, real r, s
     g.short_of = fmax(fma(-r, s, 1), 0);
     g.reach = hypot(1, d);
     g.rq = pow(r, q);
-    g.rq_1 = expm1(q * ln_r);
+    /* The logarithm would cost digits where r^q is large, the difference where it is near 1. */
+    g.rq_1 = g.rq > 2 ? g.rq - 1 : expm1(q * ln_r);
     g.weight = pow(r, -q);
-    g.inertia = pow(r, -(q + 1));
+    g.inertia = g.weight / r;
 
     g.c = tilt_make(fmin(r * s, 1), sqrt(g.short_of * (1 + r * s)));
     real x_inf = sqrt(s * (s + 2 * d)) / L;
@@ -33,14 +34,17 @@ KERNEL enum dom_status lean_make_at(const struct dom_train *t, real s, real r, s
     g.decay = g.weight * fmax(0, 1 - r * L * x_inf);
 
     /* (A17): theta_leave < theta_inf.  1 - cos theta_leave = (1/r^2 - s^2) / (2 d L). */
-    real v_leave = g.short_of * (1 + r * s) / (2 * d * L * r * r);
+    g.leave_at = g.short_of * (1 + r * s);
+    g.leave_by = 2 * d * L * r * r;
+    real v_leave = g.leave_at / g.leave_by;
     g.falls_off = v_leave < g.inf.v;
     g.f = g.inf;
     if (g.falls_off) {
         g.leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
         /* (A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
-        real x_f = fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
         real one_minus_x = (2 * r * d - g.short_of) * g.short_of / (2 * r * L);
+        real x_f =
+            2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
         g.f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
     }
     *lean = g;
@@ -97,7 +101,7 @@ KERNEL real lean_error_f(const struct lean *g)
 /* theta_leave comes from its 1 - cos, whose derivative is the sine. */
 static real lean_error_leave(const struct lean *g)
 {
-    return 6 * UNIT * g->leave.v / g->leave.x + tilt_error(g->leave, 2);
+    return g->leave.x > 0 ? 6 * UNIT * g->leave.v / g->leave.x + tilt_error(g->leave, 2) : REAL_MIN;
 }
 
 /* ---- Public ---- */

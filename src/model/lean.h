@@ -22,6 +22,8 @@ struct lean {
     struct dom_work *work;
     real L;            /* s + d */
     real short_of;     /* 1 - r s >= 0: by how much the head reaches the next domino */
+    real leave_at;     /* 1 - r^2 s^2, which is leave_by v where a follower leaves */
+    real leave_by;     /* 2 r^2 L d */
     real weight;       /* r^-q, share of a follower in H over that of its leader (c1) */
     real inertia;      /* r^-(q+1), the same for J (c2) */
     real rq, rq_1;     /* r^q and r^q - 1 */
@@ -64,16 +66,27 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
-/* sin X and cos Y of theta_1 - theta (A5); written so that neither X near 0 nor X near 1 cancels. */
+/*
+ * The turn from a leader to its follower, with the arm of the contact force on the leader (table 1).
+ * Neither X near 0 nor X near 1 cancels.  Where Y - r L x would, the arm comes from
+ * Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower is about to leave.
+ */
 struct turn {
-    real X, Y;
+    real X, Y; /* sine and cosine of theta_1 - theta (A5) */
+    real arm;  /* r a = Y - r L x */
+    real step; /* d theta_1 / d theta (b10); 1 where the leader is upright, also in the limit Y = 0 (r s = 1)
+                */
 };
 
 KERNEL struct turn lean_turn(const struct lean *g, struct tilt leader)
 {
     real X = g->r * (g->s - g->L * leader.v);
     real one_minus_X = g->short_of + g->r * g->L * leader.v;
-    return (struct turn){X, sqrt(one_minus_X * (1 + X))};
+    real Y = sqrt(one_minus_X * (1 + X)), rLx = g->r * g->L * leader.x;
+    if (2 * rLx <= Y) /* the slope in one rounding near 1, since many are multiplied */
+        return (struct turn){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
+    real arm = (g->leave_at - g->leave_by * leader.v) / (Y + rLx);
+    return (struct turn){X, Y, arm, arm / Y};
 }
 
 /* The follower's tilt (A6, corrected: y' = Y y - X x). */
@@ -84,12 +97,6 @@ KERNEL struct tilt tilt_turn(struct tilt t, struct turn turn)
     /* Rounding lets x^2 + y^2 drift along a long train; one Newton step holds it at 1. */
     real norm = (3 - (x * x + y * y)) / 2;
     return tilt_make(norm * x, norm * y);
-}
-
-/* d theta_1 / d theta (b10).  An upright leader has slope 1, also in the limit Y = 0 (r s = 1). */
-KERNEL real lean_slope(const struct lean *g, struct tilt leader, struct turn turn)
-{
-    return leader.x == 0 ? 1 : (turn.Y - g->r * g->L * leader.x) / turn.Y;
 }
 
 #endif

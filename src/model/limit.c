@@ -61,7 +61,7 @@ static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, rea
     *margin = sine > 0 ? kinetic - b.height : -b.height;
     if (error) {
         real sine_error = UNIT * (5 * g->c.x + 7 * g->d * g->c.y) / u;
-        real powers = UNIT * (20 + 3 * (g->q + 1) * log(g->r));
+        real powers = 24 * UNIT;
         *error =
             kinetic * (sine > 0 ? 2 * sine_error / sine + powers : 0) + b_error.height + UNIT * fabs(*margin);
     }
@@ -137,8 +137,9 @@ static enum dom_status limit_scan(struct margin_context *c, int k, real margin, 
 }
 
 /*
- * Of a root of the margin: what is left of the margin and what may be wrong with it, over its slope in r,
- * by a difference that stays on this side of the reach.
+ * Of a root of the margin: what is left of the margin and what may be wrong with it, over its slope in r.
+ * The slope is that of a difference wide enough to stand out from what may be wrong with both margins,
+ * on this side of the reach.
  */
 static enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
@@ -147,15 +148,17 @@ static enum dom_status limit_error(struct margin_context *c, const struct limit 
     if (limit->ends != DOM_END_BARRIER)
         return DOM_OK;
     c->errors = true;
-    real margin = margin_at(r, c), wrong = c->error;
+    real margin = margin_at(r, c), wrong = c->error, slope = 0;
     c->errors = false;
-    real h = fmin(sqrt(REAL_EPSILON) * 64 * r, (reach - r) / 4), hi = r + h, lo = fmax(r - h, 1);
-    real above = c->status == DOM_OK ? margin_at(hi, c) : 0,
-         below = c->status == DOM_OK ? margin_at(lo, c) : 0;
-    real slope = (above - below) / (hi - lo);
-    /* Where the margins are alike but for rounding, r has no digits left: its bound is infinite. */
-    bool steep = fabs(above - below) > 2 * wrong;
-    *error += steep ? (fabs(margin) + wrong) / fabs(slope) : (real)INFINITY;
+    real widest = fmin((reach - r) / 4, r / 4), h = fmin(sqrt(REAL_EPSILON) * 64 * r, widest);
+    for (; c->status == DOM_OK && slope == 0; h = fmin(8 * h, widest)) {
+        real lo = fmax(r - h, 1), above = margin_at(r + h, c);
+        real below = c->status == DOM_OK ? margin_at(lo, c) : above;
+        if (fabs(above - below) > 8 * wrong || h >= widest)
+            slope = fabs(above - below) > 2 * wrong ? fabs(above - below) / (r + h - lo) : REAL_MIN;
+    }
+    /* Where even the widest shows no slope, all that is known is that r lies between 1 and the reach. */
+    *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
     return c->status;
 }
 
@@ -256,29 +259,37 @@ static real rmax_slope(real s, void *context)
 #define BEST_PATIENCE 8           /* as many lower ones in a row end the search */
 #define BEST_LOWEST   ((real)2e-6)
 
+/* How much lower r_max is at s + step than the top; 0 behind a jump, whose lower side is not the top's. */
+static real best_fall(struct margin_context *c, real s, real step, real top)
+{
+    real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
+    return near > far / 2 && far > 64 * UNIT * top ? 0 : far;
+}
+
 /*
  * Near a smooth top r_max is flat: what rounding and tol leave of its slope bounds s, over the curvature;
- * at a kink or a jump s is bracketed to tol itself.
+ * at a kink or a jump s is bracketed to tol itself.  r_max may be off by as much as it changes over that.
  */
 static enum dom_status best_error(struct margin_context *c, real s, bool smooth, struct dom_best *error)
 {
     real h = slope_step(s), width = 4 * h, r_error = 0;
-    c->s = s;
     struct limit limit;
+    c->s = s;
     enum dom_status status = rmax_find(c, &limit, NULL);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    real s_error = 2 * fmax((real)c->train->tol, 4 * REAL_EPSILON) * s, bend = 0;
+    real s_error = 2 * fmax((real)c->train->tol, 4 * REAL_EPSILON) * s;
     if (status == DOM_OK && smooth) {
-        bend = fabs(rmax_slope(s + width, c) - rmax_slope(s - width, c)) / (2 * width);
+        real bend = fabs(rmax_slope(s + width, c) - rmax_slope(s - width, c)) / (2 * width);
         /* Twice the step has 256 times the error of the rule. */
         real slope = rmax_slope(s, c), rule = fabs(rmax_slope_by(s, 2 * h, c) - slope) / 32;
-        real of_slope = fabs(slope) + rule + 2 * r_error / h;
-        s_error = 2 * UNIT * s + of_slope / bend;
-        status = c->status;
+        s_error = 2 * UNIT * s + (fabs(slope) + rule + 2 * r_error / h) / bend;
     }
-    *error = (struct dom_best){.s = s_error, .r_max = r_error + bend * s_error * s_error};
-    return status;
+    if (c->status == DOM_OK && status == DOM_OK)
+        r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), limit.r_max),
+                        best_fall(c, s, fmin(s_error, 1 - s), limit.r_max));
+    *error = (struct dom_best){.s = s_error, .r_max = r_error};
+    return status != DOM_OK ? status : c->status;
 }
 
 KERNEL enum dom_status limit_best(const struct dom_train *train, struct dom_best *best,

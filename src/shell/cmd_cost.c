@@ -2,8 +2,6 @@
 /* Commands about the price of accuracy. */
 #include "command.h"
 #include "cost.h"
-#include "picture.h"
-#include "wide.h"
 
 static const struct column cost_columns[] = {
     {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
@@ -82,85 +80,6 @@ static bool run_cost(struct session *session, const struct call *call)
     return cost_of(session, call, 0, &cost) && cost_answer(call, &cost);
 }
 
-/* ---- Pictures ---- */
-
-static const char *series_title(const struct cost_row *row, char title[64])
-{
-    const char *precision = dom_arithmetic(row->precision)->name;
-    snprintf(title, 64, "%s",
-             row->method == DOM_METHOD_PAPER ? "the paper's recipe"
-             : row->method == DOM_METHOD_GSL ? "solvers of GSL"
-                                             : "");
-    if (*title == '\0')
-        snprintf(title, 64, "ours, %s", precision);
-    return title;
-}
-
-static bool same_series(const struct cost_row *a, const struct cost_row *b)
-{
-    return a->method == b->method && a->precision == b->precision;
-}
-
-/* Error against time, a line for each method and precision. */
-static bool plot_cost(struct session *session, const struct call *call)
-{
-    struct cost cost;
-    struct picture picture;
-    char title[64];
-    if (!cost_of(session, call, 1, &cost))
-        return false;
-    if (!answer_for_people(call->answer))
-        return cost_answer(call, &cost);
-    if (!picture_begin(session, &picture))
-        return false;
-    FILE *out = picture.script;
-    const struct costed *answer = &cost_answers[(int)call->number[1]];
-    fprintf(out,
-            "set title \"What a digit costs: %s at s = %.6g, q = %.6g\"\n"
-            "set logscale xy\nset format xy '%s'\nset xlabel 'time of one answer [s]'\n"
-            "set ylabel 'relative error'\nunset mytics\n"
-            "set key left bottom\n", /* nothing is fast and accurate at once: that corner is free */
-            answer->name, (double)session->train.s, (double)session->train.q,
-            picture.text ? "1e%T" : "10^{%T}");
-    for (int k = 0; k < cost.rows; k++) {
-        const struct cost_row *row = &cost.row[k];
-        if (k == 0 || !same_series(row, row - 1))
-            fprintf(out, "%s$series%d << END\n", k ? "END\n" : "", k);
-        /* A logarithm has no 0: below a unit of its precision nothing is known. */
-        if (row->status == DOM_OK)
-            fprintf(out, "%.6g %.6g\n", row->seconds,
-                    (double)fmax(row->error, (dom_real)dom_arithmetic(row->precision)->epsilon / 4));
-    }
-    fprintf(out, "END\n");
-    for (int k = 0, n = 0; k < cost.rows; k++)
-        if (k == 0 || !same_series(&cost.row[k], &cost.row[k - 1])) {
-            fprintf(out, "%s$series%d using 1:2 with linespoints lt %d title \"%s\"", n ? ", " : "plot ", k,
-                    n + 1, series_title(&cost.row[k], title));
-            n++;
-        }
-    fprintf(out, "\n");
-    return picture_end(session, &picture);
-}
-
-static const struct plot {
-    const char *name;
-    bool (*run)(struct session *session, const struct call *call);
-} plots[] = {
-    {"cost", plot_cost},
-    {NULL, NULL},
-};
-
-static const char *plot_names(const void *context, int k)
-{
-    (void)context;
-    return plots[k].name;
-}
-
-static bool run_plot(struct session *session, const struct call *call)
-{
-    return plots[(int)call->number[0]].run(session, call);
-}
-
 const struct command cost_commands[] = {
     {.name = "cost",
      .argument = {{.name = "COMMAND",
@@ -176,20 +95,5 @@ const struct command cost_commands[] = {
      .principal = -1,
      .rows = true,
      .run = run_cost},
-    {.name = "plot",
-     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
-                  {.name = "COMMAND",
-                   .kind = ARGUMENT_CHOICE,
-                   .of = "command with a tolerance",
-                   .choices = cost_names}},
-     .summary = "a picture, in the terminal or in the file behind '>'",
-     .help = "'plot cost rmax > cost.svg' draws error against time. The ending of the file says as what: "
-             ".svg, .png, .pdf, .txt. Pictures need gnuplot; in csv and json the data comes instead.",
-     .see = "cost",
-     .columns = cost_columns,
-     .principal = -1,
-     .rows = true,
-     .files = true,
-     .run = run_plot},
     {.name = NULL},
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* draw: the train itself, to scale, in characters or by gnuplot. */
+/* The train itself, to scale, in characters or by gnuplot. */
 #include "command.h"
+#include "film.h"
 #include "picture.h"
 #include "scene.h"
 #include "terminal.h"
@@ -9,7 +10,12 @@
 
 /* ---- In characters ---- */
 
-enum { TEXT_LEFT = 6, TEXT_BELOW = 6, CELLS = 40000 }; /* the scale at the left; ground, scale, words */
+enum {
+    TEXT_LEFT = 6,
+    TEXT_BELOW = 6,
+    CELLS = 40000,
+    WIDTH_MOST = 200
+}; /* the scale at the left; ground, scale, words */
 
 struct canvas {
     char cell[CELLS];
@@ -24,13 +30,14 @@ static void canvas_put(struct canvas *c, struct point p, char mark, bool over)
     if (column < 0 || column >= c->width || row < 0 || row >= c->height)
         return;
     char *cell = &c->cell[row * c->width + column];
-    *cell = over || *cell == ' ' ? mark : *cell;
+    if (over || *cell == ' ')
+        *cell = mark;
 }
 
 /* Points on a grid finer than the characters, over the face of the domino. */
 static void canvas_fill(struct canvas *c, const struct drawn *k, double d)
 {
-    char mark = k->number < 0 ? '#' : (char)('0' + k->number % 10);
+    char mark = "#0123456789"[k->number < 0 ? 0 : 1 + k->number % 10];
     int rows = (int)(3 * k->height / c->unit) + 2, columns = (int)(3 * d * k->height / c->unit) + 2;
     const struct point *p = k->corner;
     for (int i = 0; i <= rows && rows < CELLS; i++)
@@ -86,7 +93,8 @@ static void canvas_ground(const struct canvas *c, FILE *out)
     int end = c->width;
     while (end > 0 && numbers[end - 1] == ' ')
         end--;
-    fprintf(out, "%*s%.*s\n%*s%.*s  x [h]\n", TEXT_LEFT, "0 -", c->width, ground, TEXT_LEFT, "", end, numbers);
+    fprintf(out, "%*s%.*s\n%*s%.*s  x [h]\n", TEXT_LEFT, "0 -", c->width, ground, TEXT_LEFT, "", end,
+            numbers);
 }
 
 static void canvas_write(const struct canvas *c, FILE *out)
@@ -95,63 +103,92 @@ static void canvas_write(const struct canvas *c, FILE *out)
     for (int row = 0; row < c->height; row++) {
         double low = 2 * c->unit * (c->height - 1 - row), high = low + 2 * c->unit;
         double mark = step * (double)ceil((dom_real)(low / step));
-        const char *line = c->cell + row * c->width;
+        const char *line = &c->cell[row * c->width];
         int end = c->width;
         while (end > 0 && line[end - 1] == ' ')
             end--;
         if (mark > 0 && mark < high && row > 0)
             fprintf(out, "%4.3g -", mark);
         else
-            fprintf(out, "%*s", TEXT_LEFT, row == 0 ? "z [h] " : "");
+            fprintf(out, "%*s", row == 0 || end > 0 ? TEXT_LEFT : 0, row == 0 ? "z [h]" : "");
         fprintf(out, "%.*s\n", end, line);
     }
     canvas_ground(c, out);
 }
 
-/* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458". */
-static void title_write(const struct session *session, dom_real theta, const char *letter, FILE *out)
+enum { TITLE_SIZE = 256 };
+
+/* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale". */
+static const char *title_text(const struct session *session, dom_real theta, const char *letter,
+                              char text[TITLE_SIZE])
 {
     const struct dom_train *t = &session->train;
-    fprintf(out, "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g", letter, (double)theta,
-            (double)(theta * (180 / PI)), (double)t->s, (double)t->r, (double)t->d);
+    snprintf(text, TITLE_SIZE,
+             "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, to scale", letter,
+             (double)theta, (double)(theta * (180 / PI)), (double)t->s, (double)t->r, (double)t->d,
+             (double)(1000 * session->scale.h));
+    return text;
+}
+
+/* How tall the next one is, where the picture cuts it off. */
+static const char *next_cut(const struct scene *scene, char text[32])
+{
+    double height = scene->domino[0].height;
+    text[0] = '\0';
+    if (height > scene->top)
+        snprintf(text, 32, " (%.4g h tall)", height);
+    return text;
+}
+
+enum { FORCES_MOST = 6 }; /* in characters: the others are hardly seen */
+
+/* "0: 0.12, 1: 0.14". */
+static void forces_write(const struct scene *scene, int width, FILE *out)
+{
+    char text[TITLE_SIZE];
+    int at = snprintf(text, sizeof text, "contact forces, in weights of the one that is pushed:");
+    for (int k = 1; k <= FORCES_MOST && k < scene->count && scene->domino[k].touched; k++)
+        at += snprintf(text + at, sizeof text - (size_t)at, "%s %d: %.3g", k > 1 ? "," : "",
+                       scene->domino[k].number, scene->domino[k].of_own);
+    output_wrapped(out, text, 0, width);
+    putc('\n', out);
 }
 
 static void draw_text(struct session *session, dom_real theta, const struct scene *scene, bool forces)
 {
     static struct canvas canvas;
+    char text[TITLE_SIZE], cut[32];
     FILE *out = session->out;
-    int width, height, wide;
+    int width, height;
     ticker_stop();
     picture_room(session, &width, &height);
-    wide = width < 200 ? width : 200;
-    canvas_make(&canvas, scene, (double)session->train.d, wide - TEXT_LEFT, height - TEXT_BELOW + (forces ? -1 : 0));
-    fprintf(out, "The train at ");
-    title_write(session, theta, "theta", out);
-    fputs(", to scale\n", out);
+    width = width < WIDTH_MOST ? width : WIDTH_MOST;
+    canvas_make(&canvas, scene, (double)session->train.d, width - TEXT_LEFT, height - TEXT_BELOW - forces);
+    output_wrapped(out, title_text(session, theta, "theta", text), 0, width);
+    putc('\n', out);
     canvas_write(&canvas, out);
-    fprintf(out, "0 is the head, 1, 2, ... lean on it, # is the next, @ a contact; h = %.4g mm\n",
-            (double)(1000 * session->scale.h));
+    snprintf(text, sizeof text, "0: head; 1, 2, ...: behind it; #: the next%s; @: contact",
+             next_cut(scene, cut));
+    output_wrapped(out, text, 0, width);
+    putc('\n', out);
     if (forces)
-        fprintf(out, "contact forces, in the weight of the domino that is pushed:");
-    for (int k = 1, n = 0; forces && k < scene->count && n < (wide - 60) / 5 && isfinite(scene->domino[k].of_own); k++, n++)
-        fprintf(out, "%s %d: %.2g", n ? "," : "", scene->domino[k].number, scene->domino[k].of_own);
-    if (forces)
-        putc('\n', out);
+        forces_write(scene, width, out);
 }
 
 /* ---- By gnuplot ---- */
 
-/* The push on the back of a domino, square to it, beside its number. */
+/* The push on the back of a domino, square to it; its number stands at the free end. */
 static void script_arrow(FILE *script, const struct drawn *k, double length)
 {
     double cosine = k->corner[1].y / k->height, sine = (k->corner[1].x - k->corner[0].x) / k->height;
-    struct point tip = along(k->contact, length * k->height, cosine, -sine);
+    struct point from = along(k->contact, -length * k->height, cosine, -sine);
     fprintf(script,
-            "set arrow from %.7g,%.7g to %.7g,%.7g head filled size graph 0.012,20 lw 2.5 lc rgb '#c00000' front\n",
-            k->contact.x, k->contact.y, tip.x, tip.y);
-    if (k->height > 0.12)
-        fprintf(script, "set label '%.3g' at %.7g,%.7g left offset char 0.5,0.6 tc rgb '#c00000' front\n", k->of_own,
-                tip.x, tip.y);
+            "set arrow from %.7g,%.7g to %.7g,%.7g head filled size graph 0.012,20 lw 2.5 lc rgb '#c00000' "
+            "front\n",
+            from.x, from.y, k->contact.x, k->contact.y);
+    if (k->height > 0.25)
+        fprintf(script, "set label '%.3g' at %.7g,%.7g right offset char -0.3,0.5 tc rgb '#c00000' front\n",
+                k->of_own, from.x, from.y);
 }
 
 static void script_arrows(FILE *script, const struct scene *scene)
@@ -161,26 +198,26 @@ static void script_arrows(FILE *script, const struct scene *scene)
         if (scene->domino[k].of_own > largest)
             largest = scene->domino[k].of_own;
     for (int k = 1; k < scene->count; k++)
-        if (scene->domino[k].height > 0.04 && scene->domino[k].of_own > 0)
-            script_arrow(script, &scene->domino[k], 0.5 * scene->domino[k].of_own / largest);
+        if (scene->domino[k].height > 0.1 && scene->domino[k].of_own > 0)
+            script_arrow(script, &scene->domino[k], 0.4 * scene->domino[k].of_own / largest);
 }
 
 static bool draw_file(struct session *session, dom_real theta, const struct scene *scene, bool forces)
 {
+    char text[TITLE_SIZE], cut[32];
     struct picture picture;
     if (!picture_begin(session, &picture))
         return false;
     FILE *out = picture.script;
     script_axes(out, scene->left, scene->right, scene->top);
-    fprintf(out, "set title \"The train at ");
-    title_write(session, theta, picture.theta, out);
-    fprintf(out, ", to scale: h = %.4g mm\\n0 is the head; 1, 2, ... lean on it; the grey one is the next; "
-                 "dots are contacts%s\"\n",
-            (double)(1000 * session->scale.h),
-            forces ? "\\narrows are contact forces, in the weight of the domino that is pushed" : "");
+    fprintf(out, "set title \"%s\\n0: head; 1, 2, ...: behind it; grey: the next%s; dots: contacts%s\"\n",
+            title_text(session, theta, picture.theta, text), next_cut(scene, cut),
+            forces ? "\\narrows: the push at a contact, in weights of the domino that is pushed" : "");
     for (int k = scene->count - 1; k >= 0; k--)
         script_domino(out, &scene->domino[k], (struct place){1, 0},
-                      scene->domino[k].height * (double)session->train.d > 0.025 * scene->top);
+                      scene->domino[k].height * (double)session->train.d > 0.025 * scene->top
+                          ? scene->left
+                          : (double)INFINITY);
     if (forces)
         script_arrows(out, scene);
     fprintf(out, "plot NaN\n");
@@ -220,8 +257,8 @@ static void draw_rows(struct answer *answer, const struct scene *scene)
                    ROW(cell_count((dom_real)k->number), cell_double(k->height), cell_double(k->foot),
                        cell_double(k->theta), cell_double(p[1].x), cell_double(p[1].y), cell_double(p[2].x),
                        cell_double(p[2].y), cell_double(p[3].x), cell_double(p[3].y),
-                       cell_double(k->touched ? k->contact.x : NAN), cell_double(k->touched ? k->contact.y : NAN),
-                       cell_double(k->force), cell_double(k->of_own)),
+                       cell_double(k->contact.x), cell_double(k->contact.y), cell_double(k->force),
+                       cell_double(k->of_own)),
                    NULL);
     }
 }
@@ -274,11 +311,12 @@ const struct command draw_commands[] = {
      .argument = {{.name = "T", .kind = ARGUMENT_PLACE, .optional = true, .choices = forces_names},
                   {.name = "forces",
                    .kind = ARGUMENT_CHOICE,
-                   .of = "thing to draw",
+                   .of = "word behind T",
                    .optional = true,
                    .choices = forces_names}},
-     .summary = "the train at tilt T (or now) to scale; 'draw forces' with the contact forces",
-     .help = "In the terminal it is drawn in characters; 'draw 0.3 > train.svg' needs gnuplot. The ending of "
+     .summary = "the train to scale, at tilt T or now, with contact forces",
+     .help = "'draw 0.3 forces' and 'draw forces' add the contact forces. In the terminal it is drawn in "
+             "characters; 'draw 0.3 > train.svg' needs gnuplot. The ending of "
              "the file says as what: .svg, .png, .pdf, .txt. Without T it is where 'step' and 'goto' stand, "
              "or the launch. In csv and json the corners, contacts and forces come instead.",
      .equation = "(b8) (A2)",
@@ -288,5 +326,18 @@ const struct command draw_commands[] = {
      .principal = -1,
      .rows = true,
      .run = run_draw},
+    {.name = "animate",
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
+                  {.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
+     .summary = "N cycles as they run in time, animated, into FILE.gif",
+     .help = "All frames are equally far apart in time: each cycle lasts sqrt(r) times as long as the one "
+             "before, and is r times larger. A train that does not go on is shown to its stop. It needs "
+             "gnuplot; in csv and json the times and tilts of the frames come instead.",
+     .see = "draw duration",
+     .columns = film_columns,
+     .principal = -1,
+     .rows = true,
+     .files = true,
+     .run = film_run},
     {.name = NULL},
 };

@@ -7,6 +7,8 @@ const struct command_group command_groups[] = {
     {"One cycle of the train", cycle_commands},
     {"The cycle, step by step", walk_commands},
     {"How far it can grow", limit_commands},
+    {"The train in pictures", draw_commands},
+    {"Curves", plot_commands},
     {"What accuracy costs", cost_commands},
     {"The session", session_commands},
     {"Help", help_commands},

@@ -78,8 +78,11 @@ static bool script_begin(struct session *session, struct picture *picture, const
     for (int k = 0; k < 6; k++)
         fprintf(picture->script, "set linetype %d lc rgb '%s' lw 2 dt %d pt %d ps 1\n", k + 1, colours[k],
                 k % 5 + 1, points[k]);
-    fprintf(picture->script, "set border 3\nset tics nomirror\nset grid lc rgb '#bbbbbb' lw 0.5 dt 1\n"
-                             "set datafile missing 'nan'\n");
+    fprintf(picture->script,
+            "set border 3\nset tics nomirror\nset datafile missing 'nan'\n"
+            "set key below Left reverse samplen 4 height 0.6\n%s\n",
+            picture->text ? ""
+                          : "set grid lc rgb '#bbbbbb' lw 0.5 dt 1"); /* of characters, it hides curves */
     return true;
 }
 

@@ -9,9 +9,9 @@
 #include "session.h"
 
 struct picture {
-    FILE *script;              /* of gnuplot; its terminal is set, its lines and points tell apart in black ink */
-    FILE *out;                 /* takes the picture */
-    bool text;                 /* drawn in characters */
+    FILE *script; /* of gnuplot; its terminal is set, its lines and points tell apart in black ink */
+    FILE *out;    /* takes the picture */
+    bool text;    /* drawn in characters */
     const char *theta, *omega; /* as its letters can show them */
 };
 
@@ -28,7 +28,8 @@ bool picture_end(struct session *session, struct picture *picture);
 /* Closes without a picture; false, for the caller to return. */
 bool picture_drop(struct picture *picture);
 
-/* Is the answer to be a picture in characters?  And what room it has, the line of the next prompt not counted. */
+/* Is the answer to be a picture in characters?  And what room it has, the line of the next prompt not
+ * counted. */
 bool picture_is_text(const struct session *session);
 void picture_room(const struct session *session, int *width, int *height);
 

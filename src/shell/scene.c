@@ -10,8 +10,13 @@
 
 struct drawn drawn_at(int number, double height, double foot, double theta, double d)
 {
-    struct drawn k = {
-        .number = number, .height = height, .foot = foot, .theta = theta, .force = NAN, .of_own = NAN};
+    struct drawn k = {.number = number,
+                      .height = height,
+                      .foot = foot,
+                      .theta = theta,
+                      .contact = {(double)NAN, (double)NAN},
+                      .force = (double)NAN,
+                      .of_own = (double)NAN};
     double x = (double)sin((dom_real)theta), y = (double)cos((dom_real)theta);
     k.corner[0] = (struct point){foot, 0};
     k.corner[1] = along(k.corner[0], height, x, y);
@@ -58,8 +63,7 @@ static bool scene_link(const struct dom_link *link, const struct dom_link *error
     return !scene_full(f->scene);
 }
 
-enum dom_status scene_make(const struct dom_train *train, dom_real theta, double behind,
-                                  struct scene *scene)
+enum dom_status scene_make(const struct dom_train *train, dom_real theta, double behind, struct scene *scene)
 {
     struct dom_train fine = *train;
     struct dom_angles angles;
@@ -109,17 +113,20 @@ enum dom_status scene_forces(const struct dom_train *train, dom_real theta, stru
 
 /* ---- By gnuplot ---- */
 
-void script_domino(FILE *script, const struct drawn *k, struct place at, bool names)
+void script_domino(FILE *script, const struct drawn *k, struct place at, double from)
 {
     fprintf(script, "set object polygon from ");
     for (int i = 0; i <= CORNERS; i++)
         fprintf(script, "%s%.7g,%.7g", i ? " to " : "", at.shift + at.scale * k->corner[i % CORNERS].x,
                 at.scale * k->corner[i % CORNERS].y);
     fprintf(script, " fs solid 1 border lc rgb 'black' lw 1 fc rgb '%s'\n",
-            k->number < 0 ? "#a0a0a0" : k->number == 0 ? "#f0d080" : "#f8f0d8");
-    double x = k->corner[0].x + 0.3 * (k->corner[1].x - k->corner[0].x) + (k->corner[3].x - k->corner[0].x) / 2;
+            k->number < 0    ? "#a0a0a0"
+            : k->number == 0 ? "#f0d080"
+                             : "#f8f0d8");
+    double x =
+        k->corner[0].x + 0.3 * (k->corner[1].x - k->corner[0].x) + (k->corner[3].x - k->corner[0].x) / 2;
     double y = 0.3 * k->corner[1].y + 0.7 * k->corner[0].y + k->corner[3].y / 2;
-    if (names && k->number >= 0)
+    if (k->number >= 0 && x > from)
         fprintf(script, "set label '%d' at %.7g,%.7g center front\n", k->number, x, y);
     if (k->touched && k->height > 0.04)
         fprintf(script, "set label '' at %.7g,%.7g point pt 7 ps 0.6 lc rgb 'black' front\n",

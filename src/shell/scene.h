@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a train as they stand and lean: hinges, corners and contacts, and how gnuplot draws them. */
+/* The dominoes of a train as they stand and lean: hinges, corners and contacts, and how gnuplot draws them.
+ */
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 
@@ -17,7 +18,7 @@ struct drawn {
     int number; /* 0 = head, 1, 2, ... behind it, -1 = the next, upright one */
     double height, foot, theta;
     struct point corner[CORNERS]; /* front foot, front top, back top, back foot */
-    bool touched;                 /* by the one behind it, at: */
+    bool touched;                 /* by the one behind it, at contact, else NaN */
     struct point contact;
     double force, of_own; /* of that contact, in m g of the head and of this domino; NaN: not known */
 };
@@ -51,8 +52,8 @@ struct place {
     double scale, shift;
 };
 
-/* One domino as an object of gnuplot, with its contact, and its number if there is room. */
-void script_domino(FILE *script, const struct drawn *domino, struct place at, bool names);
+/* One domino as an object of gnuplot, with its contact, and its number where that is right of `from`. */
+void script_domino(FILE *script, const struct drawn *domino, struct place at, double from);
 
 /* Both axes to the same scale. */
 void script_axes(FILE *script, double left, double right, double top);

@@ -27,9 +27,9 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
     struct paper_sums sums = {0, 0};
     double slope = 1, weight = 1, inertia = 1;
     size_t n = 0;
-    if (p->train->interrupt && *p->train->interrupt)
-        p->status = DOM_INTERRUPTED;
-    for (; weight > p->tol / 8 && n < PAPER_LINKS_MAX; n++) {
+    for (; weight > p->tol / 8 && n < PAPER_LINKS_MAX && p->status == DOM_OK; n++) {
+        if (n % 1024 == 0 && p->train->interrupt && *p->train->interrupt)
+            p->status = DOM_INTERRUPTED;
         sums.H += weight * (cos(theta) + p->d * sin(theta));
         sums.J += inertia * slope * slope;
         weight *= pow(p->r, -p->q);

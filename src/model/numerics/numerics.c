@@ -113,6 +113,13 @@ static real node_sum(struct span *s, real first, real step)
     return sum;
 }
 
+/* The sum on the level behind step: the nodes between those that it has. */
+static real next_level(struct span *s, real sum, real *step)
+{
+    *step /= 2;
+    return sum + node_sum(s, *step, 2 * *step);
+}
+
 KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
                                     real *integral, real *error)
 {
@@ -120,18 +127,18 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
     real step = 1, sum = PI / 2 * f(lo + s.half, context) + node_sum(&s, step, step);
     real before = s.half * sum, off_before = 1;
     for (int level = 1; level <= LEVELS_MAX && !s.failed && isfinite(sum); level++) {
-        step /= 2;
-        sum += node_sum(&s, step, 2 * step);
+        sum = next_level(&s, sum, &step);
         real value = s.half * step * sum, off = fabs(value - before) / fabs(value);
-        /* Digits double from level to level, at best: then the last difference says how many are right now.
-         */
-        real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.7) : 1;
-        real left = off == 0 ? 0 : fmin(off, 8 * exp(gain * log(off)));
+        /* Digits nearly double from level to level: the last two differences say how many are right now. */
+        real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
+        real left = off == 0 ? 0 : fmin(off, 32 * exp(gain * log(off)));
         if (level >= 2 && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
-            if (error)
-                *error = fabs(value) * (left + 8 * UNIT);
-            return NUM_OK;
+            if (error) { /* a guess is no bound: the next level shows what was left */
+                sum = next_level(&s, sum, &step);
+                *error = 2 * fabs(s.half * step * sum - value) + fabs(value) * (4 * s.cut + 8 * UNIT);
+            }
+            return s.failed ? NUM_NOT_FINITE : NUM_OK;
         }
         before = value;
         off_before = off;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* animate: the cycles as they run in time, each r times larger than the one before. */
-#include "command.h"
+/* The cycles as they run in time, each r times larger than the one before. */
+#include "film.h"
 #include "picture.h"
 #include "redirect.h"
 #include "scene.h"
@@ -8,11 +8,13 @@
 #include "wide.h"
 #include <string.h>
 
-enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, FRAMES_WIDTH = 900 }; /* of the first cycle; 1/100 s; dots */
-#define GROWN_MOST 40 /* from the first head to the last: smaller ones would be nothing but dots */
+enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, FRAMES_WIDTH = 900, CYCLES_MOST = 30 };
+#define GROWN_MOST 40 /* of the first head over the last: a smaller one would be nothing but a dot */
+#define FILM_TOL   ((dom_real)1 / 1000000000)
 
 /* The cycles one after the other, lengths in heights of the first head, times in its tau. */
 struct film {
+    struct dom_train train;
     int cycles, frames;
     double r, d, pitch, duration, step; /* duration of the first cycle; step from frame to frame */
     double left, right, top, tau;       /* tau of the first head in s */
@@ -52,23 +54,40 @@ static int film_cycles(double r)
     return n;
 }
 
+/* So many that the first head can still be seen, and the film has an end. */
+static int film_most(double r)
+{
+    int n = 1;
+    for (double grown = r * r; grown <= GROWN_MOST && n < CYCLES_MOST; grown *= r)
+        n++;
+    return n;
+}
+
 static bool film_make(struct session *session, const struct call *call, struct film *film)
 {
-    const struct dom_train *t = &session->train;
     struct dom_event events[DOM_EVENTS_MAX];
     int count = 0;
-    *film = (struct film){.r = (double)t->r, .d = (double)t->d, .pitch = (double)(t->s + t->d)};
+    *film = (struct film){.train = session->train};
+    struct dom_train *t = &film->train;
+    /* More than that no eye sees. */
+    t->precision = DOM_DOUBLE;
+    t->tol = FILM_TOL;
+    film->r = (double)t->r;
+    film->d = (double)t->d;
+    film->pitch = (double)(t->s + t->d);
     film->tau = (double)dom_scale_tau(&session->scale, t->d);
-    film->cycles = call->count > 1 ? (int)call->number[1] : film_cycles(film->r);
-    double grown = (double)pow(t->r, (dom_real)film->cycles);
-    if (film->cycles > 1 && grown > GROWN_MOST)
-        return session_error(session, "%d cycles grow %.4g times: the first domino would be lost; at r = %.4g N "
-                                      "is at most %d",
-                             film->cycles, grown, film->r, (int)(log(GROWN_MOST) / log(t->r)));
+    film->cycles = film_cycles(film->r);
+    if (call->count > 1 && call->number[1] > film_most(film->r))
+        return session_error(
+            session, "N = %.0f cycles are too many to be seen in one picture; at r = %.4g N is at most %d",
+            (double)call->number[1], film->r, film_most(film->r));
+    if (call->count > 1)
+        film->cycles = (int)call->number[1];
     enum dom_status status = dom_cycle_events(t, events, &count);
     if (status == DOM_NOT_CONVERGED)
-        return session_error(session, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "
-                                      "has an end");
+        return session_error(session,
+                             "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "
+                             "has an end");
     if (status == DOM_NO_FUEL)
         return picture_comes_to(session, 0);
     if (status != DOM_OK && status != DOM_STOPS)
@@ -77,10 +96,10 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->cycles = film->stops ? 1 : film->cycles;
     film->duration = (double)events[count - 1].time;
     film->top = 1.04 * (double)pow(t->r, (dom_real)film->cycles);
-    struct moment last = moment_at(film, INFINITY);
+    struct moment last = moment_at(film, (double)INFINITY);
     film->right = last.place.shift + last.place.scale * film->r * film->pitch + 0.1 * film->top;
     double behind = film->pitch * film->r / (film->r - 1); /* all that stood behind the first head */
-    film->left = behind < 1.5 ? -1.05 * behind : -1.5;
+    film->left = behind < 1.8 ? -1.05 * behind : -1.8;
     double whole = last.begun + film->duration * last.slower;
     film->frames = (int)ceil((dom_real)(FRAMES_FIRST * whole / film->duration));
     film->step = whole / film->frames;
@@ -88,13 +107,12 @@ static bool film_make(struct session *session, const struct call *call, struct f
 }
 
 /* The tilt of the head in a frame, and the moment. */
-static enum dom_status frame_tilt(const struct dom_train *train, const struct film *film, int frame,
-                                  struct moment *m, dom_real *theta)
+static enum dom_status frame_tilt(const struct film *film, int frame, struct moment *m, dom_real *theta)
 {
     double time = film->step * frame;
     *m = moment_at(film, time);
     double own = (time - m->begun) / m->slower;
-    return dom_cycle_tilt(train, (dom_real)(own < film->duration ? own : film->duration), theta);
+    return dom_cycle_tilt(&film->train, (dom_real)(own < film->duration ? own : film->duration), theta);
 }
 
 /* The dominoes beyond the next one, which wait. */
@@ -105,7 +123,7 @@ static void script_waiting(FILE *script, const struct film *film, struct place a
         height *= film->r;
         foot += film->pitch * height;
         struct drawn waits = drawn_at(-1, height, foot, 0, film->d);
-        script_domino(script, &waits, at, false);
+        script_domino(script, &waits, at, (double)INFINITY);
     }
 }
 
@@ -121,7 +139,7 @@ static void script_frame(FILE *script, const struct film *film, const struct mom
     else
         fprintf(script, "cycle %d of %d\"\n", m->cycle + 1, film->cycles);
     for (int k = scene->count - 1; k >= 0; k--)
-        script_domino(script, &scene->domino[k], m->place, false);
+        script_domino(script, &scene->domino[k], m->place, (double)INFINITY);
     script_waiting(script, film, m->place, m->cycle);
     fprintf(script, "plot NaN\n");
 }
@@ -131,15 +149,15 @@ static bool film_script(struct session *session, const struct film *film, FILE *
     static struct scene scene;
     struct progress progress = {0, 0};
     script_axes(script, film->left, film->right, film->top);
-    fprintf(script, "set xlabel 'x [h], h = %.4g mm: the height of the first head, in yellow'\n",
+    fprintf(script, "set xlabel 'x [h]; h = %.4g mm, the height of the first head; the head is yellow'\n",
             (double)(1000 * session->scale.h));
     for (int frame = 0; frame <= film->frames; frame++) {
         struct moment m;
         dom_real theta;
-        enum dom_status status = frame_tilt(&session->train, film, frame, &m, &theta);
+        enum dom_status status = frame_tilt(film, frame, &m, &theta);
         double behind = (m.place.shift - film->left) / m.place.scale + 0.1;
         if (status == DOM_OK)
-            status = scene_make(&session->train, theta, behind, &scene);
+            status = scene_make(&film->train, theta, behind, &scene);
         progress_show(&progress, status == DOM_OK ? (frame + 1.0) / (film->frames + 1) : 1);
         if (status != DOM_OK)
             return session_status(session, status);
@@ -171,10 +189,11 @@ static bool film_file(struct session *session, const struct film *film, const ch
         return session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     bool drawn = film_write(session, film, redirect.file);
     wrong = redirect_close(&redirect, drawn);
-    return drawn && (!wrong || session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong));
+    return drawn &&
+           (!wrong || session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong));
 }
 
-static const struct column animate_columns[] = {
+const struct column film_columns[] = {
     {"time", "s", "of the frame, since the first head was hit", 0},
     {"cycle", "", "from 1; each is r times larger", 0},
     {"theta", "rad", "tilt of its head", 0},
@@ -187,37 +206,21 @@ static bool film_rows(struct session *session, const struct film *film, struct a
     for (int frame = 0; frame <= film->frames; frame++) {
         struct moment m;
         dom_real theta;
-        enum dom_status status = frame_tilt(&session->train, film, frame, &m, &theta);
+        enum dom_status status = frame_tilt(film, frame, &m, &theta);
         if (status != DOM_OK)
             return session_status(session, status);
         answer_row(answer,
-                   ROW(cell_real((dom_real)film->step * film->tau * frame), cell_count(m.cycle + 1), cell_real(theta)),
+                   ROW(cell_real((dom_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
+                       cell_real(theta)),
                    NULL);
     }
     return true;
 }
 
-static bool run_animate(struct session *session, const struct call *call)
+bool film_run(struct session *session, const struct call *call)
 {
     struct film film;
     return film_make(session, call, &film) &&
            (answer_for_people(call->answer) ? film_file(session, &film, call->word[0])
                                             : film_rows(session, &film, call->answer));
 }
-
-const struct command animate_commands[] = {
-    {.name = "animate",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
-                  {.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "N cycles as they run in time, as an animation in FILE.gif",
-     .help = "All frames are equally far apart in time: each cycle lasts sqrt(r) times as long as the one "
-             "before, and is r times larger. A train that does not go on is shown to its stop. It needs "
-             "gnuplot; in csv and json the times and tilts of the frames come instead.",
-     .see = "draw duration",
-     .columns = animate_columns,
-     .principal = -1,
-     .rows = true,
-     .files = true,
-     .run = run_animate},
-    {.name = NULL},
-};
