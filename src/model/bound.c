@@ -13,7 +13,7 @@ static void bound_lean(const struct lean *g, const struct link *k, struct bound 
     }
     real X = fabs(k->turn.X), Y = k->turn.Y, arm = k->turn.arm, rLx = g->r * g->L * k->tilt.x;
     real of_rLx = g->r * g->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
-    b->Y = X * rLx / Y * b->angle + 5 * UNIT * Y;
+    b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
     if (2 * rLx <= Y) { /* as in lean_turn: the slope is 1 - r L x / Y, in which little of Y counts */
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
@@ -34,9 +34,9 @@ KERNEL struct bound bound_head(const struct lean *g, const struct link *head, re
 KERNEL void bound_next(const struct lean *g, const struct link *leader, const struct link *follower,
                        struct bound *b)
 {
-    /* X and Y each carry 6 units of the positive terms that they are made of. */
+    /* X and Y each carry 4 units of the positive terms that they are made of. */
     real made_of = g->r * (g->s + g->L * leader->tilt.v);
-    real turn = 6 * UNIT * leader->turn.Y * (made_of + fabs(leader->turn.X));
+    real turn = 4 * UNIT * leader->turn.Y * (made_of + fabs(leader->turn.X));
     b->angle = leader->step * b->angle + turn + 3 * UNIT * follower->tilt.x;
     b->slope = leader->step * b->slope + leader->slope * b->step + UNIT * follower->slope;
     b->weight += 3 * UNIT;

@@ -35,15 +35,17 @@ static void canvas_put(struct canvas *c, struct point p, char mark, bool over)
 }
 
 /* Points on a grid finer than the characters, over the face of the domino. */
-static void canvas_fill(struct canvas *c, const struct drawn *k, double d)
+static void canvas_fill(struct canvas *c, const struct drawn *k, double d, double top)
 {
     char mark = "#0123456789"[k->number < 0 ? 0 : 1 + k->number % 10];
-    int rows = (int)(3 * k->height / c->unit) + 2, columns = (int)(3 * d * k->height / c->unit) + 2;
+    /* Only the next one is ever taller than the picture, and it is upright. */
+    double seen = k->height > top ? top / k->height : 1;
+    int rows = (int)(3 * seen * k->height / c->unit) + 2, columns = (int)(3 * d * k->height / c->unit) + 2;
     const struct point *p = k->corner;
-    for (int i = 0; i <= rows && rows < CELLS; i++)
-        for (int j = 0; j <= columns && columns < CELLS; j++) {
+    for (int i = 0; i <= rows; i++)
+        for (int j = 0; j <= columns; j++) {
             /* Not its very edges, which would make every domino a character wider. */
-            double up = 0.02 + 0.96 * i / rows, back = (j + 0.5) / (columns + 1);
+            double up = seen * (0.02 + 0.96 * i / rows), back = (j + 0.5) / (columns + 1);
             double x = p[0].x + up * (p[1].x - p[0].x) + back * (p[3].x - p[0].x);
             double y = p[0].y + up * (p[1].y - p[0].y) + back * (p[3].y - p[0].y);
             canvas_put(c, (struct point){x, y}, mark, false);
@@ -59,7 +61,7 @@ static void canvas_make(struct canvas *c, const struct scene *scene, double d, i
     c->unit = wide > tall ? wide : tall;
     c->left = scene->right - c->unit * width;
     for (int k = 0; k < scene->count; k++)
-        canvas_fill(c, &scene->domino[k], d);
+        canvas_fill(c, &scene->domino[k], d, scene->top);
     for (int k = 0; k < scene->count; k++)
         if (scene->domino[k].touched && scene->domino[k].height > 4 * c->unit)
             canvas_put(c, scene->domino[k].contact, '@', true);
@@ -103,7 +105,7 @@ static void canvas_write(const struct canvas *c, FILE *out)
     for (int row = 0; row < c->height; row++) {
         double low = 2 * c->unit * (c->height - 1 - row), high = low + 2 * c->unit;
         double mark = step * (double)ceil((dom_real)(low / step));
-        const char *line = &c->cell[row * c->width];
+        const char *line = c->cell + (size_t)row * (size_t)c->width;
         int end = c->width;
         while (end > 0 && line[end - 1] == ' ')
             end--;

@@ -73,6 +73,7 @@ enum dom_status scene_make(const struct dom_train *train, dom_real theta, double
     scene->top = 1.04 * (f.r < TALLEST ? f.r : TALLEST);
     scene->right = pitch + 0.12 * scene->top;
     scene->left = behind > 0 ? -behind : scene->right - WIDEST * scene->top;
+    scene->left = scene->left > -1 ? -1 : scene->left; /* the head is in it, however far the next one is */
     scene->count = 1;
     scene->domino[0] = drawn_at(-1, f.r, pitch, 0, f.d);
     enum dom_status status = dom_angles_find(train, &angles, NULL);

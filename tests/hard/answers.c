@@ -189,16 +189,22 @@ double ref_change(struct ref *ref, enum ref_quantity quantity, int input)
     return change;
 }
 
-double ref_scale(struct ref *ref, enum ref_quantity quantity)
+double ref_scale_up_to(struct ref *ref, enum ref_quantity quantity, double enough)
 {
     if (quantity == REF_DURATION)
         return ref_double(ref, quantity) + ref->duration_size;
     if (quantity == REF_MARGIN)
         return ref_scale(ref, REF_KINETIC) + ref_scale(ref, REF_BARRIER);
+    const double own = own_size(ref, quantity);
     double sum = 0;
-    for (int k = 0; k < REF_INPUTS; k++)
+    for (int k = 0; k < REF_INPUTS && fmax(own, sum) < enough; k++)
         sum += fabs(ref_change(ref, quantity, k));
-    return fmax(own_size(ref, quantity), sum);
+    return fmax(own, sum);
+}
+
+double ref_scale(struct ref *ref, enum ref_quantity quantity)
+{
+    return ref_scale_up_to(ref, quantity, (double)INFINITY);
 }
 
 double ref_kappa(struct ref *ref, enum ref_quantity quantity)

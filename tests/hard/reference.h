@@ -117,6 +117,8 @@ double ref_double(struct ref *ref, enum ref_quantity quantity);
 double ref_error(struct ref *ref, enum ref_quantity quantity, dom_real got);
 /* See above. */
 double ref_scale(struct ref *ref, enum ref_quantity quantity);
+/* The same, or something smaller that is still enough: every input costs one more reference. */
+double ref_scale_up_to(struct ref *ref, enum ref_quantity quantity, double enough);
 double ref_kappa(struct ref *ref, enum ref_quantity quantity);
 
 /* For the files that make up the reference. */

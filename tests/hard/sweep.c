@@ -73,7 +73,7 @@ static bool vanishes(const struct point *point, enum ref_quantity quantity, doub
     const double allowed = (double)point->train.tol + 16 * ask_unit(point->sweep->precision);
     const double value = fabs(ref_double(point->ref, quantity));
     return value <= allowed * size * 1e6 * (double)point->ref->n &&
-           value <= allowed * ref_scale(point->ref, quantity);
+           value <= allowed * ref_scale_up_to(point->ref, quantity, value / allowed);
 }
 
 static enum ref_quantity fuel_of(const struct point *point)

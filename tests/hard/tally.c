@@ -9,9 +9,9 @@ static double wanted(const struct comparison *c)
     return c->ref ? ref_double(c->ref, c->quantity) : c->want;
 }
 
-static double scale_of(const struct comparison *c)
+static double scale_of(const struct comparison *c, double enough)
 {
-    return c->ref ? ref_scale(c->ref, c->quantity) : c->scale;
+    return c->ref ? ref_scale_up_to(c->ref, c->quantity, enough) : c->scale;
 }
 
 static struct sample sample_of(const struct comparison *c, double excess)
@@ -60,15 +60,14 @@ static void compare_bound(struct tally *tally, const struct comparison *c, doubl
     tally->bin[bin < 0 ? 0 : bin >= TALLY_BINS ? TALLY_BINS - 1 : bin]++;
 }
 
-/* |F| is the least that the scale can be: only if that makes it the worst the scale is asked for. */
+/* Only what would be the worst has its scale found to the end. */
 static void compare_units(struct sample *worst, const struct comparison *c, double error, double allowed,
                           double least)
 {
-    if (error <= fmax(worst->excess, least) * allowed * fabs(wanted(c)))
-        return;
-    double excess = error / (allowed * scale_of(c));
-    if (excess > least)
-        keep_worst(worst, c, excess);
+    const double enough = error / (fmax(worst->excess, least) * allowed);
+    const double scale = fabs(wanted(c)) < enough ? scale_of(c, enough) : enough;
+    if (scale < enough)
+        keep_worst(worst, c, error / (allowed * scale));
 }
 
 void tally_compare(struct tally *tally, const struct comparison *c)

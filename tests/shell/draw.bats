@@ -1,0 +1,287 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Pictures: their data, which is what is drawn; the kinds of files; what is refused.
+
+load common
+
+csv() { "$DOMINO" -e "set output csv; $1"; }
+one_line() { # PART COMMANDS: fails with one line, that has the part
+    run -1 "$DOMINO" -e "$2"
+    same "$2: one line" 1 "${#lines[@]}"
+    [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
+}
+
+trains='set r 1; set s 0.3
+set r 1.5; set s 0.4
+set q hollow; set r 2.1; set s 0.43
+set q hollow; set r 1.84; set s 0.54
+set d 0.001; set s 0.2; set r 1.3
+set r 1.05; set s 0.3; set d 0.3; set q 3'
+
+@test "draw: every contact is on the back face of the leader, and is the follower's corner" {
+    while IFS= read -r train; do
+        for tilt in 0 0.2*thetac 0.7*thetac thetac; do
+            # Where followers fall off, the head may be alone by then.
+            [ "$(json "$train; thetac" | values falls_off)" = true ] && least=0 || least=1
+            csv "$train; draw $tilt" | awk -F, -v what="$train; draw $tilt" -v least=$least '
+                NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+                NR > 2 && contact_x != "" {
+                    # Along the face and square to it, in heights of the leader.
+                    up = ((contact_x - fx) * (tx - fx) + (contact_z - fz) * (tz - fz)) / h / h
+                    off = ((contact_x - fx) * (tz - fz) - (contact_z - fz) * (tx - fx)) / h / h
+                    corner = (contact_x - $at["top_front_x"]) ^ 2 + (contact_z - $at["top_front_z"]) ^ 2
+                    if (!(up > 0 && up <= 1 && off < 1e-9 && off > -1e-9 && corner < 1e-24)) bad = bad " " $1 ":" up "/" off
+                    contacts++
+                }
+                { h = $at["height"]; fx = $at["foot_back_x"]; fz = $at["foot_back_z"]; tx = $at["top_back_x"]
+                  tz = $at["top_back_z"]; contact_x = $at["contact_x"]; contact_z = $at["contact_z"] }
+                END { if (bad != "" || contacts < least) { print what ": " contacts " contacts, off:" bad; exit 1 } }'
+        done
+    done <<<"$trains"
+}
+
+@test "draw: no domino is in another one, none below the ground; sizes and distances are the train's" {
+    while IFS= read -r train; do
+        values=$(json "$train; show" | awk -F'"' '$4 == "s" || $4 == "r" || $4 == "d"' | values value | paste -sd ' ' -)
+        for tilt in 0 0.5*thetac thetac; do
+            csv "$train; draw $tilt" | awk -F, -v what="$train; draw $tilt" -v values="$values" '
+                BEGIN { split(values, v, " "); s = v[1]; r = v[2]; d = v[3] }
+                # Is there a line between the two, along a side of one of them?
+                function apart(nx, nz,    k, p, lo, hi, Lo, Hi) {
+                    lo = Lo = 1e9; hi = Hi = -1e9
+                    for (k = 0; k < 4; k++) {
+                        p = cx[k] * nx + cz[k] * nz; lo = p < lo ? p : lo; hi = p > hi ? p : hi
+                        p = Cx[k] * nx + Cz[k] * nz; Lo = p < Lo ? p : Lo; Hi = p > Hi ? p : Hi
+                    }
+                    return hi <= Lo + 1e-12 || Hi <= lo + 1e-12
+                }
+                function near(a, b) { return a - b < 1e-12 * (1 + a) && b - a < 1e-12 * (1 + a) }
+                NR > 1 {
+                    x = $3; h = $2
+                    for (k = 0; k < 4; k++) { cx[k] = k ? $(3 + 2 * k) : x; cz[k] = k ? $(4 + 2 * k) : 0 }
+                    if ($6 < 0 || $8 < 0 || $10 < 0) bad = bad " " $1 " below"
+                    if (NR > 2 && !(apart(cos($4), -sin($4)) || apart(cos(T), -sin(T)) || apart(sin($4), cos($4)) || apart(sin(T), cos(T))))
+                        bad = bad " " $1 " inside"
+                    if (NR > 2 && !(near(H / h, r) && near(X - x, (s + d) * H))) bad = bad " " $1 " place"
+                    X = x; H = h; T = $4
+                    for (k = 0; k < 4; k++) { Cx[k] = cx[k]; Cz[k] = cz[k] }
+                }
+                END { if (bad != "" || NR < 4) { print what ":" bad; exit 1 } }'
+        done
+    done <<<"$trains"
+}
+
+@test "draw: tilts are those of chain, and forces press" {
+    csv 'draw 0.3' | awk -F, 'NR > 2 { print $1, $4 }' | head -n 8 >"$BATS_TEST_TMPDIR/drawn"
+    csv 'chain 0.3' | awk -F, 'NR > 1 { print $1, $2 }' | head -n 8 >"$BATS_TEST_TMPDIR/chain"
+    paste -d ' ' "$BATS_TEST_TMPDIR/drawn" "$BATS_TEST_TMPDIR/chain" |
+        awk '{ d = $2 - $4; if ($1 != $3 || d > 1e-10 || d < -1e-10) exit 1 } END { exit NR != 8 }'
+    csv 'draw 0.3' | awk -F, 'NR > 2 && $11 != "" { if (!($13 > 0 && $14 > 0)) exit 1; n++ } END { exit n < 5 }'
+    # What has fallen off is held by nobody, and lies at theta_f.
+    train='set q hollow; set s 0.54; set r 1.84'
+    theta_f=$(json "$train; thetac" | values theta_f)
+    csv "$train; draw 1" | awk -F, -v f="$theta_f" 'NR > 3 { d = $4 - f; if ($11 != "" || d > 1e-9 || d < -1e-9) exit 1 }
+        NR == 3 && $11 != "" { exit 1 }'
+    # The head touches the next one when it has come to theta_c, at the height cos theta_c.
+    csv 'draw thetac' | awk -F, 'NR == 2 { d = $11 - 0.6; e = $12 - 0.8; exit !(d * d < 1e-24 && e * e < 1e-24) }'
+    same 'not before' '' "$(csv 'draw 0.6' | awk -F, 'NR == 2 { print $11 }')"
+}
+
+@test "draw: in characters, to scale, in 80 columns and 24 rows, with and without gnuplot" {
+    mkdir "$BATS_TEST_TMPDIR/empty"
+    run -0 env PATH="$BATS_TEST_TMPDIR/empty" "$DOMINO" -e 'draw 0.3'
+    for words in 'theta = 0.3 rad (17.19 deg)' 'to scale' 'z \[h\]' 'x \[h\]' '0: head' '#: the next' '0000' '111' '###'; do
+        grep -q -- "$words" <<<"$output" || same draw "$words" "$output"
+    done
+    [ "${#lines[@]}" -le 23 ]
+    awk 'length > 79 { exit 1 }' <<<"$output"
+    same 'no blanks at the ends' '' "$(grep ' $' <<<"$output")"
+    "$DOMINO" -e 'draw forces' | grep -q 'contact forces, in weights of the one that is pushed: 0: '
+    same 'a safe session draws in characters' "$output" "$("$DOMINO" --safe -e 'draw 0.3')"
+    # The next one is 1.5 times as tall as the head, whose width stays d/h up to a character.
+    next=$(grep -c '#' <<<"$("$DOMINO" -e 'draw 0' | head -n -2)")
+    head=$(grep -c '0 *#\|000' <<<"$("$DOMINO" -e 'draw 0' | sed '1d;/-----/,$d')")
+    awk -v n="$next" -v h="$head" 'BEGIN { exit !(n / h > 1.3 && n / h < 1.7) }'
+}
+
+@test "draw: T is an expression, 'forces' may stand alone; without T it is where the walk stands" {
+    same degrees "$("$DOMINO" -e 'draw 0.17453292519943295')" "$("$DOMINO" -e 'draw 10 deg')"
+    same expression "$("$DOMINO" -e 'draw thetac')" "$("$DOMINO" -e 'draw asin(r*s)')"
+    same alone "$("$DOMINO" -e 'draw 0 forces')" "$("$DOMINO" -e 'draw forces')"
+    same now "$("$DOMINO" -e 'draw 0.2')" "$("$DOMINO" -e 'goto 0.2 > /dev/null; draw')"
+    same 'another train begins anew' "$("$DOMINO" -e 'set s 0.3; draw 0')" \
+        "$("$DOMINO" -e 'goto 0.2 > /dev/null; set s 0.3; draw')"
+}
+
+@test "draw and plot: each kind of file" {
+    dir=$BATS_TEST_TMPDIR
+    for what in 'draw 0.3' 'draw forces' 'plot energy' 'plot omega' 'plot chain' 'plot growth' 'plot marginal'; do
+        "$DOMINO" -e "$what > $dir/a.svg; $what > $dir/b.png; $what > $dir/c.pdf; $what > $dir/d.txt"
+        head -c 5 "$dir/a.svg" | grep -q '<?xml'
+        tail -n 3 "$dir/a.svg" | grep -q '</svg>'
+        same png 89504e470d0a1a0a "$(head -c 8 "$dir/b.png" | od -An -tx1 | tr -d ' \n')"
+        same pdf '%PDF-' "$(head -c 5 "$dir/c.pdf")"
+        same text "$("$DOMINO" -e "$what")" "$(cat "$dir/d.txt")"
+        rm "$dir"/[a-d].*
+    done
+    "$DOMINO" -e "draw 0.3 forces > $dir/a.svg"
+    for words in 'to scale' 'x \[h\]' 'z \[h\]' 'grey: the next' 'arrows: the push'; do grep -q "$words" "$dir/a.svg"; done
+    "$DOMINO" -e "plot growth > $dir/a.svg"
+    for words in hollow massive 'fuel' 'reach' 'now: s = 0.4, r = 1.5, q = 4'; do grep -q "$words" "$dir/a.svg"; done
+}
+
+@test "plot: pictures in characters fit 80 x 24 and say what they show" {
+    while IFS='|' read -r what words; do
+        "$DOMINO" -e "plot $what" >"$BATS_TEST_TMPDIR/picture"
+        [ "$(wc -l <"$BATS_TEST_TMPDIR/picture")" -le 23 ]
+        awk 'length > 79 { exit 1 }' "$BATS_TEST_TMPDIR/picture"
+        for word in $words; do
+            grep -q -- "${word//\~/ }" "$BATS_TEST_TMPDIR/picture" || same "plot $what" "$word" "$(cat "$BATS_TEST_TMPDIR/picture")"
+        done
+    done <<'END'
+energy|Energy launch top hit potential~energy,~dH kinetic~energy J~(right) tilt~of~the~head,~theta~.rad.
+omega|Angular~velocity launch top hit tilt~of~the~head h~=~48~mm
+chain|Tilts launch top hit i~=~0,~the~head i~=~1 theta_f,~the~last
+growth|Largest~growth hollow massive paper's~fuel reach,~r~=~1/s now:~s~=~0.4,~r~=~1.5,~q~=~4 free~gap
+marginal|Pair hollow~pair~(paper) massive~pair hollow~train massive~train reach now: free~gap
+END
+    "$DOMINO" -e 'set r 1.7; plot energy' | grep -q 'launch *stop'
+    "$DOMINO" -e 'set q hollow; set s 0.54; set r 1.84; plot energy' | grep -q fall
+    "$DOMINO" -e 'set angle deg; plot omega' | grep -q 'theta \[deg\]'
+}
+
+@test "plot energy, omega, chain: the data is that of energy, omega, chain, with the events in it" {
+    csv 'plot energy' >"$BATS_TEST_TMPDIR/energy"
+    same keys theta,dH,kinetic,J,event "$(head -n 1 "$BATS_TEST_TMPDIR/energy")"
+    same events 'launch top hit' "$(awk -F, '$5 != "" && NR > 1 { print $5 }' "$BATS_TEST_TMPDIR/energy" | paste -sd ' ' -)"
+    # What is climbed is lost: their sum stays.
+    awk -F, 'NR == 2 { sum = $2 + $3 } NR > 1 { d = $2 + $3 - sum; if (d > 1e-12 || d < -1e-12) exit 1 }' "$BATS_TEST_TMPDIR/energy"
+    awk -F, 'NR > 2 && !($1 > before) { exit 1 } { before = $1 }' "$BATS_TEST_TMPDIR/energy"
+    csv 'plot omega' >"$BATS_TEST_TMPDIR/omega"
+    same keys theta,omegasq,omega,event "$(head -n 1 "$BATS_TEST_TMPDIR/omega")"
+    for line in 2 20 77 140; do
+        IFS=, read -r theta dH _ J _ < <(sed -n ${line}p "$BATS_TEST_TMPDIR/energy")
+        answer=$(json "energy $theta")
+        close "dH at $theta" "$(values dH <<<"$answer")" "$dH"
+        close "J at $theta" "$(values J <<<"$answer")" "$J"
+        IFS=, read -r theta omegasq omega _ < <(sed -n ${line}p "$BATS_TEST_TMPDIR/omega")
+        answer=$(json "omega $theta")
+        close "omegasq at $theta" "$(values omegasq <<<"$answer")" "$omegasq"
+        close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
+    done
+    same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
+    # Where the head hits, each is where the one behind it began.
+    csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
+        END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
+    # Beyond a stop there is no motion.
+    csv 'set r 1.7; plot omega' | awk -F, 'stopped && $3 != "" { exit 1 } $4 == "stop" { stopped = 1; if ($3 != 0) exit 1 } END { exit !stopped }'
+}
+
+@test "plot growth, marginal: the data is that of curve, for hollow and massive" {
+    csv 'plot growth' >"$BATS_TEST_TMPDIR/growth"
+    csv 'plot marginal' >"$BATS_TEST_TMPDIR/marginal"
+    same keys s,hollow,hollow_paper,massive,massive_paper,reach "$(head -n 1 "$BATS_TEST_TMPDIR/growth")"
+    same keys s,hollow_pair,hollow_train,massive_pair,massive_train,reach "$(head -n 1 "$BATS_TEST_TMPDIR/marginal")"
+    for q in hollow massive; do
+        [ $q = hollow ] && at=2 || at=4
+        csv "set q $q; curve 0.02 0.98 9" | sed 1d | while IFS=, read -r s exact paper pair reach; do
+            row() { awk -F, -v s="$s" -v i="$2" 'NR > 1 && $1 - s < 1e-9 && s - $1 < 1e-9 { print $i }' "$BATS_TEST_TMPDIR/$1"; }
+            close "$q $s exact" "${exact}" "$(row growth $at)"
+            close "$q $s paper" "${paper}" "$(row growth $((at + 1)))"
+            [ -z "$pair" ] || close "$q $s pair" "${pair}" "$(row marginal $at)"
+            close "$q $s train" "${exact}" "$(row marginal $((at + 1)))"
+            close "$s reach" "$reach" "$(row growth 6)"
+        done
+    done
+    same 'rows are columns of their own in json' 's hollow hollow_paper massive massive_paper reach' "$(json 'plot growth' | keys)"
+    same 'no bounds, which a picture does not have' "$(cat "$BATS_TEST_TMPDIR/growth")" "$(csv 'set errors on; plot growth')"
+}
+
+# How many frames a gif has of each delay, which stands in 1/100 s as little-endian hex.
+delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a-f]{2}[0-9a-f]{4}[0-9a-f]{2}00' | cut -c 9-12 | sort | uniq -c | awk '{ print $1, $2 }'; }
+
+@test "animate: a gif, its frames equally far apart in time; each cycle lasts sqrt(r) longer" {
+    gif=$BATS_TEST_TMPDIR/a.gif
+    same silent '' "$("$DOMINO" -e "animate $gif")"
+    same gif GIF89a "$(head -c 6 "$gif")"
+    same 'frames and their delay' '95 0400' "$(delays "$gif")"
+    csv 'animate a.gif' >"$BATS_TEST_TMPDIR/frames"
+    same rows 96 "$(wc -l <"$BATS_TEST_TMPDIR/frames")"
+    awk -F, -v whole="$(json duration | values seconds)" 'NR == 3 { step = $1 } NR > 2 { d = $1 - before - step; if (d > 1e-9 || d < -1e-9) exit 1 }
+        { before = $1; n[$2]++ }
+        # 1 + sqrt(r) + r cycles, as many frames in each as it lasts; theta grows in each, up to theta_c.
+        END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' "$BATS_TEST_TMPDIR/frames"
+    awk -F, 'NR > 2 && $2 == cycle && !($3 > theta) { exit 1 } { cycle = $2; theta = $3 }' "$BATS_TEST_TMPDIR/frames"
+    "$DOMINO" -e "animate $gif 1"
+    same 'one cycle' '26 0400' "$(delays "$gif")"
+    same 'data instead, and no file' '' "$(csv "animate $BATS_TEST_TMPDIR/b.gif" >/dev/null; ls "$BATS_TEST_TMPDIR" | grep 'b\.gif')"
+    # A train that stops is shown to its stop.
+    "$DOMINO" -e "set r 1.7; animate $gif"
+    same 'it stops' "$(json 'set r 1.7; barrier' | sed 's/.*stops at theta = \([0-9.]*\).*/\1/' | cut -c 1-8)" \
+        "$(csv 'set r 1.7; animate a.gif' | tail -n 1 | cut -d, -f 3 | cut -c 1-8)"
+}
+
+@test "what cannot be drawn: one line that says what would be right, and no file" {
+    dir=$BATS_TEST_TMPDIR
+    cd "$dir" || false
+    one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
+    one_line 'T is an angle, not a length' 'draw 10 mm'
+    one_line "'9' is no word behind T; those are: forces" 'draw forces 9'
+    one_line "'draw 0.1 forces'" 'draw forces forces'
+    one_line 'it stops at 0.02802163121 rad, below the barrier' 'set r 1.7; draw 0.3 > a.svg'
+    one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
+    one_line 'its ending is .svg, .png, .pdf or .txt' 'draw 0.1 > a.jpg'
+    one_line 'its ending is .gif' 'animate a.png'
+    one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
+    one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
+    one_line 'FILE is missing; usage: animate FILE [N]' animate
+    one_line 'at r = 1.5 N is at most 9' 'animate a.gif 10'
+    one_line 'N is an integer in 1' 'animate a.gif 0'
+    one_line "takes no name behind it" 'plot energy rmax'
+    one_line "needs the NAME of an answer: fuel, launch" 'plot cost'
+    one_line 'those are: chain, cost, energy, growth, marginal, omega' 'plot foo'
+    one_line 'its ending is .svg' 'plot growth > a.gif'
+    for what in 'draw > a.svg' 'animate a.gif' 'plot energy > a.svg' 'plot omega' 'plot chain'; do
+        one_line 'the fuel P is not positive' "set s 0.001; $what"
+        one_line 'r s = 3.6 > 1' "set r 9; $what"
+    done
+    one_line 'the margin is 0 to rounding' 'set r rmax; animate a.gif'
+    same 'nothing is left' '' "$(ls)"
+    # What was there stays.
+    echo old >a.gif
+    run -1 "$DOMINO" -e 'set s 0.001; animate a.gif'
+    same 'an old file' old "$(cat a.gif)"
+    mkdir full
+    chmod 555 full
+    [ -w full ] || one_line "cannot write 'full/a.gif'" 'animate full/a.gif'
+}
+
+@test "without gnuplot: one line that says what to install; the data is there" {
+    dir=$BATS_TEST_TMPDIR
+    mkdir "$dir/empty"
+    for what in 'plot energy' 'plot growth' 'plot chain > a.svg' 'draw > a.png' "animate $dir/a.gif"; do
+        run -1 env PATH="$dir/empty" "$DOMINO" -e "$what; print 1"
+        [[ ${lines[0]} == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
+        same "$what: the session goes on" 1 "${lines[1]}"
+        rows=$(env PATH="$dir/empty" "$DOMINO" -e "set output csv; ${what%% >*}")
+        same "$what: data" "$(csv "${what%% >*}")" "$rows"
+    done
+    same 'nothing is left' empty "$(ls "$dir" | grep -v '\.bats')"
+    run -1 "$DOMINO" --safe -e 'plot energy'
+    [[ $output == *'files are off in a safe session'* ]]
+    run -1 "$DOMINO" --safe -e "animate $dir/a.gif"
+    [[ $output == *'files are off in a safe session'* ]]
+    run -1 "$DOMINO" --safe -e "draw > $dir/a.svg"
+    [[ $output == *'files are off in a safe session'* ]]
+}
+
+@test "a user's own settings of gnuplot change nothing" {
+    echo 'set terminal png; set title "mine"' >"$BATS_TEST_TMPDIR/.gnuplot"
+    same 'plot energy' "$("$DOMINO" -e 'plot energy')" "$(HOME=$BATS_TEST_TMPDIR "$DOMINO" -e 'plot energy')"
+}
+
+@test "completion: what draw and plot take" {
+    same plot 'chain cost energy growth marginal omega' "$("$DOMINO" -e 'complete plot ' | sort | paste -sd ' ' -)"
+    same draw forces "$("$DOMINO" -e 'complete draw f')"
+    same 'draw T' forces "$("$DOMINO" -e 'complete draw 0.3 f')"
+}
