@@ -334,8 +334,8 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
     struct link k = link_head(&g, head);
     struct bound e = bound_head(&g, &k, lean_error_head(head));
     for (;;) {
-        if ((status = chain_watch(&g, k.i)) != DOM_OK)
-            return status;
+        if (g.interrupt && *g.interrupt) /* rows may be slower to write than to compute */
+            return DOM_INTERRUPTED;
         struct dom_link link = link_public(&g, &k), error = link_error(&g, &k, &e);
         if (!visit(&link, errors ? &error : NULL, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;

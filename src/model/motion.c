@@ -152,10 +152,37 @@ KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_ev
     return status == DOM_OK && m.stops ? DOM_STOPS : status;
 }
 
+/*
+ * The tilt at a time, by Newton, whose derivative is omega, and halving where that leaves the bracket;
+ * *at is where it begins and where it ends.
+ */
+static enum dom_status tilt_search(struct motion *m, real time, real tol, real *at)
+{
+    real lo = 0, hi = m->end;
+    m->tol = tol;
+    for (int i = 0; i < 200; i++) {
+        real omegasq = 0, passed = 0;
+        enum dom_status status = cycle_speed(&m->cycle, *at, &omegasq, NULL);
+        if (status == DOM_OK)
+            status = motion_time(m, 0, *at, &passed);
+        if (status != DOM_OK)
+            return status;
+        real off = time - passed, next = *at + off * sqrt(fmax(omegasq, 0));
+        *(off >= 0 ? &lo : &hi) = *at;
+        if (!(next > lo && next < hi))
+            next = (lo + hi) / 2;
+        bool there = fabs(next - *at) <= fmax(tol, 4 * REAL_EPSILON) * m->end;
+        *at = next;
+        if (there)
+            return DOM_OK;
+    }
+    return DOM_NOT_CONVERGED;
+}
+
 KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_, dom_real *theta)
 {
     struct motion m;
-    real time = (real)time_, lo = 0, hi, at = 0, passed = 0, whole = 0;
+    real time = (real)time_, whole = 0, at = 0;
     enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
         status = motion_time(&m, 0, m.end, &whole);
@@ -163,32 +190,18 @@ KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_,
         return status;
     if (!(time >= 0 && time <= whole * (1 + 4 * REAL_EPSILON)))
         return DOM_BAD_TILT;
-    hi = m.end;
-    if (time >= whole) {
-        *theta = m.end;
+    if (time == 0 || time >= whole) {
+        *theta = time == 0 ? 0 : m.end;
         return DOM_OK;
     }
-    /* Newton, whose derivative is omega, from where it stands; halving where that leaves the bracket. */
-    for (int i = 0; i < 100; i++) {
-        real omegasq = 0, step = 0;
-        status = cycle_speed(&m.cycle, at, &omegasq, NULL);
-        if (status != DOM_OK)
-            return status;
-        real off = time - passed, next = at + off * sqrt(fmax(omegasq, 0));
-        *(off >= 0 ? &lo : &hi) = at;
-        if (!(next > lo && next < hi))
-            next = (lo + hi) / 2;
-        if (fabs(next - at) <= fmax(m.tol, 4 * REAL_EPSILON) * m.end) {
-            *theta = next;
-            return DOM_OK;
-        }
-        status = next > at ? motion_time(&m, at, next, &step) : motion_time(&m, next, at, &step);
-        if (status != DOM_OK)
-            return status;
-        passed += next > at ? step : -step;
-        at = next;
-    }
-    return DOM_NOT_CONVERGED;
+    /* Cheap integrals lead close by; then each step doubles the digits. */
+    const real tol = m.tol;
+    status = tilt_search(&m, time, fmax(tol, (real)1e-8), &at);
+    if (status == DOM_OK && tol < (real)1e-8)
+        status = tilt_search(&m, time, tol, &at);
+    if (status == DOM_OK)
+        *theta = at;
+    return status;
 }
 
 /* ---- Accelerations and forces ---- */

@@ -64,7 +64,7 @@ dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 {
     static const struct dom_arithmetic table[] = {
-        [DOM_FLOAT] = {"float", "float", FLT_MANT_DIG, (double)FLT_EPSILON, TENTH(1e5), TENTH(1e6), 6},
+        [DOM_FLOAT] = {"float", "float", FLT_MANT_DIG, (double)FLT_EPSILON, TENTH(1e5), TENTH(1e6), 5},
         [DOM_DOUBLE] = {"double", "double", DBL_MANT_DIG, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
 #if defined DOM_REAL_FLOAT128
         [DOM_QUAD] = {"quad", "__float128", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},

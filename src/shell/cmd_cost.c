@@ -21,12 +21,12 @@ static void cost_line(const struct call *call, const struct cost *cost, const st
     struct cell none = cell_real(DOM_NAN);
     answer_row(call->answer,
                ROW(cell_word(cost_method(row->method)), cell_word(dom_arithmetic(row->precision)->name),
-                   cell_brief((dom_real)row->tol), good ? cell_brief(row->error) : none,
+                   cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
                    good ? cell_count((dom_real)row->work.longest) : none,
                    good ? cell_count((dom_real)row->work.passes) : none,
-                   good ? cell_brief((dom_real)(1e6 * row->seconds)) : none,
-                   good ? cell_brief((dom_real)(row->seconds / cost->cheapest)) : none),
-               good || answer_for_people(call->answer) ? NULL : dom_status_text(row->status));
+                   good ? cell_brief(1e6 * row->seconds) : none,
+                   good ? cell_brief(row->seconds / cost->cheapest) : none),
+               NULL);
 }
 
 /* How many times the time of another row; 0 where one of them is missing. */
@@ -35,15 +35,16 @@ static double times_of(const struct cost_row *row, const struct cost_row *other)
     return row && other ? row->seconds / other->seconds : 0;
 }
 
-/* The lesson, in words. */
-static void cost_say(const struct call *call, const struct cost *cost)
+/* The lesson, in words: at the error that was reached, whatever tolerance was asked for. */
+static void cost_say(const struct call *call, const struct cost *cost, const struct costed *answer)
 {
-    const struct cost_row *few = cost_find(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
-    const struct cost_row *six = cost_find(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
-    const struct cost_row *many = cost_find(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
-    double gsl = times_of(cost_find(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six);
-    double paper = times_of(cost_find(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six);
-    double quad = times_of(cost_find(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12), many);
+    const struct cost_row *few = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
+    const struct cost_row *six = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
+    const struct cost_row *many = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
+    double gsl = times_of(cost_reaching(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six);
+    double paper = times_of(cost_reaching(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six);
+    double quad = times_of(cost_reaching(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12), many);
+    answer_say(call->answer, "What is measured: %s.", answer->says);
     if (paper > 0)
         answer_say(call->answer, "To 6 digits the paper's recipe takes %.3g times our time.", paper);
     if (gsl > 0)
@@ -54,6 +55,9 @@ static void cost_say(const struct call *call, const struct cost *cost)
                    times_of(many, few), quad);
     else if (few && many)
         answer_say(call->answer, "12 digits cost %.3g times what 3 digits cost.", times_of(many, few));
+    else
+        answer_say(call->answer,
+                   "Double precision has no 12 digits of it here: the parameters are too sensitive.");
 }
 
 /* Measures what the i-th argument names; false: an error was reported. */
@@ -70,7 +74,7 @@ static bool cost_answer(const struct call *call, const struct cost *cost)
 {
     for (int k = 0; k < cost->rows; k++)
         cost_line(call, cost, &cost->row[k]);
-    cost_say(call, cost);
+    cost_say(call, cost, &cost_answers[(int)call->number[call->count - 1]]);
     return true;
 }
 

@@ -167,11 +167,14 @@ enum { REASON_SIZE = 160 };
 static const char *stop_reason(const struct session *session, char *reason, size_t size)
 {
     dom_real stop;
+    char text[WIDE_TEXT];
+    struct output_style style = session_style(session);
+    int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
     if (dom_cycle_stop(&session->train, &stop, NULL) == DOM_OK && isfinite(stop))
         snprintf(
             reason, size,
-            "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %.10g %s",
-            (double)style_angle(&session->style, stop), style_angle_unit(&session->style));
+            "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %s %s",
+            wide_text(style_angle(&style, stop), digits, text), style_angle_unit(&style));
     else
         snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
     return reason;

@@ -86,7 +86,7 @@ static void canvas_ground(const struct canvas *c, FILE *out)
     for (double k = (double)ceil((dom_real)(c->left / step)); k * step < c->left + c->unit * c->width; k++) {
         int at = (int)((k * step - c->left) / c->unit), from = at > 2 ? at - 2 : 0;
         char number[16];
-        int n = snprintf(number, sizeof number, "%4.3g", k * step);
+        int n = snprintf(number, sizeof number, "%4.3g", k * step + 0.0); /* no -0 */
         if (at < 0 || at >= c->width)
             continue;
         ground[at] = '+';
@@ -95,8 +95,7 @@ static void canvas_ground(const struct canvas *c, FILE *out)
     int end = c->width;
     while (end > 0 && numbers[end - 1] == ' ')
         end--;
-    fprintf(out, "%*s%.*s\n%*s%.*s  x [h]\n", TEXT_LEFT, "0 -", c->width, ground, TEXT_LEFT, "", end,
-            numbers);
+    fprintf(out, "%*s%.*s\n%*s%.*s\n", TEXT_LEFT, "0 -", c->width, ground, TEXT_LEFT, "x [h]", end, numbers);
 }
 
 static void canvas_write(const struct canvas *c, FILE *out)

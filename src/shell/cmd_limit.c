@@ -201,7 +201,7 @@ static bool count_kind(struct session *session, const struct call *call, struct 
 {
     struct dom_limit limit;
     struct dom_count count = {DOM_NAN, DOM_NAN, DOM_NAN};
-    char name[32], said[64] = "no number of them gets there";
+    char name[32], number[WIDE_TEXT], said[96] = "no number of them gets there";
     bool feasible;
     const char *why;
     enum dom_status status = count_feasible(&train, &feasible, &why);
@@ -215,7 +215,8 @@ static bool count_kind(struct session *session, const struct call *call, struct 
     }
     if (dom_count_find(train.precision, session->scale.h, height, limit.r_max, &count, NULL) == DOM_OK &&
         isfinite(count.dominoes))
-        snprintf(said, sizeof said, "%.0f domino%s", (double)count.dominoes, count.dominoes == 1 ? "" : "es");
+        snprintf(said, sizeof said, "%s domino%s", wide_text(count.dominoes, WIDE_DIGITS, number),
+                 count.dominoes == 1 ? "" : "es");
     answer_say(call->answer, "  %-8s %-4s the largest is %.6g (ends by %s): %s", mass_name(train.q, name),
                feasible ? "yes;" : "no;", (double)limit.r_max, dom_end_text(limit.ends), said);
     return true;
@@ -245,6 +246,7 @@ static bool run_count(struct session *session, const struct call *call)
     struct dom_count count, e = {0};
     bool feasible;
     const char *why;
+    char number[WIDE_TEXT], growth[WIDE_TEXT];
     train.r = argument_or(call, 1, train.r);
     if (dom_count_find(train.precision, first, height, train.r, &count, ERROR_OF(session, e)) != DOM_OK)
         return session_error(session,
@@ -260,8 +262,9 @@ static bool run_count(struct session *session, const struct call *call)
     if (count.dominoes == 0)
         answer_say(a, "No domino is needed: the first is %.6g m tall already.\n", (double)first);
     else if (isfinite(count.dominoes))
-        answer_say(a, "%.0f domino%s, each %.10g times as large as the one before, %s one of %.6g m.\n",
-                   (double)count.dominoes, count.dominoes == 1 ? "" : "es", (double)train.r,
+        answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %.6g m.\n",
+                   wide_text(count.dominoes, WIDE_DIGITS, number), count.dominoes == 1 ? "" : "es",
+                   wide_text(train.r, (int)a->style.digits, growth),
                    !feasible             ? "would be needed to topple"
                    : count.dominoes == 1 ? "topples"
                                          : "topple",

@@ -121,6 +121,14 @@ static const struct column print_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* Nobody has followed the errors through an expression. */
+static struct cell cell_unbounded(dom_real value)
+{
+    struct cell cell = cell_real(value);
+    cell.error = DOM_NAN;
+    return cell;
+}
+
 static bool run_print(struct session *session, const struct call *call)
 {
     struct quantity q = call->quantity[0];
@@ -134,7 +142,7 @@ static bool run_print(struct session *session, const struct call *call)
         answer_say(call->answer, "%s%s%s", wide_text(q.value, (int)call->answer->style.digits, number),
                    *unit ? " " : "", unit);
     else
-        answer_row(call->answer, ROW(cell_real(q.value), cell_word(unit)), NULL);
+        answer_row(call->answer, ROW(cell_unbounded(q.value), cell_word(unit)), NULL);
     return true;
 }
 

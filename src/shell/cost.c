@@ -183,11 +183,13 @@ enum dom_status cost_measure(const struct costed *answer, const struct dom_train
     return status;
 }
 
-const struct cost_row *cost_find(const struct cost *cost, enum dom_method method,
-                                 enum dom_precision precision, double tol)
+const struct cost_row *cost_reaching(const struct cost *cost, enum dom_method method,
+                                     enum dom_precision precision, double error)
 {
+    const struct cost_row *found = NULL;
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
-        if (row->method == method && row->precision == precision && row->tol == tol && row->status == DOM_OK)
-            return row;
-    return NULL;
+        if (row->method == method && row->precision == precision && row->status == DOM_OK &&
+            row->error <= (dom_real)error && (!found || row->seconds < found->seconds))
+            found = row;
+    return found;
 }

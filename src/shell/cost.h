@@ -46,8 +46,8 @@ enum dom_status cost_measure(const struct costed *answer, const struct dom_train
 /* "paper", "GSL", "ours". */
 const char *cost_method(enum dom_method method);
 
-/* The row, or NULL where it has no time. */
-const struct cost_row *cost_find(const struct cost *cost, enum dom_method method,
-                                 enum dom_precision precision, double tol);
+/* The quickest row that is as close as this relative error; NULL where none is. */
+const struct cost_row *cost_reaching(const struct cost *cost, enum dom_method method,
+                                     enum dom_precision precision, double error);
 
 #endif

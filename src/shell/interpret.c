@@ -164,7 +164,9 @@ static bool known_word(struct session *session, struct reader *r, const char *at
         const char *close = names_closest(unit_names, NULL, word);
         session->column = column_of(r, at);
         names_shown(word, shown);
-        if (close)
+        if (close && strcmp(close, word) == 0)
+            session_error(session, "the unit '%s' stands behind a number or a ')'", shown);
+        else if (close)
             session_error(session, "'%s' is no unit; did you mean '%s'?", shown, close);
         else
             session_error(session, "'%s' is no unit and has no value", shown);

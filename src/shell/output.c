@@ -8,12 +8,11 @@
 
 /* Enough for any cell that is not a word; what a number needs beside its digits: "-0." and "e-300". */
 enum {
-    TEXT_SIZE = 96,
+    TEXT_SIZE = 128,
     NUMBER_MARGIN = 6,
     COLUMNS_MAX = 16,
     TEXT_LINE = 512,
     BOUND_MARGIN = 12, /* " +/- 1.2e-15" */
-    BOUND_TEXT = 16,
     WORDS_ROOM = 30,
     WORDS_INDENT = 8
 };
@@ -27,12 +26,13 @@ struct cell cell_bound(dom_real value, dom_real error)
 {
     struct cell cell = cell_real(value);
     cell.error = cell.kind == CELL_REAL ? error : 0;
+    cell.computed = true;
     return cell;
 }
 
-struct cell cell_brief(dom_real value)
+struct cell cell_brief(double value)
 {
-    struct cell cell = cell_real(value);
+    struct cell cell = cell_real((dom_real)value);
     cell.digits = 3;
     return cell;
 }
@@ -79,9 +79,11 @@ static const char *column_unit(const struct answer *a, const struct column *c, c
 /* ---- Text ---- */
 
 /* Two digits, rounded up so that it stays a bound. */
-static const char *bound_text(dom_real error, char text[BOUND_TEXT])
+static const char *bound_text(dom_real error, char text[WIDE_TEXT])
 {
-    snprintf(text, BOUND_TEXT, "%.1e", (double)(error * (dom_real)1.06));
+    if (!isfinite(error))
+        return "-"; /* none is known */
+    wide_text(error * (dom_real)1.06, 2, text);
     return text;
 }
 
@@ -89,30 +91,38 @@ static const char *bound_text(dom_real error, char text[BOUND_TEXT])
 static int bound_digits(struct cell cell, int all)
 {
     dom_real ratio = fabs(cell.number) / cell.error;
-    int digits = ratio > 1 ? (int)floor(log10(ratio)) + 3 : 2;
+    int digits = ratio > 1 ? (int)fmin(floor(log10(ratio)), 40) + 3 : 2;
     return digits < all ? digits : all;
 }
 
-/* The bound is one of what is printed: what the digits leave out is in it. */
-static const char *real_text(struct cell cell, int digits, char text[TEXT_SIZE])
+/* What the digits leave out is an error, too. */
+static dom_real printed_error(struct cell cell, const char *number)
 {
-    char number[WIDE_TEXT], bound[BOUND_TEXT];
-    if (cell.error == 0)
-        return wide_text(cell.number, cell.digits ? cell.digits : digits, text);
-    wide_text(cell.number, bound_digits(cell, digits), number);
-    bound_text(cell.error + fabs(wide_read(number, NULL) - cell.number), bound);
-    snprintf(text, TEXT_SIZE, "%s +/- %s", number, bound);
+    return cell.error + fabs(wide_read(number, NULL) - cell.number);
+}
+
+static const char *real_text(struct cell cell, int digits, bool bounds, char text[TEXT_SIZE])
+{
+    char number[WIDE_TEXT], bound[WIDE_TEXT];
+    bool known = bounds && isfinite(cell.error) && cell.digits == 0;
+    if (known && cell.error != 0)
+        digits = bound_digits(cell, digits);
+    wide_text(cell.number, cell.digits ? cell.digits : digits, number);
+    dom_real error = known ? printed_error(cell, number) : 0;
+    if (error > 0)
+        snprintf(text, TEXT_SIZE, "%s +/- %s", number, bound_text(error, bound));
+    else
+        snprintf(text, TEXT_SIZE, "%s", number);
     return text;
 }
 
-static const char *cell_text(struct cell cell, int digits, char text[TEXT_SIZE])
+static const char *cell_text(struct cell cell, int digits, bool bounds, char text[TEXT_SIZE])
 {
     switch (cell.kind) {
     case CELL_REAL:
-        return real_text(cell, digits, text);
+        return real_text(cell, digits, bounds, text);
     case CELL_COUNT:
-        snprintf(text, TEXT_SIZE, "%.0f", (double)cell.number);
-        return text;
+        return wide_text(cell.number, WIDE_DIGITS, text);
     case CELL_FLAG:
         return cell.number != 0 ? "yes" : "no";
     case CELL_WORD:
@@ -134,14 +144,15 @@ static dom_real rounded(const struct answer *a, dom_real value)
 /* For programs: digits that read back to the same number, few if few do, and no bound beside them. */
 static const char *cell_plain(const struct answer *a, struct cell cell, char text[TEXT_SIZE])
 {
+    const struct answer in_double = {.style = {.precision = DOM_DOUBLE, .all_digits = 17}};
+    a = cell.digits ? &in_double : a; /* what is brief is known in double at best */
     const int all = a->style.all_digits, few = all < 15 ? all - 2 : 15;
-    cell.error = 0;
     cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(a, cell.number) : cell.number;
-    const char *said = cell_text(cell, few, text);
+    const char *said = cell_text(cell, few, false, text);
     for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
         if (rounded(a, wide_read(text, NULL)) != cell.number)
-            said = cell_text(cell, n, text);
+            said = cell_text(cell, n, false, text);
     return said;
 }
 
@@ -170,11 +181,14 @@ static int table_digits(const struct answer *a)
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* What has a bound shows the digits that it leaves, all else those of the style. */
+/* What has a bound shows the digits that it leaves, all else those of the style, or of the tolerance. */
 static const char *table_text(const struct answer *a, struct cell cell, int digits, char text[TEXT_SIZE])
 {
     int most = (int)a->style.digits;
-    return cell_text(cell, cell.error == 0 && digits > most ? most : digits, text);
+    if (cell.computed && most > a->style.tol_digits)
+        most = a->style.tol_digits;
+    bool bounded = a->style.errors && cell.error != 0 && isfinite(cell.error);
+    return cell_text(cell, !bounded && digits > most ? most : digits, a->style.errors, text);
 }
 
 /* On a terminal with UTF-8 the field's letters are written as such. */
@@ -259,20 +273,24 @@ static void cell_json(const struct answer *a, struct cell cell)
         fputs(cell_plain(a, cell, text), out);
 }
 
-/* A bound as a number; null where there is none. */
-static const char *bound_json(struct cell cell, char text[BOUND_TEXT])
+/* The bound of a number as it is written for programs; none where none is known. */
+static const char *plain_bound(const struct answer *a, struct cell cell, const char *none,
+                               char text[WIDE_TEXT])
 {
-    return cell.kind == CELL_REAL && isfinite(cell.error) ? bound_text(cell.error, text) : "null";
+    char number[TEXT_SIZE];
+    return cell.kind == CELL_REAL && isfinite(cell.error)
+               ? bound_text(printed_error(cell, cell_plain(a, cell, number)), text)
+               : none;
 }
 
 static void row_json(struct answer *a, const struct cell *cells, const char *reason)
 {
-    char text[BOUND_TEXT];
+    char text[WIDE_TEXT];
     for (int i = 0; a->columns[i].key; i++) {
         fprintf(a->out, "%s\"%s\":", i ? "," : "{", a->columns[i].key);
         cell_json(a, cells[i]);
         if (column_bounded(a, i))
-            fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key, bound_json(cells[i], text));
+            fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key, plain_bound(a, cells[i], "null", text));
     }
     if (reason) {
         fputs(",\"reason\":", a->out);
@@ -295,7 +313,7 @@ static void cell_csv(const struct answer *a, struct cell cell)
 
 static void row_csv(struct answer *a, const struct cell *cells, const char *reason)
 {
-    char text[BOUND_TEXT];
+    char text[WIDE_TEXT];
     if (!a->begun) {
         for (int i = 0; a->columns[i].key; i++)
             fprintf(a->out, column_bounded(a, i) ? "%s%s,%s_error" : "%s%s", i ? "," : "", a->columns[i].key,
@@ -307,7 +325,7 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
             putc(',', a->out);
         cell_csv(a, cells[i]);
         if (column_bounded(a, i))
-            fprintf(a->out, ",%s", cells[i].kind == CELL_REAL ? bound_text(cells[i].error, text) : "");
+            fprintf(a->out, ",%s", plain_bound(a, cells[i], "", text));
     }
     if (reason) {
         putc(',', a->out);

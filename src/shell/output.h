@@ -18,6 +18,7 @@ struct output_style {
     enum angle angle;
     dom_real digits; /* in a table */
     enum dom_precision precision;
+    int tol_digits;  /* that the session's tolerance promises */
     int all_digits;  /* that read back to the same number of the session's precision: csv and json */
     unsigned errors; /* every number with the bound of its error */
 };
@@ -34,13 +35,14 @@ struct cell {
     dom_real number;
     dom_real error; /* bound of it; 0: exact, or not asked for */
     const char *word;
-    int digits; /* in a table; 0: as the style says */
+    int digits;    /* in a table; 0: as the style says */
+    bool computed; /* to the session's tolerance: more digits than it promises are not shown */
 };
 
 /* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
 struct cell cell_real(dom_real value);
 struct cell cell_bound(dom_real value, dom_real error);
-struct cell cell_brief(dom_real value); /* three digits in a table: for what is not known better */
+struct cell cell_brief(double value); /* three digits in a table: for what is not known better */
 struct cell cell_count(dom_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);

@@ -28,16 +28,22 @@ static const struct word precision_words[] = {
     {"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}, {NULL, 0}};
 
 static const char tol_help[] =
-    "It decides how far down the train the sums go and when iterations stop. The floor is that of the "
+    "It decides how far down the train the sums go and when iterations stop; tables show no more digits than "
+    "it "
+    "promises. Where a parameter's last digit moves the answer by more than that, so does rounding: 'set "
+    "errors "
+    "on' tells. The floor is that of the "
     "precision: 1e-6, 1e-15, 1e-33. A new precision takes its own default along, unless another tol was set; "
     "'cost rmax' shows what a digit costs.";
 static const char precision_help[] =
     "One source of the model, compiled for each. Parameters are kept in the widest and rounded to this one: "
     "in quad 7/48 has 34 digits. tol and digits follow where they still have their defaults.";
 static const char errors_help[] =
-    "Behind each number stands +/- and a bound: of all rounding on the way from the parameters, of what tol "
-    "cuts off, and of the digits that are not printed. In csv and json it is a column or key of its own, "
-    "KEY_error.";
+    "Behind each number stands +/- and a bound: of all rounding on the way from the parameters, as the "
+    "precision "
+    "has them, of what tol cuts off, and of the digits that are not printed; digits does not matter then. In "
+    "csv "
+    "and json it is a column or key of its own, KEY_error. The values of 'print' have none.";
 
 static dom_real tol_default(const struct dom_arithmetic *arithmetic)
 {
@@ -301,6 +307,7 @@ struct output_style session_style(const struct session *session)
     int bits = dom_arithmetic(session->train.precision)->bits;
     style.precision = session->train.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
+    style.tol_digits = (int)fmax(floor(-log10(session->train.tol) + (dom_real)1e-6), 1);
     style.digits = fmin(style.digits, style.all_digits);
     return style;
 }

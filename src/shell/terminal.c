@@ -93,6 +93,8 @@ void ticker_stop(void)
 void progress_show(struct progress *p, double fraction)
 {
     double now = terminal_clock();
+    if (ticks > 0 && !ticker_quiet && isatty(STDERR_FILENO))
+        wipe();
     ticker_quiet = 1;
     if (p->begun == 0)
         p->begun = now;

@@ -499,7 +499,7 @@ END
 # ---- Settings ----
 
 @test "digits: in tables, and only there" {
-    same 'table' '0.1772870173 0.177 0.17728701732477803' \
+    same 'table' '0.1772870173 0.177 0.177287017325' \
         "$("$DOMINO" -e 'fuel; set digits 3; fuel; set digits 17; fuel' | awk '$1 == "fuel" { print $2 }' | paste -sd ' ' -)"
     same 'rows' 0.738 "$("$DOMINO" -e 'set digits 3; set tol 1e-3; chain 0.1' | awk '$1 == 1 { print $2 }')"
     same 'print' 0.333 "$("$DOMINO" -e 'set digits 3; print 1/3')"
@@ -854,7 +854,7 @@ set angle |rad deg
 set timing |off on
 set q |hollow massive
 set q h|hollow
-help b|barrier best
+help b|barrier back best
 help dig|digits
 theta1 at|atan atan2
 rmax 0.9*rm|0.9*rmax

@@ -2,7 +2,7 @@
 /*
  * To compare with: the recipe of the paper (end of the section 'A general domino train'), in its angles
  * and plain sums.  theta is raised in steps until H decreases; r is raised in steps until the train
- * stops, and then interpolated.  Steps of sqrt(tol) make errors of about tol.  Its slip is mended: a
+ * stops, and then interpolated.  Steps of half sqrt(tol) make errors of about tol.  Its slip is mended: a
  * follower is gone when its leader has come to theta_leave.
  */
 #include "kernel.h"
@@ -77,7 +77,7 @@ static enum dom_status paper_begin(const struct dom_train *t, double r, struct p
 /* theta raised step by step until H decreases. */
 static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *height)
 {
-    double step = p->theta_c * sqrt(p->tol), H0 = paper_chain(p, 0).H, H = H0;
+    double step = p->theta_c * sqrt(p->tol) / 2, H0 = paper_chain(p, 0).H, H = H0;
     *theta_m = 0;
     for (double theta = step; theta <= p->theta_c && p->status == DOM_OK; theta += step) {
         double next = paper_chain(p, theta).H;
@@ -129,7 +129,7 @@ static enum dom_status paper_barrier_find(const struct dom_train *train, struct 
 static enum dom_status paper_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
                                         struct dom_limit *error, enum dom_status *why)
 {
-    double reach = 1 / (double)train->s, step = sqrt((double)train->tol), before = 0;
+    double reach = 1 / (double)train->s, step = sqrt((double)train->tol) / 2, before = 0;
     (void)why;
     if (error)
         return DOM_NO_METHOD;
@@ -161,7 +161,7 @@ static enum dom_status paper_cycle_duration(const struct dom_train *train, dom_r
     enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
     if (status != DOM_OK)
         return status;
-    size_t steps = (size_t)ceil(1 / sqrt(p.tol));
+    size_t steps = (size_t)ceil(2 / sqrt(p.tol));
     double H0 = paper_chain(&p, 0).H, sum = 0;
     for (size_t k = 0; k <= steps && p.status == DOM_OK; k++) {
         struct paper_sums at = paper_chain(&p, p.theta_c * (double)k / (double)steps);
