@@ -22,6 +22,12 @@ static const char *series_title(const struct cost_row *row, char title[64])
     return title;
 }
 
+/* The same in every picture. */
+static int series_style(const struct cost_row *row)
+{
+    return row->method == DOM_METHOD_PAPER ? 1 : row->method == DOM_METHOD_GSL ? 2 : 3 + (int)row->precision;
+}
+
 static bool same_series(const struct cost_row *a, const struct cost_row *b)
 {
     return a->method == b->method && a->precision == b->precision;
@@ -40,12 +46,14 @@ static void cost_script(FILE *out, const struct session *session, const struct c
                         const struct cost *cost, bool text)
 {
     char title[64];
+    const struct dom_train *train = &session->train;
     fprintf(out,
-            "set title \"What a digit costs: %s at s = %.6g, q = %.6g\"\n"
+            "set title \"What a digit costs: %s at s = %.6g, r = %.6g, d = %.4g, q = %.6g\"\n"
             "set logscale xy\nset format xy '%s'\nset xlabel 'time of one answer [s]'\n"
             "set ylabel 'relative error'\nunset mytics\n"
             "set key left bottom\n", /* nothing is fast and accurate at once: that corner is free */
-            answer->name, (double)session->train.s, (double)session->train.q, text ? "1e%T" : "10^{%T}");
+            answer->name, (double)train->s, (double)train->r, (double)train->d, (double)train->q,
+            text ? "1e%T" : "10^{%T}");
     for (int k = 0; k < cost->rows; k++) {
         const struct cost_row *row = &cost->row[k];
         if (k == 0 || !same_series(row, row - 1))
@@ -56,12 +64,10 @@ static void cost_script(FILE *out, const struct session *session, const struct c
                     (double)fmax(row->error, (dom_real)dom_arithmetic(row->precision)->epsilon / 4));
     }
     fprintf(out, "END\n");
-    for (int k = 0, n = 0; k < cost->rows; k++)
-        if (k == 0 || !same_series(&cost->row[k], &cost->row[k - 1])) {
-            fprintf(out, "%s$series%d using 1:2 with linespoints lt %d title \" %s\"", n ? ", " : "plot ", k,
-                    n + 1, series_title(&cost->row[k], title));
-            n++;
-        }
+    for (int k = 0; k < cost->rows; k++)
+        if (k == 0 || !same_series(&cost->row[k], &cost->row[k - 1]))
+            fprintf(out, "%s$series%d using 1:2 with linespoints lt %d title \" %s\"", k ? ", " : "plot ", k,
+                    series_style(&cost->row[k]), series_title(&cost->row[k], title));
     fprintf(out, "\n");
 }
 

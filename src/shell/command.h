@@ -70,8 +70,8 @@ struct command_group {
 };
 
 extern const struct command_group command_groups[]; /* ends with a NULL title */
-extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[], session_commands[],
-    help_commands[];
+extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
+    session_commands[], help_commands[];
 extern const struct command draw_commands[], plot_commands[];
 
 /* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */

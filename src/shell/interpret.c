@@ -425,6 +425,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         bool answered = session->answered;
         session->out = redirect.file;
         session->redirected = path;
+        session->appended = append;
         session->answered = false;
         done = run_call(session, c, call);
         session->out = out;

@@ -96,6 +96,9 @@ bool picture_begin(struct session *session, struct picture *picture)
         return session_error(session,
                              "'%s' does not say as what to draw: its ending is .svg, .png, .pdf or .txt",
                              names_shown(path, shown));
+    if (!text && session->appended)
+        return session_error(session, "'%s' holds one picture: '>' draws it anew, '>>' cannot add another",
+                             names_shown(path, shown));
     picture_room(session, &width, &height);
     if (text)
         snprintf(terminal, sizeof terminal, "dumb size %d,%d noenhanced", width, height);
@@ -194,6 +197,9 @@ static bool draw(struct session *session, const struct picture *picture, FILE *d
     line[strcspn(line, "\n")] = '\0';
     if (wrong)
         return session_error(session, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
+    fseek(drawing, 0, SEEK_END);
+    if (ftell(drawing) <= 0)
+        return session_error(session, "gnuplot drew nothing");
     ticker_stop();
     drawing_copy(drawing, picture->out, picture->text);
     return true;

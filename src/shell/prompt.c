@@ -179,8 +179,8 @@ static void readline_begin(void)
 void line_prompt(struct session *session)
 {
     /* What is being written when ^C comes is written to its end: a stream that fails stays failed. */
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART}, ignore = {.sa_handler = SIG_IGN}, before[WATCHED],
-                     ttou;
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART},
+                     ignore = {.sa_handler = SIG_IGN}, before[WATCHED], ttou;
     sigset_t blocked, awake;
     char prompt[64];
     sigemptyset(&blocked);

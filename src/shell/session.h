@@ -30,6 +30,7 @@ struct session {
     const char *typed; /* the line that runs, as it was typed, not ended */
     int typed_length, typed_columns;
     bool fresh;             /* at the prompt: nothing stands below the typed line yet */
+    bool appended;          /* it is behind '>>' */
     const char *redirected; /* the name of the file behind '>' that out is; NULL for none */
     const char *command;    /* the one that runs, for messages */
     bool bail;              /* the first error ends the session */
