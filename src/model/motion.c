@@ -254,7 +254,7 @@ static enum dom_status time_error(struct motion *m, real theta, real time, real 
     enum num_status solver = NUM_OK;
     if (!m->stops && theta > 0)
         solver = num_integral(slowness_error, &m->cycle, 0, theta, (real)0.125, &of_speed, NULL);
-    *error = 2 * of_speed + (m->stops ? 64 : 1) * fmax(m->tol, 8 * UNIT) * time;
+    *error = 2 * of_speed + (real)(m->stops ? 64 : 1) * fmax(m->tol, 8 * UNIT) * time;
     return model_status(m->cycle.status, solver);
 }
 

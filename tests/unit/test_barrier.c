@@ -37,8 +37,8 @@ static void no_tilt_is_higher(void **state)
         double theta_c = tilt_angle(g.c), brute = brute_force(&g, theta_c);
         assert_status(barrier_search(&g, CHAIN_ENDLESS, theta_c, &barrier), DOM_OK);
         if (barrier.height < brute * (1 - 1e-13))
-            fail_msg("s %.17g r %.17g d %.17g q %.17g: barrier %.17g, but %.17g is there", train.s, train.r,
-                     train.d, train.q, barrier.height, brute);
+            fail_msg("s %.17g r %.17g d %.17g q %.17g: barrier %.17g, but %.17g is there", (double)train.s,
+                     (double)train.r, (double)train.d, (double)train.q, barrier.height, brute);
     }
 }
 
