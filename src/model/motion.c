@@ -258,6 +258,25 @@ static enum dom_status time_error(struct motion *m, real theta, real time, real 
     return model_status(m->cycle.status, solver);
 }
 
+/* At the tilt where a follower leaves, which rounding may set before or behind it, it has left. */
+static enum dom_status fallen_energy(const struct lean *g, real theta, real *left)
+{
+    const real near = 4096 * REAL_EPSILON;
+    bool leaves;
+    struct tilt leave, head;
+    struct sums at;
+    enum dom_status status = chain_leave(g, CHAIN_ENDLESS, &leaves, &leave, NULL);
+    real fall = leaves ? tilt_angle(leave) : 0;
+    if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
+        return status;
+    status = lean_tilt(g, fmin(fall * (1 + near), tilt_angle(g->c)), &head);
+    if (status == DOM_OK)
+        status = chain_rise(g, head, CHAIN_ENDLESS, &at, NULL);
+    if (status == DOM_OK)
+        *left = at.left;
+    return status;
+}
+
 KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta_, struct dom_state *state,
                                    struct dom_state *error)
 {
@@ -280,7 +299,11 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         status = chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, error ? &e : NULL);
     if (status == DOM_OK)
         status = cycle_speed(c, theta, &omegasq, error ? &omegasq_error : NULL);
-    omegasq = fmax(omegasq, 0); /* at the stop it is 0 to rounding */
+    /* At the stop it is 0, which rounding hides. */
+    bool rests = m.stops && theta >= m.end * (1 - 4 * REAL_EPSILON);
+    omegasq = rests ? 0 : fmax(omegasq, 0);
+    if (status == DOM_OK)
+        status = fallen_energy(&c->lean, theta, &at.left);
     if (status == DOM_OK)
         status = motion_time(&m, 0, theta, &time);
     if (status == DOM_OK)
@@ -370,12 +393,14 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
         rest = gravity - own->inertia * theta_2 + k[j].link.step * (j + 1 < count ? rest : 0);
         push = own->inertia * own->slope * omega_lost + k[j].link.step * (j + 1 < count ? push : 0);
         real size = own->weight == 0 ? 0 : pow(g->r, -(real)(j - 1)); /* h_(j-1) over that of the head */
-        real arm_b = k[j - 1].link.turn.Y / g->r * size;
+        real arm_b =
+            j == 1 && theta == 0 && g->short_of <= REAL_EPSILON ? 0 : k[j - 1].link.turn.Y / g->r * size;
         force[j - 1] = (struct dom_force){
             .i = j - 1,
-            .force = rest / arm_b,
-            .of_own = rest / arm_b * size / k[j - 1].link.weight,
-            .impulse = theta == 0 ? push / arm_b : REAL_NAN,
+            /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */
+            .force = arm_b > 0 ? rest / arm_b : REAL_NAN,
+            .of_own = arm_b > 0 ? rest / arm_b * size / k[j - 1].link.weight : REAL_NAN,
+            .impulse = theta == 0 && arm_b > 0 ? push / arm_b : REAL_NAN,
         };
     }
     for (size_t i = 0; i + 1 < count && i < at.n; i++)

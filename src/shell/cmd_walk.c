@@ -146,10 +146,9 @@ static bool run_cycle(struct session *session, const struct call *call)
         status = cycle_rows(session, call, events, count);
     a->columns = cycle_columns;
     if (status != DOM_OK)
-        return session_status(session, status);
+        return walk_status(session, status);
     struct walk_contact contact;
-    if (answer_for_people(a) && walk_contact(&session->train, events[count - 1].theta, &contact) == DOM_OK &&
-        isfinite(contact.force))
+    if (answer_for_people(a) && walk_contact(&session->train, &contact) == DOM_OK && isfinite(contact.force))
         answer_say(
             a, "Dominoes stay in contact: the smallest contact force is %.4g times the weight of its domino.",
             (double)contact.force);
@@ -169,9 +168,9 @@ static const struct column walk_columns[] = {
     {"before", "mgh/2", "kinetic energy before the collision", 0},
     {"lost", "mgh/2", "of that in the collision, the share 1/J(0) (c4)", 0},
     {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},
-    {"fallen", "mgh/2", "the part of that in dominoes that fell off", 0},
+    {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},
     {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
-    {"potential", "mgh/2", "to be set free up to the next hit: H(theta) - H(theta_c)", 0},
+    {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -186,15 +185,17 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
 {
     struct walk *w = &session->walk;
     *begun = false;
-    if (w->count > 0 && same_train(&w->train, &session->train))
+    if (w->count > 0 && same_train(&w->asked, &session->train))
         return true;
     if (w->count > 0)
         answer_say(answer, "The parameters have changed: the walk begins anew.");
-    *w = (struct walk){.train = session->train, .cycle = 1};
+    *w = (struct walk){.train = session->train, .asked = session->train, .cycle = 1};
+    /* Its sentences have six digits: they are to be right at any tolerance. */
+    w->train.tol = fmin(w->train.tol, fmax(dom_arithmetic(w->train.precision)->tol_floor, (dom_real)1e-9));
     w->verdict = dom_cycle_events(&w->train, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
-           session_status(session, w->verdict);
+           walk_status(session, w->verdict);
 }
 
 static bool walk_answer(struct session *session, const struct call *call, bool words)
@@ -203,17 +204,14 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     struct column room[COLUMNS_ROOM];
     struct answer *a = call->answer;
     struct dom_state s, e = {0};
-    struct dom_fuels fuels, fuels_error = {0};
     if (w->verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOM_NAN);
         answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none), no_start);
         return true;
     }
     enum dom_status status = dom_cycle_state(&w->train, w->theta, &s, ERROR_OF(session, e));
-    if (status == DOM_OK)
-        status = dom_fuel_find(&w->train, &fuels, ERROR_OF(session, fuels_error));
     if (status != DOM_OK)
-        return session_status(session, status);
+        return walk_status(session, status);
     struct walk_units u = walk_units(session, w->cycle);
     if (words)
         walk_say(session, w, &s, a);
@@ -224,7 +222,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
         cell_bound((0 - s.climbed) * u.energy, e.climbed * u.energy),
         cell_bound((0 - s.fallen) * u.energy, e.fallen * u.energy),
         cell_bound(s.kinetic * u.energy, e.kinetic * u.energy),
-        cell_bound((s.climbed + fuels.exact) * u.energy, (e.climbed + fuels_error.exact) * u.energy),
+        cell_bound(s.climbed * u.energy, e.climbed * u.energy),
     };
     answer_row(a,
                ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
@@ -233,6 +231,8 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
                    energies[3], energies[4], energies[5]),
                NULL);
     a->columns = walk_columns;
+    if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
+        answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     dom_real open = s.before - s.lost - s.climbed - s.kinetic;
     if (fabs(open) > 100 * w->train.tol * (s.before + fabs(s.climbed)))
         answer_say(a, "The ledger is open by %.4g %s: the paper's fuel is no balance of energy.",
@@ -377,23 +377,18 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
             "No cycle begins: (c7) decides. The fuel P = H(0) - H(theta_c) is not positive, so a cycle sets "
             "no energy free: the dominoes that lean down the train lie no lower than they stood, or the "
             "larger one in front takes up more than the smaller ones behind give.");
-    } else if (verdict == DOM_STOPS) {
-        answer_say(
-            a,
-            "It stops: (c8) decides, K < B. After the collision the train has K = %.4g %% of the energy that "
-            "it needs to climb to theta_m = %.6g %s.",
-            (double)(100 * b->kinetic / b->barrier), (double)style_angle(&session->style, b->theta_m),
-            style_angle_unit(&session->style));
     } else if (b->barrier == 0) {
         answer_say(a, "It goes on: there is no barrier (c8), H falls from the first moment on, and any K > 0 "
                       "is enough.");
     } else {
-        answer_say(a,
-                   "It goes on: (c8) decides, K >= B. After the collision the train has %.4g times the "
-                   "energy that it "
-                   "needs to climb to theta_m = %.6g %s.",
-                   (double)(b->kinetic / b->barrier), (double)style_angle(&session->style, b->theta_m),
-                   style_angle_unit(&session->style));
+        bool goes = verdict == DOM_OK;
+        answer_say(
+            a,
+            "It %s: (c8) decides, K %s B. After the collision the train has %.4g times the energy that it "
+            "needs to climb to theta_m = %.6g %s; K - B is %.3g times B.",
+            goes ? "goes on" : "stops", goes ? ">=" : "<", (double)(b->kinetic / b->barrier),
+            (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
+            (double)(b->margin / b->barrier));
     }
     if (limit->ends == DOM_END_NONE)
         answer_say(a, "At s = %.6g no growth r >= 1 is possible.", (double)t->s);
@@ -407,6 +402,26 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
                    "At s = %.6g K falls below B at r_max = %.10g: a larger r weighs the head against a "
                    "lighter train.",
                    (double)t->s, (double)limit->r_max);
+}
+
+/* The paper's assumption along the cycle. */
+static void contact_say(const struct session *session, struct answer *a, const struct walk_contact *c)
+{
+    bool holds = c->force > 0 && c->impulse > 0;
+    if (!isfinite(c->force) || !isfinite(c->impulse))
+        answer_say(
+            a, "Contact: at r s = 1 the head is hit at its own hinge, the arm of the contact is 0 (b10), and "
+               "the model's impulse has no bound: there its assumption fails.");
+    else
+        answer_say(
+            a,
+            "%s: on the way the smallest contact force is %.4g of the weight of domino %zu, which it pushes, "
+            "at "
+            "theta = %.4g %s, and every impulse of the collision pushes. So the paper's assumption, dominoes "
+            "stay in contact, %s.",
+            holds ? "Contact holds" : "Contact is lost", (double)c->force, c->domino,
+            (double)style_angle(&session->style, c->theta), style_angle_unit(&session->style),
+            holds ? "is met" : "fails there");
 }
 
 static bool run_why(struct session *session, const struct call *call)
@@ -424,24 +439,14 @@ static bool run_why(struct session *session, const struct call *call)
     if (status == DOM_OK || status == DOM_NO_FUEL)
         status = dom_limit_rmax(&session->train, &limit, ERROR_OF(session, limit_error), NULL);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return walk_status(session, status);
     why_say(session, a, verdict, &b, &limit);
     struct walk_contact contact;
     struct dom_event events[DOM_EVENTS_MAX];
     int count;
     dom_cycle_events(&session->train, events, &count);
-    if (answer_for_people(a) && count > 0 &&
-        walk_contact(&session->train, events[count - 1].theta, &contact) == DOM_OK && isfinite(contact.force))
-        answer_say(
-            a,
-            "%s: on the way the smallest contact force is %.4g of the weight of domino %zu, at theta = %.4g "
-            "%s, "
-            "and every impulse of the collision pushes. So the paper's assumption, dominoes stay in contact, "
-            "%s.",
-            contact.force > 0 && contact.impulse > 0 ? "Contact holds" : "Contact is lost",
-            (double)contact.force, contact.domino, (double)style_angle(&session->style, contact.theta),
-            style_angle_unit(&session->style),
-            contact.force > 0 && contact.impulse > 0 ? "is met" : "fails there");
+    if (answer_for_people(a) && count > 0 && walk_contact(&session->train, &contact) == DOM_OK)
+        contact_say(session, a, &contact);
     answer_units(session, a, room);
     answer_row(a,
                ROW(cell_word(verdict == DOM_OK      ? "goes on"

@@ -114,7 +114,7 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
         return session_error(session, "%s = %s is no height; %s is a length in metres, larger than 0",
                              a->name, wide_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= COUNT_MAX && q.value == floor(q.value)))
-        return session_error(session, "%s = %s is no number of rows; %s is an integer in 1 .. %d", a->name,
+        return session_error(session, "%s = %s is no count; %s is an integer in 1 .. %d", a->name,
                              wide_shown(q.value).text, a->name, COUNT_MAX);
     if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
         return session_error(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,

@@ -139,7 +139,8 @@ static void script_frame(FILE *script, const struct film *film, const struct mom
     else
         fprintf(script, "cycle %d of %d\"\n", m->cycle + 1, film->cycles);
     for (int k = scene->count - 1; k >= 0; k--)
-        script_domino(script, &scene->domino[k], m->place, (double)INFINITY);
+        script_domino(script, &scene->domino[k], m->place,
+                      scene->domino[k].number == 0 ? -HUGE_VAL : HUGE_VAL);
     script_waiting(script, film, m->place, m->cycle);
     fprintf(script, "plot NaN\n");
 }
@@ -149,7 +150,7 @@ static bool film_script(struct session *session, const struct film *film, FILE *
     static struct scene scene;
     struct progress progress = {0, 0};
     script_axes(script, film->left, film->right, film->top);
-    fprintf(script, "set xlabel 'x [h]; h = %.4g mm, the height of the first head; the head is yellow'\n",
+    fprintf(script, "set xlabel 'x [h]; h = %.4g mm, the height of the first head; 0: the head'\n",
             (double)(1000 * session->scale.h));
     for (int frame = 0; frame <= film->frames; frame++) {
         struct moment m;
@@ -181,6 +182,9 @@ static bool film_file(struct session *session, const struct film *film, const ch
     char shown[NAMES_SHOWN];
     struct redirect redirect;
     const char *ending = strrchr(path, '.');
+    if (session->redirected)
+        return session_error(session,
+                             "an animation goes into FILE, and nothing is left for the file behind '>'");
     if (!ending || strcasecmp(ending, ".gif") != 0)
         return session_error(session, "'%s' is no name of an animation: its ending is .gif",
                              names_shown(path, shown));

@@ -276,6 +276,28 @@ static bool read_choice(struct reader *r, const struct argument *a, char **word,
     return session_error(r->session, "%s", message);
 }
 
+/* One of the names, as -1 - its number; or an angle. */
+static bool read_place(struct reader *r, const struct argument *a, struct call *call, int i)
+{
+    char message[NAMES_MESSAGE];
+    const char *begin = r->at;
+    char *name = read_word(r, false);
+    bool letters =
+        name && *name && name[strspn(name, "abcdefghijklmnopqrstuvwxyz")] == '\0' && !is_value_name(name);
+    int place = !name     ? -1
+                : letters ? names_find(a->choices, NULL, a->of, name, message)
+                          : names_exact(a->choices, NULL, name);
+    r->at = place >= 0 ? r->at : begin;
+    free(name);
+    if (place >= 0) {
+        call->number[i] = -1 - place;
+        return true;
+    }
+    if (letters && read_choice(r, a, &call->word[i], &call->number[i]))
+        return true;
+    return !letters && read_quantity(r, a, &call->quantity[i], &call->number[i]);
+}
+
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
 {
     struct session *session = r->session;
@@ -307,18 +329,8 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);
-    case ARGUMENT_PLACE: {
-        const char *begin = r->at;
-        char *name = read_word(r, false);
-        int place = name ? names_exact(a->choices, NULL, name) : -1;
-        free(name);
-        if (place >= 0) {
-            call->number[i] = -1 - place;
-            return true;
-        }
-        r->at = begin;
-        return read_quantity(r, a, &call->quantity[i], &call->number[i]);
-    }
+    case ARGUMENT_PLACE:
+        return read_place(r, a, call, i);
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
         call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);

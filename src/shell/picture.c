@@ -10,6 +10,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 static const struct {
@@ -144,14 +145,27 @@ bool picture_comes_to(struct session *session, dom_real theta)
     return true;
 }
 
+/* Waits for gnuplot, and ends it where somebody interrupts: by itself it would go on at a ^C. */
+static int gnuplot_wait(const struct session *session, pid_t child)
+{
+    const struct timespec moment = {.tv_nsec = 5000000};
+    int status = 0;
+    pid_t ended;
+    while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+        if (session->train.interrupt && *session->train.interrupt)
+            kill(child, SIGKILL);
+        nanosleep(&moment, NULL);
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+}
+
 /* Runs gnuplot on the script; its output and its complaints go into files.  errno, or -1 if it failed. */
-static int gnuplot_run(FILE *script, FILE *drawing, FILE *complaints)
+static int gnuplot_run(const struct session *session, FILE *script, FILE *drawing, FILE *complaints)
 {
     extern char **environ;
     char *const argv[] = {"gnuplot", "-d", "-", NULL};
     posix_spawn_file_actions_t actions;
     pid_t child;
-    int status = 0;
     fflush(script);
     rewind(script);
     lseek(fileno(script), 0, SEEK_SET);
@@ -161,11 +175,7 @@ static int gnuplot_run(FILE *script, FILE *drawing, FILE *complaints)
     posix_spawn_file_actions_adddup2(&actions, fileno(complaints), STDERR_FILENO);
     int failed = posix_spawnp(&child, argv[0], &actions, NULL, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (failed)
-        return failed;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-        ;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+    return failed ? failed : gnuplot_wait(session, child);
 }
 
 /* What was drawn, to where answers go; without the blank lines that a text begins with. */
@@ -186,7 +196,7 @@ static void drawing_copy(FILE *drawing, FILE *out, bool text)
 static bool draw(struct session *session, const struct picture *picture, FILE *drawing, FILE *complaints)
 {
     char line[256] = "";
-    int wrong = gnuplot_run(picture->script, drawing, complaints);
+    int wrong = gnuplot_run(session, picture->script, drawing, complaints);
     if (wrong > 0)
         return session_error(session, "cannot run gnuplot: %s", strerror(wrong));
     if (wrong && session->train.interrupt && *session->train.interrupt)

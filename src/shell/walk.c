@@ -22,9 +22,13 @@ struct walk_units walk_units(const struct session *session, int cycle)
         .height = scale.h,
         .tau = dom_scale_tau(&scale, t->d),
         .energy = known ? heavier * mass * scale.g * session->scale.h / 2 : heavier,
-        .energy_unit = known ? "J" : "mgh/2",
+        .energy_unit = known       ? "J"
+                       : cycle > 1 ? "mgh/2 of the first head"
+                                   : "mgh/2",
         .weight = (known ? mass * scale.g : 1) * heavier / grown,
-        .weight_unit = known ? "N" : "mg",
+        .weight_unit = known       ? "N"
+                       : cycle > 1 ? "(mg of the first head)"
+                                   : "mg",
     };
 }
 
@@ -41,21 +45,63 @@ static bool contact_seen(const struct dom_force *f, void *context)
     return true;
 }
 
-enum dom_status walk_contact(const struct dom_train *train, dom_real end, struct walk_contact *contact)
+bool walk_status(struct session *session, enum dom_status status)
 {
-    enum { SAMPLES = 64 };
-    *contact = (struct walk_contact){.force = (dom_real)INFINITY, .impulse = (dom_real)INFINITY};
-    for (int k = 0; k <= SAMPLES; k++) {
-        struct walk_contact here = *contact;
-        dom_real theta = end * k / SAMPLES;
-        enum dom_status status = dom_cycle_forces(train, theta, contact_seen, &here);
-        if (status != DOM_OK)
-            return status;
-        if (here.force < contact->force)
+    if (status != DOM_NOT_CONVERGED)
+        return session_status(session, status);
+    return session_error(session,
+                         "the margin is 0 to rounding: times grow like ln(1/margin) and have no value here; "
+                         "a slightly smaller r has");
+}
+
+enum { CONTACT_SAMPLES = 48, CONTACT_ZOOMS = 4 };
+
+/* Between two tilts, ever closer around the smallest force. */
+static enum dom_status contact_between(const struct dom_train *train, dom_real lo, dom_real hi,
+                                       struct walk_contact *contact)
+{
+    for (int zoom = 0; zoom < CONTACT_ZOOMS; zoom++) {
+        dom_real step = (hi - lo) / CONTACT_SAMPLES, lowest = lo;
+        struct walk_contact best = {.force = (dom_real)INFINITY};
+        for (int k = 0; k <= CONTACT_SAMPLES; k++) {
+            struct walk_contact here = {.force = (dom_real)INFINITY, .impulse = contact->impulse};
+            dom_real theta = k < CONTACT_SAMPLES ? lo + k * step : hi;
+            enum dom_status status = dom_cycle_forces(train, theta, contact_seen, &here);
+            if (status != DOM_OK)
+                return status;
+            contact->impulse = here.impulse;
             here.theta = theta;
-        *contact = here;
+            if (here.force < best.force) {
+                best = here;
+                lowest = theta;
+            }
+        }
+        if (best.force < contact->force) {
+            best.impulse = contact->impulse;
+            *contact = best;
+        }
+        lo = fmax(lowest - step, lo);
+        hi = fmin(lowest + step, hi);
     }
     return DOM_OK;
+}
+
+enum dom_status walk_contact(const struct dom_train *train, struct walk_contact *contact)
+{
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count;
+    *contact = (struct walk_contact){.force = (dom_real)INFINITY, .impulse = (dom_real)INFINITY};
+    enum dom_status status = dom_cycle_events(train, events, &count);
+    status = status == DOM_STOPS ? DOM_OK : status;
+    /* A force jumps where a follower leaves: up to there and from there. */
+    dom_real from = 0;
+    for (int k = 1; k < count && status == DOM_OK; k++)
+        if (events[k].kind == DOM_EVENT_FALL || k + 1 == count) {
+            dom_real to = events[k].theta;
+            status = contact_between(train, from, to * (1 - (dom_real)1e-12), contact);
+            from = to * (1 + (dom_real)1e-12);
+        }
+    return status;
 }
 
 /* ---- In words ---- */
@@ -70,15 +116,30 @@ struct impulses {
     const struct walk_units *units;
     char text[160];
     int seen;
+    bool bounded;
 };
 
 static bool impulse_seen(const struct dom_force *f, void *context)
 {
     struct impulses *i = context;
     size_t used = strlen(i->text);
+    i->bounded = i->bounded && isfinite(f->impulse);
     snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->seen ? ", " : "",
              (double)(f->impulse * i->units->weight * i->units->tau));
     return ++i->seen < 4;
+}
+
+/* omega in the session's unit of angles, with that. */
+struct spoken {
+    char text[WIDE_TEXT + 8];
+};
+
+static struct spoken spoken_omega(const struct session *session, dom_real omega)
+{
+    struct spoken s;
+    snprintf(s.text, sizeof s.text, "%.6g %s/s", (double)style_angle(&session->style, omega),
+             style_angle_unit(&session->style));
+    return s;
 }
 
 static void say_launch(const struct session *session, const struct walk *w, const struct dom_state *s,
@@ -87,7 +148,7 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     struct walk_units u = walk_units(session, w->cycle);
     struct dom_launch l;
     struct dom_barrier b;
-    struct impulses impulses = {.units = &u};
+    struct impulses impulses = {.units = &u, .bounded = true};
     if (dom_launch_find(&w->train, &l, NULL) != DOM_OK ||
         dom_barrier_find(&w->train, &b, NULL) == DOM_NO_FUEL ||
         dom_cycle_forces(&w->train, 0, impulse_seen, &impulses) != DOM_OK)
@@ -95,16 +156,20 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     dom_real omega = sqrt(l.omegasq) / u.tau;
     answer_say(
         a,
-        "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %.6g rad/s and hits the head, "
+        "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %s and hits the head, "
         "domino 0, %.6g m tall. All move on as one train: J(0) omega(0) = (J(0) - 1) omega_1(theta_c) (c4) "
-        "with J(0) = %.6g, so omega(0) = %.6g rad/s (c6).",
-        (double)(omega * l.J0 / (l.J0 - 1)), (double)u.height, (double)l.J0, (double)omega);
-    answer_say(
-        a,
-        "The impulse runs down the train, from contact to contact: %s%s %s s; all push (> 0). The collision "
-        "takes the share 1/J(0) = %.4g %% of the kinetic energy; %.6g %s are left.",
-        impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit, percent(s->lost, s->before),
-        (double)(l.kinetic * u.energy), u.energy_unit);
+        "with J(0) = %.6g, so omega(0) = %s (c6).",
+        spoken_omega(session, omega * l.J0 / (l.J0 - 1)).text, (double)u.height, (double)l.J0,
+        spoken_omega(session, omega).text);
+    if (impulses.bounded)
+        answer_say(a, "The impulse runs down the train, from contact to contact: %s%s %s s; all push (> 0).",
+                   impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit);
+    else
+        answer_say(a,
+                   "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0 (b10), and its "
+                   "impulse has no bound in this model.");
+    answer_say(a, "The collision takes the share 1/J(0) = %.4g %% of the kinetic energy; %.6g %s are left.",
+               percent(s->lost, s->before), (double)(l.kinetic * u.energy), u.energy_unit);
     if (b.theta_m == 0)
         answer_say(a, "Nothing is left to climb: H falls from the first moment on, theta_m = 0 (c8).");
     else
@@ -125,7 +190,7 @@ static void say_top(const struct session *session, const struct walk *w, const s
     answer_say(
         a,
         "Top of the barrier, theta_m = %.6g %s (c8). The train stands highest: it has climbed %.6g %s, and "
-        "%.6g %s of motion are left, the margin. omega is smallest here. From now on it runs downhill.",
+        "%.6g %s of motion are left, the margin. It is smallest here. From now on it runs downhill.",
         (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
         (double)(s->climbed * u.energy), u.energy_unit, (double)(s->kinetic * u.energy), u.energy_unit);
 }
@@ -138,14 +203,17 @@ static void say_fall(const struct session *session, const struct walk *w, const 
     size_t domino = w->events[w->event].domino;
     if (dom_angles_find(&w->train, &angles, NULL) != DOM_OK)
         return;
-    answer_say(a,
-               "Domino %zu falls off domino %zu, which has come to theta_leave = %.6g %s (A17): the arm of "
-               "its force "
-               "is 0. It lies at theta_f = %.6g %s (A18) with all behind it, pushes no more, and keeps its "
-               "energy: %.6g %s of what was set free stay in it.",
-               domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
-               style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
-               style_angle_unit(&session->style), (double)(-s->fallen * u.energy), u.energy_unit);
+    double cosine = (double)cos(angles.theta_f), sine = (double)sin(angles.theta_f);
+    double keeps = (double)(pow(w->train.r, -w->train.q * (dom_real)domino) * u.energy) *
+                   (cosine + (double)w->train.d * sine);
+    answer_say(
+        a,
+        "Domino %zu falls off domino %zu, which has come to theta_leave = %.6g %s (A17): the arm of its "
+        "force is 0. It comes to rest at theta_f = %.6g %s (A18) with all behind it, and pushes no more. "
+        "Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
+        domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
+        style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
+        style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit, keeps);
 }
 
 static void say_stop(const struct session *session, const struct walk *w, const struct dom_state *s,
@@ -173,9 +241,9 @@ static void say_hit(const struct session *session, const struct walk *w, const s
         a,
         "The head reaches the next domino, %.6g m tall, at theta_c = %.6g %s: sin theta_c = r s (a2). It "
         "comes "
-        "with omega = %.6g rad/s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
+        "with omega = %s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
         (double)next.height, (double)style_angle(&session->style, s->theta),
-        style_angle_unit(&session->style), (double)(sqrt(s->omegasq) / u.tau),
+        style_angle_unit(&session->style), spoken_omega(session, sqrt(s->omegasq) / u.tau).text,
         (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
     answer_say(
         a,
@@ -189,9 +257,9 @@ static void say_between(const struct session *session, const struct walk *w, con
 {
     struct walk_units u = walk_units(session, w->cycle);
     bool climbs = s->acceleration < 0;
-    answer_say(a, "On the way, theta = %.6g %s: the train %s, at omega = %.6g rad/s (c3).",
+    answer_say(a, "On the way, theta = %.6g %s: the train %s, at omega = %s (c3).",
                (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-               climbs ? "slows down" : "gathers speed", (double)(sqrt(s->omegasq) / u.tau));
+               climbs ? "slows down" : "gathers speed", spoken_omega(session, sqrt(s->omegasq) / u.tau).text);
 }
 
 void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,

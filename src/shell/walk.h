@@ -8,7 +8,8 @@
 
 /* Where the walk stands: at an event of a cycle, or between two. */
 struct walk {
-    struct dom_train train; /* of the walk; another one begins anew */
+    struct dom_train train; /* of the walk */
+    struct dom_train asked; /* what the session had then; another one begins anew */
     struct dom_event events[DOM_EVENTS_MAX];
     int count; /* of the events; 0: no walk has begun */
     int event; /* the last one that was passed */
@@ -34,12 +35,15 @@ struct walk_units walk_units(const struct session *session, int cycle);
 void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
               struct answer *answer);
 
+/* What a status of the walk means to a person, where it is one of its own; false: it was reported. */
+bool walk_status(struct session *session, enum dom_status status);
+
 /* The smallest contact force along the cycle, where, and the smallest impulse: what the paper assumes. */
 struct walk_contact {
     dom_real force, theta; /* force in the weight of the domino that it acts on */
     size_t domino;
     dom_real impulse; /* in m g tau of the head */
 };
-enum dom_status walk_contact(const struct dom_train *train, dom_real end, struct walk_contact *contact);
+enum dom_status walk_contact(const struct dom_train *train, struct walk_contact *contact);
 
 #endif

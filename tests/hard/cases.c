@@ -128,6 +128,9 @@ const struct hard_case hard_cases[] = {
      .check = {REF_MARGIN, REF_DH, REF_DURATION, END}},
     {"maximum beside 0", "H rises by 1e-11 only", 0.4, 1.5, STANDARD, 3.42071, 0.1,
      .check = {REF_BARRIER, END}},
+    {"thin, two maxima", "H dips within 1e-8, then rises by 4e-18", 0.0029027851676659763, 344.4967306361371,
+     2.0823454055730516e-08, 3, 1e-8, .paper = true,
+     .check = {REF_DH, REF_BARRIER, REF_MARGIN, REF_STOP, END}},
     {"maximum at theta_c", "close, with the paper's fuel", 0.05, 1.53, STANDARD, 3, PART_OF_C(1),
      .paper = true, .check = {REF_BARRIER, END}},
 

@@ -37,15 +37,27 @@ double growth_error(const struct ref_input *input, bool pair, int digits2, dom_r
     return error;
 }
 
+/* Beyond the reach no train goes on. */
+static bool margin_is_good(const struct ref_input *input, bool pair, int digits2, dom_real r)
+{
+    return r * input->s < 1 && growth_margin(input, pair, digits2, r) >= 0;
+}
+
 double growth_distance(const struct ref_input *input, bool pair, int digits2, dom_real r, double delta)
 {
-    for (; delta < (double)r - 1; delta *= 2) {
-        dom_real above = r + (dom_real)delta;
-        if (growth_margin(input, pair, digits2, r - (dom_real)delta) >= 0 &&
-            (above * input->s >= 1 || !(growth_margin(input, pair, digits2, above) >= 0)))
+    dom_real lo = r, hi = r;
+    for (; delta < (double)r - 1; delta *= 4) {
+        lo = r - (dom_real)delta;
+        hi = r + (dom_real)delta;
+        if (margin_is_good(input, pair, digits2, lo) && !margin_is_good(input, pair, digits2, hi))
             break;
     }
-    return delta;
+    for (int k = 0; k < 10; k++) {
+        dom_real middle = lo + (hi - lo) / 2;
+        *(margin_is_good(input, pair, digits2, middle) ? &lo : &hi) = middle;
+    }
+    dom_real error = r - (lo + (hi - lo) / 2);
+    return (double)(error < 0 ? -error : error);
 }
 
 /* ---- The first r from scratch ---- */

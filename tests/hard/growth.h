@@ -22,8 +22,8 @@ struct growth growth_find(const struct ref_input *input, bool pair, int digits2)
 double growth_error(const struct ref_input *input, bool pair, int digits2, dom_real r, double *scale);
 
 /*
- * The same where the margin is so curved that first order is far off: the least of delta, 2 delta, 4 delta
- * ... such that the margin is positive at r less that, and negative, or beyond the reach, at r plus that.
+ * |error| where the margin is so curved that first order is far off: bracketed in steps of 4 from delta on,
+ * then bisected.
  */
 double growth_distance(const struct ref_input *input, bool pair, int digits2, dom_real r, double delta);
 

@@ -15,10 +15,18 @@ static dom_real random_real(uint64_t *seed, double lo, double hi, enum dom_preci
     return point_rounded((dom_real)x * (1 + (dom_real)(random_unit(seed) * 0x1p-52)), precision);
 }
 
-static dom_real random_growth(uint64_t *seed, dom_real s, enum dom_precision precision)
+/*
+ * Close to the reach 1 - r s is small; where it is about d^2, followers slow down just where a thin head
+ * has its barrier.
+ */
+static dom_real random_growth(uint64_t *seed, dom_real s, dom_real d, enum dom_precision precision)
 {
     const double finest = precision == DOM_FLOAT ? 1e-7 : precision == DOM_DOUBLE ? 1e-15 : 1e-30;
     const double reach = 1 / (double)s, kind = random_unit(seed);
+    if (kind < 0.06) {
+        double u = (double)(d * d) * random_log(seed, 1e-5, 1e3);
+        return point_rounded((1 - (dom_real)fmin(fmax(u, finest / 20), 0.5)) / s, precision);
+    }
     if (kind < 0.3)
         return point_rounded((1 - random_real(seed, finest, 0.5, precision)) / s, precision);
     if (kind < 0.55)
@@ -35,7 +43,7 @@ static struct ref_input random_input(uint64_t *seed, enum dom_precision precisio
     input.d = random_real(seed, 1e-8, 3, precision);
     const double kind = random_unit(seed);
     input.q = kind < 0.33 ? 3 : kind < 0.66 ? 4 : random_real(seed, 0.3, 10, precision);
-    input.r = point_rounded(random_growth(seed, input.s, precision), precision);
+    input.r = point_rounded(random_growth(seed, input.s, input.d, precision), precision);
     input.r = input.r < 1 ? 1 : input.r;
     input.paper = random_unit(seed) < 0.3;
     input.tilt = 0;

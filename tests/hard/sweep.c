@@ -244,8 +244,8 @@ static bool is_first(const struct point *point, bool pair, dom_real r_max)
     const struct sketch train = sketch_of(ref);
     bool on = !pair, first = true;
     ref_close(ref);
-    for (int k = 0; k < 40 && first; k++) {
-        long double kinetic, barrier, part = k / 39.0L,
+    for (int k = 0; k < 20 && first; k++) {
+        long double kinetic, barrier, part = k / 19.0L,
                                       r = powl((long double)r_max, part) * (1 - 1e-6L * part);
         struct sketch grown = sketch_grown(&train, r);
         bool now = sketch_verdict(&grown, &kinetic, &barrier) && kinetic >= barrier * (1 - 1e-9L);
@@ -275,7 +275,7 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
         const double delta = (double)c.got * ask_unit(point->sweep->precision);
         c.error = growth_error(&point->input, pair, digits2, c.got, &c.scale);
         if (!(fabs(c.error) <= TALLY_UNITS * delta))
-            c.error = fmin(fabs(c.error), growth_distance(&point->input, pair, digits2, c.got, delta));
+            c.error = growth_distance(&point->input, pair, digits2, c.got, delta);
         c.want -= c.error;
         tally_compare(&point->tally[quantity], &c);
     } else {

@@ -285,6 +285,30 @@ static void naive_code_is_right_on_friendly_trains(void **state)
     }
 }
 
+/* A kinetic energy of 1e-12 beside a fuel of 1 is no reason to give up, whatever a float makes of it. */
+static void a_slow_cycle_in_float_has_a_duration(void **state)
+{
+    (void)state;
+    const struct ref_input input = {(dom_real)0x1.7656b2p-15f,
+                                    (dom_real)0x1.5e2492p+14f,
+                                    (dom_real)0x1.e54866p-23f,
+                                    (dom_real)0x1.c0a998p-1f,
+                                    0,
+                                    false};
+    struct dom_train train = ask_train(&input, DOM_FLOAT);
+    struct answers answers;
+    ask_nothing(&answers);
+    ask(&train, 0, REF_DURATION, &answers);
+    struct ref *ref = ref_open_for(&input, 44);
+    const double want = ref_double(ref, REF_DURATION);
+    const double units = ref_error(ref, REF_DURATION, answers.value[REF_DURATION]) /
+                         (ref_scale(ref, REF_DURATION) * ask_unit(DOM_FLOAT));
+    ref_close(ref);
+    if (answers.status[REF_DURATION] != DOM_OK || !(units <= 16))
+        fail_msg("%s: %.9g, wanted %.9g", dom_status_text(answers.status[REF_DURATION]),
+                 (double)answers.value[REF_DURATION], want);
+}
+
 /* ---- Refusals ---- */
 
 static void refusals_have_their_reasons(void **state)
@@ -334,6 +358,7 @@ int main(void)
         cmocka_unit_test(naive_code_is_right_on_friendly_trains),
         cmocka_unit_test(hard_cases_in_double),
         cmocka_unit_test(hard_cases_in_quad),
+        cmocka_unit_test(a_slow_cycle_in_float_has_a_duration),
         cmocka_unit_test(refusals_have_their_reasons),
         cmocka_unit_test(tolerances_have_a_floor),
     };

@@ -12,14 +12,14 @@ static const double units_allowed[REF_COUNT] = {
     /* Each of hundreds of dominoes adds a rounding. */
     [REF_LINK_THETA] = 64,
     /*
-     * How far a follower turns is lost to rounding where it turns little while the head turns much (thin
-     * dominoes near the reach), and energies of such a train with it.
+     * How far a follower turns until it leaves, theta_f - theta_1(0), is the difference of two angles that
+     * are close to each other near the reach: energies and what follows from them lose these digits.
      */
-    [REF_DH] = 128,
-    [REF_THETA_M] = 128,
+    [REF_DH] = 1024,
     [REF_BARRIER] = 128,
     [REF_MARGIN] = 128,
     [REF_STOP] = 1024,
+    [REF_PAIR] = 128,
 };
 
 /* Half of the bounds are at most so many times the error. */
@@ -32,9 +32,9 @@ struct swept {
 };
 
 static struct swept sweeps[] = {
-    {.sweep = {DOM_DOUBLE, 1, 20000, .barriers = 6, .durations = 100, .growths = 40, .pairs = 100}},
-    {.sweep = {DOM_FLOAT, 2, 4000, .barriers = 8, .durations = 50, .growths = 50, .pairs = 50}},
-    {.sweep = {DOM_QUAD, 3, 1500, .barriers = 8, .durations = 50, .growths = 50, .pairs = 50}},
+    {.sweep = {DOM_DOUBLE, 3, 20000, .barriers = 6, .durations = 25, .growths = 20, .pairs = 50}},
+    {.sweep = {DOM_FLOAT, 2, 4000, .barriers = 8, .durations = 50, .growths = 20, .pairs = 20}},
+    {.sweep = {DOM_QUAD, 3, 1500, .barriers = 6, .durations = 15, .growths = 10, .pairs = 20}},
 };
 
 static const char *label(const struct swept *swept)

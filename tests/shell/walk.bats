@@ -125,7 +125,7 @@ all() { values "$1" | paste -sd ' ' -; }
         [[ $output == *"$words"* ]] || same "$words" "$words" "$output"
     done
     run -0 "$DOMINO" -e 'set r 1.7; why'
-    [[ $output == *'It stops: (c8) decides, K < B'*'61.51 %'* ]]
+    [[ $output == *'It stops: (c8) decides, K < B'*'0.6151 times'* ]]
     run -0 "$DOMINO" -e 'set s 0.001; why'
     [[ $output == *'No cycle begins: (c7) decides'* ]]
     run -0 "$DOMINO" -e 'set s 0.1; set r 1.01; why'
