@@ -55,25 +55,44 @@ static enum dom_status barrier_try(const struct slope_context *c, real theta, st
     return status;
 }
 
-/* All maxima of H inside one smooth piece. */
-static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, struct barrier *b)
+/* From sample to sample: a maximum of H lies between two where it rises and falls. */
+struct sample {
+    real theta, slope;
+};
+
+static void barrier_sample(struct slope_context *c, real theta, struct sample *last, struct barrier *b)
 {
-    real left = lo, slope_left = rises(lo, c);
-    for (int k = 1; k <= BARRIER_SAMPLES && c->status == DOM_OK; k++) {
-        /* Chebyshev spacing: the structure sits near the ends, where dominoes leave. */
-        real u = (1 - cos(PI * (real)k / BARRIER_SAMPLES)) / 2;
-        real right = k < BARRIER_SAMPLES ? lo + u * (hi - lo) : hi, slope_right = rises(right, c);
-        if (c->status == DOM_OK && slope_left > 0 && slope_right <= 0) {
-            real top;
-            enum num_status status = num_root(slope_of_H, c, left, right, c->lean->tol / 8, &top);
-            c->status = model_status(c->status, status);
-            if (c->status == DOM_OK)
-                c->status = barrier_try(c, top, b);
-        }
-        left = right;
-        slope_left = slope_right;
+    if (c->status != DOM_OK)
+        return;
+    struct sample next = {theta, rises(theta, c)};
+    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0) {
+        real top;
+        enum num_status status = num_root(slope_of_H, c, last->theta, theta, c->lean->tol / 8, &top);
+        c->status = model_status(c->status, status);
+        if (c->status == DOM_OK)
+            c->status = barrier_try(c, top, b);
     }
-    if (c->status == DOM_OK && slope_left > 0)
+    *last = next;
+}
+
+/*
+ * All maxima of H inside one smooth piece.  Chebyshev spacing: the structure sits near the ends, where
+ * dominoes leave; from upright on also at the tilts d and sqrt(1 - r s), however small they are.
+ */
+static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool upright,
+                                    struct barrier *b)
+{
+    const struct lean *g = c->lean;
+    struct sample last = {lo, rises(lo, c)};
+    real first = (1 - cos(PI / BARRIER_SAMPLES)) / 2 * (hi - lo);
+    real finest = g->short_of > 0 ? fmin(g->d, sqrt(g->short_of)) / 16 : g->d / 16;
+    for (real theta = finest; upright && theta < first && theta > lo; theta *= 4)
+        barrier_sample(c, lo + theta, &last, b);
+    for (int k = 1; k <= BARRIER_SAMPLES; k++) {
+        real u = (1 - cos(PI * (real)k / BARRIER_SAMPLES)) / 2;
+        barrier_sample(c, k < BARRIER_SAMPLES ? lo + u * (hi - lo) : hi, &last, b);
+    }
+    if (c->status == DOM_OK && last.slope > 0)
         c->status = barrier_try(c, hi, b); /* H still rises at the end of the piece */
     return c->status;
 }
@@ -95,7 +114,7 @@ KERNEL enum dom_status barrier_search(const struct lean *g, size_t n, real end, 
     b.edge[b.edges++] = end;
     struct slope_context c = {.lean = g, .n = n};
     for (int i = 1; status == DOM_OK && i < b.edges; i++)
-        status = barrier_scan(&c, b.edge[i - 1], b.edge[i], &b);
+        status = barrier_scan(&c, b.edge[i - 1], b.edge[i], i == 1, &b);
     if (status == DOM_OK)
         *barrier = b;
     return status;

@@ -76,3 +76,12 @@ KERNEL real bound_half_turn(const struct link *a, const struct link *b, const st
     real of_F = (bound_a->arm + bound_b->arm + F * (bound_a->Y + bound_b->Y)) / Y + 3 * UNIT * F;
     return F * (t_error + 6 * UNIT * fabs(t)) + fabs(t) * (1 + t * t) * of_F;
 }
+
+KERNEL real bound_leaving(const struct lean *g, const struct link *leader, const struct bound *b, real t_f)
+{
+    real rL = g->r * g->L, x = leader->tilt.x, sines = g->leave.x + x, arm = leader->turn.arm;
+    if (t_f == 0 || arm == 0)
+        return b->arm;
+    real of_whole = (b->Y + rL * leader->tilt.y * b->angle) / (leader->turn.Y + rL * x);
+    return fabs(t_f) * (2 * b->arm / arm + 2 * of_whole + leader->tilt.y * b->angle / sines + 24 * UNIT);
+}

@@ -35,4 +35,8 @@ KERNEL real bound_rise(const struct lean *lean, struct tilt a, struct tilt b, re
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error, real F);
 
+/* Of the half turn t_f of a follower that leaves its leader (chain_rise). */
+KERNEL real bound_leaving(const struct lean *lean, const struct link *leader, const struct bound *bound,
+                          real t_f);
+
 #endif

@@ -196,6 +196,21 @@ static void error_add(const struct lean *g, struct rise_error *e, const struct l
 }
 
 /*
+ * tan((theta_f - theta_1) / 2) for the follower that leaves at theta_f and stood at theta_1 when its leader
+ * was upright's: the step of chain_rise from theta_leave, where a = 0, so Y = r L x, and
+ * cos - cos theta_leave = (leave_at - leave_by v) / leave_by is what the leader's arm is made of.
+ */
+static real leaving_half_turn(const struct lean *g, const struct link *leader)
+{
+    real rL = g->r * g->L, x = leader->tilt.x, sines = g->leave.x + x, Y = leader->turn.Y;
+    if (sines == 0) /* r s = 1: it lies at theta_f from the first */
+        return 0;
+    real t = leader->turn.arm * (Y + rL * x) / (g->leave_by * sines);
+    real whole = rL * g->leave.x + Y, F = leader->turn.arm / whole, G = rL * sines / whole;
+    return t * F / (1 + t * t * G);
+}
+
+/*
  * Two chains run side by side: a from the head's tilt, b from upright.  With t = tan((theta_a - theta_b)/2)
  * of one domino, its follower has, exactly, t (1 - G) / (1 + t^2 G), G = r L (x_a + x_b) / (Y_a + Y_b),
  * because X_a - X_b = r L (y_a - y_b).  G is the slope's r L x / Y (b10) between the two tilts; so the
@@ -224,15 +239,12 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
         if (!a.leads) {
             /* The follower has left during this cycle: it keeps the energy of theta_f. */
             link_next(g, &b);
-            real sine = g->f.x * b.tilt.y - g->f.y * b.tilt.x;
-            real t_f = sine / (1 + g->f.x * b.tilt.x + g->f.y * b.tilt.y);
+            real t_f = leaving_half_turn(g, &leader);
             state.left = b.weight * rise(g, g->f, b.tilt, t_f);
             series_add(&state.dH, state.left);
             if (error) {
+                real angle = lean_error_f(g), t_error = bound_leaving(g, &leader, &e.b, t_f);
                 bound_next(g, &leader, &b, &e.b);
-                real angle = lean_error_f(g), made_of = g->f.x * b.tilt.y + g->f.y * b.tilt.x;
-                real t_error =
-                    (1 + t_f * t_f) * (angle + e.b.angle + 3 * UNIT * made_of) / 2 + 2 * UNIT * t_f;
                 e.sums.dH += b.weight * (bound_rise(g, g->f, b.tilt, angle, e.b.angle, t_f, t_error) +
                                          fabs(rise(g, g->f, b.tilt, t_f)) * (e.b.weight + UNIT));
             }

@@ -159,6 +159,12 @@ static enum dom_status limit_error(struct margin_context *c, const struct limit 
     }
     /* Where even the widest shows no slope, all that is known is that r lies between 1 and the reach. */
     *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
+    /* Near the reach the margin bends: the bound holds if the margins at its ends have their signs for sure.
+     */
+    for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
+        real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
+        sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
+    }
     return c->status;
 }
 
