@@ -9,17 +9,7 @@
 
 /* An answer may be wrong by so many units; the tolerance itself is about 9 of them. */
 static const double units_allowed[REF_COUNT] = {
-    /* Each of hundreds of dominoes adds a rounding. */
-    [REF_LINK_THETA] = 64,
-    /*
-     * How far a follower turns until it leaves, theta_f - theta_1(0), is the difference of two angles that
-     * are close to each other near the reach: energies and what follows from them lose these digits.
-     */
-    [REF_DH] = 1024,
-    [REF_BARRIER] = 128,
-    [REF_MARGIN] = 128,
-    [REF_STOP] = 1024,
-    [REF_PAIR] = 128,
+    [REF_LINK_THETA] = 24, /* each of hundreds of dominoes adds a rounding */
 };
 
 /* Half of the bounds are at most so many times the error. */
