@@ -48,7 +48,7 @@ static void cost_script(FILE *out, const struct session *session, const struct c
     char title[64];
     const struct dom_train *train = &session->train;
     fprintf(out,
-            "set title \"What a digit costs: %s at s = %.6g, r = %.6g, d = %.4g, q = %.6g\"\n"
+            "set title \"What a digit costs: error of %s at s = %.6g, r = %.6g, d = %.4g, q = %.6g\"\n"
             "set logscale xy\nset format xy '%s'\nset xlabel 'time of one answer [s]'\n"
             "set ylabel 'relative error'\nunset mytics\n"
             "set key left bottom\n", /* nothing is fast and accurate at once: that corner is free */

@@ -139,7 +139,8 @@ static void energy_script(const struct picture *picture, const struct session *s
                           const struct cycle_samples *c)
 {
     FILE *out = picture->script;
-    script_cycle(picture, session, c, "Energy");
+    /* Text has no room beside an axis. */
+    script_cycle(picture, session, c, picture->text ? "Energy [m g h / 2]" : "Energy");
     fprintf(out,
             "set ylabel 'energy [m g h / 2]'\nset border 11\nset y2tics\nset xzeroaxis lt 6 lw 1 dt 1\n");
     if (!picture->text) /* where it would hide the numbers; the legend says it, too */
@@ -181,7 +182,7 @@ static void omega_script(const struct picture *picture, const struct session *se
 {
     FILE *out = picture->script;
     dom_real tau = dom_scale_tau(&session->scale, session->train.d);
-    script_cycle(picture, session, c, "Angular velocity");
+    script_cycle(picture, session, c, picture->text ? "Angular velocity [1/s]" : "Angular velocity");
     fprintf(out, "set ylabel '%s [%s/s]'\nset yrange [0:*]\n$cycle << END\n", picture->omega,
             style_angle_unit(&session->style));
     for (int k = 0; k < c->count; k++)
@@ -277,7 +278,7 @@ static bool chain_script(const struct picture *picture, struct session *session,
 {
     FILE *out = picture->script;
     struct angles a = {.count = 0};
-    script_cycle(picture, session, c, "Tilts");
+    script_cycle(picture, session, c, picture->text ? "Tilts theta_i" : "Tilts");
     fprintf(out,
             "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain "
             "<< END\n",
