@@ -133,12 +133,6 @@ static bool run_fuel(struct session *session, const struct call *call)
     return true;
 }
 
-/* omega from tau^2 omega^2 and the bound of that. */
-static struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau)
-{
-    return cell_bound(sqrt(omegasq) / tau, error / (2 * sqrt(omegasq) * tau));
-}
-
 static const struct column launch_columns[] = {
     {"omega0sq", "", "tau^2 omega(0)^2 after the collision (c6)", 0},
     {"omega0", "rad/s", "omega(0), angular velocity of the head", 0},

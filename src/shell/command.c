@@ -134,3 +134,9 @@ bool command_keep(struct session *session, const struct command *c, struct call 
     call->answer = NULL;
     return done;
 }
+
+struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau)
+{
+    return cell_bound(sqrt(omegasq) / tau,
+                      (omegasq > error ? error / (2 * sqrt(omegasq - error)) : sqrt(error)) / tau);
+}

@@ -101,6 +101,9 @@ bool command_keep(struct session *session, const struct command *command, struct
  */
 void command_run_text(struct session *session, const char *text);
 
+/* omega from tau^2 omega^2 and the bound of that; at rest the bound is that of a root near 0. */
+struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau);
+
 /* Where a function is to put the bounds of its errors: nowhere, unless the session asks for them. */
 #define ERROR_OF(session, error) ((session)->style.errors ? &(error) : NULL)
 

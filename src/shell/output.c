@@ -6,9 +6,8 @@
 #include <stdarg.h>
 #include <string.h>
 
-/* Enough for any cell that is not a word; what a number needs beside its digits: "-0." and "e-300". */
+/* What a number needs beside its digits: "-0." and "e-300". */
 enum {
-    TEXT_SIZE = 128,
     NUMBER_MARGIN = 6,
     COLUMNS_MAX = 16,
     TEXT_LINE = 512,
@@ -16,41 +15,6 @@ enum {
     WORDS_ROOM = 30,
     WORDS_INDENT = 8
 };
-
-struct cell cell_real(dom_real value)
-{
-    return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
-}
-
-struct cell cell_bound(dom_real value, dom_real error)
-{
-    struct cell cell = cell_real(value);
-    cell.error = cell.kind == CELL_REAL ? error : 0;
-    cell.computed = true;
-    return cell;
-}
-
-struct cell cell_brief(double value)
-{
-    struct cell cell = cell_real((dom_real)value);
-    cell.digits = 3;
-    return cell;
-}
-
-struct cell cell_count(dom_real value)
-{
-    return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
-}
-
-struct cell cell_flag(bool value)
-{
-    return (struct cell){.kind = CELL_FLAG, .number = value};
-}
-
-struct cell cell_word(const char *word)
-{
-    return (struct cell){.kind = word ? CELL_WORD : CELL_NONE, .word = word};
-}
 
 dom_real style_angle(const struct output_style *style, dom_real radians)
 {
@@ -68,93 +32,15 @@ static bool column_angle(const struct column *c)
 }
 
 /* The unit that people see. */
-static const char *column_unit(const struct answer *a, const struct column *c, char text[TEXT_SIZE])
+static const char *column_unit(const struct answer *a, const struct column *c, char text[CELL_TEXT])
 {
     if (!column_angle(c))
         return c->unit;
-    snprintf(text, TEXT_SIZE, "%s%s", style_angle_unit(&a->style), c->unit + strlen("rad"));
+    snprintf(text, CELL_TEXT, "%s%s", style_angle_unit(&a->style), c->unit + strlen("rad"));
     return text;
 }
 
 /* ---- Text ---- */
-
-/* Two digits, rounded up so that it stays a bound. */
-static const char *bound_text(dom_real error, char text[WIDE_TEXT])
-{
-    if (!isfinite(error))
-        return "-"; /* none is known */
-    wide_text(error * (dom_real)1.06, 2, text);
-    return text;
-}
-
-/* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
-static int bound_digits(struct cell cell, int all)
-{
-    dom_real ratio = fabs(cell.number) / cell.error;
-    int digits = ratio > 1 ? (int)fmin(floor(log10(ratio)), 40) + 3 : 2;
-    return digits < all ? digits : all;
-}
-
-/* What the digits leave out is an error, too. */
-static dom_real printed_error(struct cell cell, const char *number)
-{
-    return cell.error + fabs(wide_read(number, NULL) - cell.number);
-}
-
-static const char *real_text(struct cell cell, int digits, bool bounds, char text[TEXT_SIZE])
-{
-    char number[WIDE_TEXT], bound[WIDE_TEXT];
-    bool known = bounds && isfinite(cell.error) && cell.digits == 0;
-    if (known && cell.error != 0)
-        digits = bound_digits(cell, digits);
-    wide_text(cell.number, cell.digits ? cell.digits : digits, number);
-    dom_real error = known ? printed_error(cell, number) : 0;
-    if (error > 0)
-        snprintf(text, TEXT_SIZE, "%s +/- %s", number, bound_text(error, bound));
-    else
-        snprintf(text, TEXT_SIZE, "%s", number);
-    return text;
-}
-
-static const char *cell_text(struct cell cell, int digits, bool bounds, char text[TEXT_SIZE])
-{
-    switch (cell.kind) {
-    case CELL_REAL:
-        return real_text(cell, digits, bounds, text);
-    case CELL_COUNT:
-        return wide_text(cell.number, WIDE_DIGITS, text);
-    case CELL_FLAG:
-        return cell.number != 0 ? "yes" : "no";
-    case CELL_WORD:
-        return cell.word;
-    case CELL_NONE:
-        break;
-    }
-    return "-";
-}
-
-/* As the session's precision has it. */
-static dom_real rounded(const struct answer *a, dom_real value)
-{
-    return a->style.precision == DOM_FLOAT    ? (dom_real)(float)value
-           : a->style.precision == DOM_DOUBLE ? (dom_real)(double)value
-                                              : value;
-}
-
-/* For programs: digits that read back to the same number, few if few do, and no bound beside them. */
-static const char *cell_plain(const struct answer *a, struct cell cell, char text[TEXT_SIZE])
-{
-    const struct answer in_double = {.style = {.precision = DOM_DOUBLE, .all_digits = 17}};
-    a = cell.digits ? &in_double : a; /* what is brief is known in double at best */
-    const int all = a->style.all_digits, few = all < 15 ? all - 2 : 15;
-    cell.digits = 0;
-    cell.number = cell.kind == CELL_REAL ? rounded(a, cell.number) : cell.number;
-    const char *said = cell_text(cell, few, false, text);
-    for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
-        if (rounded(a, wide_read(text, NULL)) != cell.number)
-            said = cell_text(cell, n, false, text);
-    return said;
-}
 
 /* Has this column one of its own for bounds behind it?  Where the first row has numbers. */
 static bool column_bounded(const struct answer *a, int i)
@@ -182,7 +68,7 @@ static int table_digits(const struct answer *a)
 }
 
 /* What has a bound shows the digits that it leaves, all else those of the style, or of the tolerance. */
-static const char *table_text(const struct answer *a, struct cell cell, int digits, char text[TEXT_SIZE])
+static const char *table_text(const struct answer *a, struct cell cell, int digits, char text[CELL_TEXT])
 {
     int most = (int)a->style.digits;
     if (cell.computed && most > a->style.tol_digits)
@@ -262,7 +148,7 @@ static void quoted(FILE *out, const char *text, const char *escaped_quote)
 static void cell_json(const struct answer *a, struct cell cell)
 {
     FILE *out = a->out;
-    char text[TEXT_SIZE];
+    char text[CELL_TEXT];
     if (cell.kind == CELL_NONE)
         fputs("null", out);
     else if (cell.kind == CELL_FLAG)
@@ -270,27 +156,18 @@ static void cell_json(const struct answer *a, struct cell cell)
     else if (cell.kind == CELL_WORD)
         quoted(out, cell.word, "\\\"");
     else
-        fputs(cell_plain(a, cell, text), out);
-}
-
-/* The bound of a number as it is written for programs; none where none is known. */
-static const char *plain_bound(const struct answer *a, struct cell cell, const char *none,
-                               char text[WIDE_TEXT])
-{
-    char number[TEXT_SIZE];
-    return cell.kind == CELL_REAL && isfinite(cell.error)
-               ? bound_text(printed_error(cell, cell_plain(a, cell, number)), text)
-               : none;
+        fputs(cell_plain(&a->style, cell, text), out);
 }
 
 static void row_json(struct answer *a, const struct cell *cells, const char *reason)
 {
-    char text[WIDE_TEXT];
+    char text[CELL_TEXT];
     for (int i = 0; a->columns[i].key; i++) {
         fprintf(a->out, "%s\"%s\":", i ? "," : "{", a->columns[i].key);
         cell_json(a, cells[i]);
         if (column_bounded(a, i))
-            fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key, plain_bound(a, cells[i], "null", text));
+            fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key,
+                    cell_plain_bound(&a->style, cells[i], "null", text));
     }
     if (reason) {
         fputs(",\"reason\":", a->out);
@@ -302,18 +179,18 @@ static void row_json(struct answer *a, const struct cell *cells, const char *rea
 static void cell_csv(const struct answer *a, struct cell cell)
 {
     FILE *out = a->out;
-    char text[TEXT_SIZE];
+    char text[CELL_TEXT];
     if (cell.kind == CELL_FLAG)
         fputs(cell.number != 0 ? "true" : "false", out);
     else if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\"\n"))
         quoted(out, cell.word, "\"\"");
     else if (cell.kind != CELL_NONE)
-        fputs(cell_plain(a, cell, text), out);
+        fputs(cell_plain(&a->style, cell, text), out);
 }
 
 static void row_csv(struct answer *a, const struct cell *cells, const char *reason)
 {
-    char text[WIDE_TEXT];
+    char text[CELL_TEXT];
     if (!a->begun) {
         for (int i = 0; a->columns[i].key; i++)
             fprintf(a->out, column_bounded(a, i) ? "%s%s,%s_error" : "%s%s", i ? "," : "", a->columns[i].key,
@@ -325,7 +202,7 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
             putc(',', a->out);
         cell_csv(a, cells[i]);
         if (column_bounded(a, i))
-            fprintf(a->out, ",%s", plain_bound(a, cells[i], "", text));
+            fprintf(a->out, ",%s", cell_plain_bound(&a->style, cells[i], "", text));
     }
     if (reason) {
         putc(',', a->out);
@@ -387,7 +264,7 @@ static void row_line(struct answer *a, const struct cell *cells, int digits, con
 
 static void row_table(struct answer *a, const struct cell *cells)
 {
-    char text[COLUMNS_MAX][TEXT_SIZE], line[COLUMNS_MAX][TEXT_LINE];
+    char text[COLUMNS_MAX][CELL_TEXT], line[COLUMNS_MAX][TEXT_LINE];
     const char *said[COLUMNS_MAX];
     int digits = row_digits(a);
     bool units = false;
@@ -408,7 +285,7 @@ static void row_table(struct answer *a, const struct cell *cells)
 /* One line a column: key, value, unit, what it is. */
 static void row_lines(struct answer *a, const struct cell *cells)
 {
-    char text[TEXT_SIZE], line[TEXT_LINE], unit[TEXT_SIZE];
+    char text[CELL_TEXT], line[TEXT_LINE], unit[CELL_TEXT];
     int key_width = 0, unit_width = 0, digits = table_digits(a);
     const char *bold = a->bold ? "\033[1m" : "", *end = *bold ? "\033[m" : "";
     for (const struct column *c = a->columns; c->key; c++) {

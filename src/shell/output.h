@@ -6,22 +6,10 @@
 #ifndef SHELL_OUTPUT_H
 #define SHELL_OUTPUT_H
 
+#include "cell.h"
 #include "domino.h"
 #include <stdbool.h>
 #include <stdio.h>
-
-enum output { OUTPUT_TABLE, OUTPUT_CSV, OUTPUT_JSON };
-enum angle { ANGLE_RAD, ANGLE_DEG };
-
-struct output_style {
-    enum output output;
-    enum angle angle;
-    dom_real digits; /* in a table */
-    enum dom_precision precision;
-    int tol_digits;  /* that the session's tolerance promises */
-    int all_digits;  /* that read back to the same number of the session's precision: csv and json */
-    unsigned errors; /* every number with the bound of its error */
-};
 
 struct column {
     const char *key;     /* name in csv and json, head of a table */
@@ -29,23 +17,6 @@ struct column {
     const char *meaning; /* one line, for people */
     int width;           /* of words in a table of rows; 0 for a number */
 };
-
-struct cell {
-    enum { CELL_NONE, CELL_REAL, CELL_COUNT, CELL_FLAG, CELL_WORD } kind;
-    dom_real number;
-    dom_real error; /* bound of it; 0: exact, or not asked for */
-    const char *word;
-    int digits;    /* in a table; 0: as the style says */
-    bool computed; /* to the session's tolerance: more digits than it promises are not shown */
-};
-
-/* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
-struct cell cell_real(dom_real value);
-struct cell cell_bound(dom_real value, dom_real error);
-struct cell cell_brief(double value); /* three digits in a table: for what is not known better */
-struct cell cell_count(dom_real value);
-struct cell cell_flag(bool value);
-struct cell cell_word(const char *word);
 
 struct answer {
     FILE *out; /* NULL: the answer is only kept */

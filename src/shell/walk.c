@@ -32,6 +32,29 @@ struct walk_units walk_units(const struct session *session, int cycle)
     };
 }
 
+const char walk_no_start[] =
+    "no domino effect: the fuel P is not positive (c7), no cycle begins; 'why' says more";
+
+/* The same columns in joules. */
+static void columns_in_joules(const struct column *from, struct column *to)
+{
+    for (;; from++, to++) {
+        *to = *from;
+        if (!from->key)
+            return;
+        if (strcmp(from->unit, "mgh/2") == 0)
+            to->unit = "J";
+    }
+}
+
+void walk_columns_in(const struct session *session, struct answer *a, struct column room[COLUMNS_ROOM])
+{
+    if (strcmp(walk_units(session, 1).energy_unit, "J") != 0)
+        return;
+    columns_in_joules(a->columns, room);
+    a->columns = room;
+}
+
 /* ---- Contact ---- */
 
 static bool contact_seen(const struct dom_force *f, void *context)

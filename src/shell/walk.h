@@ -31,6 +31,20 @@ struct walk_units {
 struct session;
 struct walk_units walk_units(const struct session *session, int cycle);
 
+/* Energies in J where a mass is known: the answer gets its columns, in J, in the room. */
+enum { COLUMNS_ROOM = 16 };
+void walk_columns_in(const struct session *session, struct answer *answer, struct column room[COLUMNS_ROOM]);
+
+/* Why no cycle begins. */
+extern const char walk_no_start[];
+
+/* The commands 'cycle' and 'why'. */
+struct call;
+extern const struct column cycle_columns[], why_columns[];
+const char *cycle_by(const void *context, int k);
+bool cycle_run(struct session *session, const struct call *call);
+bool why_run(struct session *session, const struct call *call);
+
 /* The event in words, with the paper's symbols and the numbers of its equations. */
 void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
               struct answer *answer);

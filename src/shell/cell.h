@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One value of an answer, and its text: digits that its tolerance and the bound of its error leave. */
+#ifndef SHELL_CELL_H
+#define SHELL_CELL_H
+
+#include "domino.h"
+#include <stdbool.h>
+
+enum output { OUTPUT_TABLE, OUTPUT_CSV, OUTPUT_JSON };
+enum angle { ANGLE_RAD, ANGLE_DEG };
+
+struct output_style {
+    enum output output;
+    enum angle angle;
+    dom_real digits; /* in a table */
+    enum dom_precision precision;
+    int tol_digits;  /* that the session's tolerance promises */
+    int all_digits;  /* that read back to the same number of the session's precision: csv and json */
+    unsigned errors; /* every number with the bound of its error */
+};
+
+struct cell {
+    enum { CELL_NONE, CELL_REAL, CELL_COUNT, CELL_FLAG, CELL_WORD } kind;
+    dom_real number;
+    dom_real error; /* bound of it; 0: exact, or not asked for */
+    const char *word;
+    int digits;    /* in a table; 0: as the style says */
+    bool computed; /* to the session's tolerance: more digits than it promises are not shown */
+};
+
+/* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
+struct cell cell_real(dom_real value);
+struct cell cell_bound(dom_real value, dom_real error);
+struct cell cell_brief(double value); /* three digits in a table: for what is not known better */
+struct cell cell_count(dom_real value);
+struct cell cell_flag(bool value);
+struct cell cell_word(const char *word);
+
+enum { CELL_TEXT = 128 }; /* enough for any cell that is not a word */
+
+/* In a table, in so many digits at most, with its bound if those are shown. */
+const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
+
+/* For programs: digits that read back to the same number, few if few do, and no bound beside them. */
+const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT]);
+
+/* The bound of a number as cell_plain writes it; none where none is known. */
+const char *cell_plain_bound(const struct output_style *style, struct cell cell, const char *none,
+                             char text[CELL_TEXT]);
+
+#endif
