@@ -66,7 +66,7 @@ static bool cost_of(struct session *session, const struct call *call, int i, str
     const struct costed *answer = &cost_answers[(int)call->number[i]];
     enum dom_status status = cost_measure(answer, &session->train, cost);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
-        return session_error(session, "there is no answer to measure here: '%s' says why", answer->name);
+        return session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
     return status == DOM_OK || session_status(session, status);
 }
 

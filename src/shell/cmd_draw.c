@@ -119,15 +119,25 @@ static void canvas_write(const struct canvas *c, FILE *out)
 
 enum { TITLE_SIZE = 256 };
 
+/* The walk through the cycles, if it stands in this train; else NULL. */
+static const struct walk *walk_now(const struct session *session)
+{
+    const struct walk *walk = &session->walk;
+    const struct dom_train *a = &walk->train, *b = &session->train;
+    return walk->count > 0 && a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q ? walk : NULL;
+}
+
 /* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale". */
 static const char *title_text(const struct session *session, dom_real theta, const char *letter,
                               char text[TITLE_SIZE])
 {
     const struct dom_train *t = &session->train;
+    const struct walk *walk = walk_now(session);
+    struct walk_units units = walk_units(session, walk ? walk->cycle : 1);
     snprintf(text, TITLE_SIZE,
              "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, to scale", letter,
              (double)theta, (double)(theta * (180 / PI)), (double)t->s, (double)t->r, (double)t->d,
-             (double)(1000 * session->scale.h));
+             (double)(1000 * units.height));
     return text;
 }
 
@@ -270,21 +280,14 @@ static const char *forces_names(const void *context, int k)
     return k == 0 ? "forces" : NULL;
 }
 
-/* Where no tilt is given: where the walk through the cycle stands, or the launch. */
-static dom_real tilt_now(const struct session *session)
-{
-    const struct walk *walk = &session->walk;
-    const struct dom_train *a = &walk->train, *b = &session->train;
-    bool same = walk->count > 0 && a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q;
-    return same ? walk->theta : 0;
-}
-
 static bool run_draw(struct session *session, const struct call *call)
 {
     static struct scene scene;
     /* 'draw forces' has its word in the place of T. */
     bool word = call->count > 0 && call->number[0] < 0, forces = word || call->count > 1;
-    dom_real theta = call->count > 0 && !word ? call->number[0] : tilt_now(session);
+    dom_real theta = call->count > 0 && !word ? call->number[0]
+                     : walk_now(session)      ? walk_now(session)->theta
+                                              : 0;
     if (word && call->count > 1)
         return session_error(session, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
     bool people = answer_for_people(call->answer);

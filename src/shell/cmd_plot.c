@@ -87,7 +87,7 @@ static bool plot_cost(struct session *session, const struct call *call)
     const struct costed *answer = &cost_answers[(int)call->number[1]];
     enum dom_status status = cost_measure(answer, &session->train, &cost);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
-        session_error(session, "there is no answer to measure here: '%s' says why", answer->name);
+        session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
     else if (status != DOM_OK)
         session_status(session, status);
     if (status != DOM_OK)
