@@ -37,9 +37,9 @@ KERNEL void link_next(const struct lean *g, struct link *k)
 
 /* A sum with a bound on the terms that have not been added yet. */
 struct series {
-    real sum, size; /* of the terms, and of their absolute values */
-    real lost;      /* what rounding took from the sum so far */
-    real tail;      /* at most what the terms to come add up to */
+    real sum, size;   /* of the terms, and of their absolute values */
+    real lost;        /* what rounding took from the sum so far */
+    real next, ratio; /* at most: the first of the terms to come, and each to the one before */
 };
 
 /* Compensated (Fast2Sum; a follower never counts for more than all before it, but in roundings). */
@@ -57,15 +57,16 @@ static void series_add(struct series *s, real term)
  */
 static bool series_done(struct series *s, real term, real ratio, real tol)
 {
-    real next = term * ratio;
-    s->tail = next == 0 ? 0 : next / (1 - ratio);
-    return next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
+    s->next = term * ratio;
+    s->ratio = ratio;
+    return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
 /* Rounding of the sum, and its tail: 0 where the train has ended. */
 static real series_error(const struct series *s, bool ended)
 {
-    return 2 * UNIT * (fabs(s->sum) + UNIT * s->size) + (ended ? 0 : s->tail);
+    real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
+    return 2 * UNIT * (fabs(s->sum) + UNIT * s->size) + tail;
 }
 
 /* Every few thousand dominoes: has somebody asked to stop, is the train too long? */
@@ -348,12 +349,15 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
     for (;;) {
         if (g.interrupt && *g.interrupt) /* rows may be slower to write than to compute */
             return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&g, &k), error = link_error(&g, &k, &e);
+        struct dom_link link = link_public(&g, &k), error;
+        if (errors)
+            error = link_error(&g, &k, &e);
         if (!visit(&link, errors ? &error : NULL, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
         struct link leader = k;
         link_next(&g, &k);
-        bound_next(&g, &leader, &k, &e);
+        if (errors)
+            bound_next(&g, &leader, &k, &e);
     }
 }
 

@@ -95,6 +95,14 @@ static real energy_short(real theta, void *context)
     return cycle->status == DOM_OK ? cycle->barrier.height - cycle->launch.kinetic : REAL_NAN;
 }
 
+/* The tilt where the energy is used up, of a cycle that stops; on a copy, since the search climbs anew. */
+static enum dom_status cycle_rest(struct cycle cycle, real *theta)
+{
+    real lo = cycle.barrier.edge[0], hi = cycle.barrier.theta_m;
+    enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.lean.tol / 8, theta);
+    return model_status(cycle.status, solver);
+}
+
 /* Of the tilt where the energy is used up: what is left of it and may be wrong with it, over its slope. */
 static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error)
 {
@@ -120,9 +128,7 @@ KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta
     *theta = DOM_NAN;
     if (cycle.barrier.height <= cycle.launch.kinetic)
         return DOM_OK;
-    real lo = cycle.barrier.edge[0], hi = cycle.barrier.theta_m;
-    enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.lean.tol / 8, &stop);
-    status = model_status(cycle.status, solver);
+    status = cycle_rest(cycle, &stop);
     if (status == DOM_OK && error)
         status = stop_error(&cycle, stop, error);
     if (status == DOM_OK)

@@ -27,13 +27,7 @@ static enum dom_status motion_begin(const struct dom_train *train, struct motion
     m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
     if (!(m->tol < (real)0.125))
         return DOM_NOT_CONVERGED; /* as a duration, a time would grow like ln(1/margin) */
-    if (m->stops) {
-        struct cycle c = m->cycle; /* the search spoils the barrier */
-        enum num_status solver =
-            num_root(energy_short, &c, c.barrier.edge[0], c.barrier.theta_m, c.lean.tol / 8, &m->end);
-        status = model_status(c.status, solver);
-    }
-    return status;
+    return m->stops ? cycle_rest(m->cycle, &m->end) : DOM_OK;
 }
 
 /* H(end) - H(end - delta) for a small delta, as the integral of H' (Gauss, three points): nothing cancels. */

@@ -83,7 +83,6 @@ typedef dom_real real;
 #define cos(x)       MATH(cos)(x)
 #define asin(x)      MATH(asin)(x)
 #define atan(x)      MATH(atan)(x)
-#define sinh(x)      MATH(sinh)(x)
 #define exp(x)       MATH(exp)(x)
 #define expm1(x)     MATH(expm1)(x)
 #define log(x)       MATH(log)(x)

@@ -60,28 +60,24 @@ static void cost_say(const struct call *call, const struct cost *cost, const str
                    "Double precision has no 12 digits of it here: the parameters are too sensitive.");
 }
 
-/* Measures what the i-th argument names; false: an error was reported. */
-static bool cost_of(struct session *session, const struct call *call, int i, struct cost *cost)
+bool cost_of(struct session *session, const struct costed *answer, struct cost *cost)
 {
-    const struct costed *answer = &cost_answers[(int)call->number[i]];
     enum dom_status status = cost_measure(answer, &session->train, cost);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
         return session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
     return status == DOM_OK || session_status(session, status);
 }
 
-static bool cost_answer(const struct call *call, const struct cost *cost)
-{
-    for (int k = 0; k < cost->rows; k++)
-        cost_line(call, cost, &cost->row[k]);
-    cost_say(call, cost, &cost_answers[(int)call->number[call->count - 1]]);
-    return true;
-}
-
 static bool run_cost(struct session *session, const struct call *call)
 {
     struct cost cost;
-    return cost_of(session, call, 0, &cost) && cost_answer(call, &cost);
+    const struct costed *answer = &cost_answers[(int)call->number[0]];
+    if (!cost_of(session, answer, &cost))
+        return false;
+    for (int k = 0; k < cost.rows; k++)
+        cost_line(call, &cost, &cost.row[k]);
+    cost_say(call, &cost, answer);
+    return true;
 }
 
 const struct command cost_commands[] = {

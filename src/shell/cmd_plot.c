@@ -85,12 +85,7 @@ static bool plot_cost(struct session *session, const struct call *call)
     if (!picture_begin(session, &picture))
         return false;
     const struct costed *answer = &cost_answers[(int)call->number[1]];
-    enum dom_status status = cost_measure(answer, &session->train, &cost);
-    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
-        session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
-    else if (status != DOM_OK)
-        session_status(session, status);
-    if (status != DOM_OK)
+    if (!cost_of(session, answer, &cost))
         return picture_drop(&picture);
     cost_script(picture.script, session, answer, &cost, picture.text);
     return picture_end(session, &picture);
@@ -98,7 +93,7 @@ static bool plot_cost(struct session *session, const struct call *call)
 
 /* ---- The paper's figures ---- */
 
-enum { SAMPLES = 193, CURVES_MAX = 5 };
+enum { SAMPLES = 193 };
 #define S_LOW  ((dom_real)2 / 100)
 #define S_STEP ((dom_real)5 / 1000)
 

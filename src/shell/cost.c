@@ -162,9 +162,9 @@ enum dom_status cost_measure(const struct costed *answer, const struct dom_train
             *row = (struct cost_row){
                 .method = contenders[c].method, .precision = contenders[c].precision, .tol = tolerances[t]};
             /* The paper's steps: each digit takes up to ten times as many. */
-            row->too_long = row->method == DOM_METHOD_PAPER && t > 0 &&
+            bool too_long = row->method == DOM_METHOD_PAPER && t > 0 &&
                             before * tolerances[t - 1] / tolerances[t] > MOST_SECONDS;
-            if (row->too_long)
+            if (too_long)
                 break;
             row_measure(answer, *train, cost, uncertain, row);
             if (row->status == DOM_INTERRUPTED)

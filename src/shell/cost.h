@@ -25,7 +25,6 @@ struct cost_row {
     enum dom_precision precision;
     double tol;
     enum dom_status status; /* of the answer; the rest only where it is DOM_OK */
-    bool too_long;          /* not run, since the row before says that it would take minutes */
     dom_real error;         /* relative; not below what the reference itself may be wrong by */
     struct dom_work work;
     double seconds; /* least of several runs */
@@ -42,6 +41,10 @@ struct cost {
 
 /* Fills cost; not DOM_OK where the answer does not exist, or after an interrupt. */
 enum dom_status cost_measure(const struct costed *answer, const struct dom_train *train, struct cost *cost);
+
+/* The same for the session's train; false: what is wrong was reported. */
+struct session;
+bool cost_of(struct session *session, const struct costed *answer, struct cost *cost);
 
 /* "paper", "GSL", "ours". */
 const char *cost_method(enum dom_method method);

@@ -133,6 +133,27 @@ static void script_cycle(const struct picture *picture, const struct session *se
     script_events(out, session, c, picture->text);
 }
 
+/* A picture of the samples of a cycle; for programs, a row of each. */
+static bool plot_samples(struct session *session, const struct call *call,
+                         void (*row)(const struct session *, const struct sample *, struct answer *),
+                         void (*script)(const struct picture *, const struct session *,
+                                        const struct cycle_samples *))
+{
+    static struct cycle_samples c;
+    struct picture picture;
+    bool people = answer_for_people(call->answer);
+    if (people && !picture_begin(session, &picture))
+        return false;
+    if (!samples_find(session, &c))
+        return people && picture_drop(&picture);
+    for (int k = 0; k < c.count && !people; k++)
+        row(session, &c.at[k], call->answer);
+    if (!people)
+        return true;
+    script(&picture, session, &c);
+    return picture_end(session, &picture);
+}
+
 /* ---- Energy ---- */
 
 static void energy_script(const struct picture *picture, const struct session *session,
@@ -154,25 +175,18 @@ static void energy_script(const struct picture *picture, const struct session *s
                  "$cycle using 1:4 axes x1y2 with linespoints lt 3 pi 20 title ' J (right)'\n");
 }
 
+static void energy_row(const struct session *session, const struct sample *at, struct answer *answer)
+{
+    (void)session;
+    answer_row(answer,
+               ROW(cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq), cell_real(at->J),
+                   cell_word(at->event)),
+               NULL);
+}
+
 bool plot_energy(struct session *session, const struct call *call)
 {
-    static struct cycle_samples c;
-    struct picture picture;
-    bool people = answer_for_people(call->answer);
-    if (people && !picture_begin(session, &picture))
-        return false;
-    if (!samples_find(session, &c))
-        return people && picture_drop(&picture);
-    for (int k = 0; k < c.count && !people; k++)
-        answer_row(call->answer,
-                   ROW(cell_real(c.at[k].theta), cell_real(c.at[k].dH),
-                       cell_real(c.at[k].J * c.at[k].omegasq), cell_real(c.at[k].J),
-                       cell_word(c.at[k].event)),
-                   NULL);
-    if (!people)
-        return true;
-    energy_script(&picture, session, &c);
-    return picture_end(session, &picture);
+    return plot_samples(session, call, energy_row, energy_script);
 }
 
 /* ---- Angular velocity ---- */
@@ -194,25 +208,18 @@ static void omega_script(const struct picture *picture, const struct session *se
             (double)(1000 * session->scale.h));
 }
 
+static void omega_row(const struct session *session, const struct sample *at, struct answer *answer)
+{
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    answer_row(answer,
+               ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(sqrt(at->omegasq) / tau),
+                   cell_word(at->event)),
+               NULL);
+}
+
 bool plot_omega(struct session *session, const struct call *call)
 {
-    static struct cycle_samples c;
-    struct picture picture;
-    bool people = answer_for_people(call->answer);
-    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
-    if (people && !picture_begin(session, &picture))
-        return false;
-    if (!samples_find(session, &c))
-        return people && picture_drop(&picture);
-    for (int k = 0; k < c.count && !people; k++)
-        answer_row(call->answer,
-                   ROW(cell_real(c.at[k].theta), cell_real(c.at[k].omegasq),
-                       cell_real(sqrt(c.at[k].omegasq) / tau), cell_word(c.at[k].event)),
-                   NULL);
-    if (!people)
-        return true;
-    omega_script(&picture, session, &c);
-    return picture_end(session, &picture);
+    return plot_samples(session, call, omega_row, omega_script);
 }
 
 /* ---- Angles ---- */
