@@ -14,7 +14,6 @@
 
 struct slope_context {
     const struct lean *lean;
-    size_t n;
     enum dom_status status;
 };
 
@@ -25,7 +24,7 @@ static real slope_of_H(real theta, void *context)
     struct sums sums = {0};
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK)
-        c->status = chain_sum(c->lean, head, c->n, &sums);
+        c->status = chain_sum(c->lean, head, &sums);
     return c->status == DOM_OK ? sums.H1 : REAL_NAN;
 }
 
@@ -36,7 +35,7 @@ static real rises(real theta, struct slope_context *c)
     real H1 = 0;
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK)
-        c->status = chain_sign(c->lean, head, c->n, &H1);
+        c->status = chain_sign(c->lean, head, &H1);
     return H1;
 }
 
@@ -47,7 +46,7 @@ static enum dom_status barrier_try(const struct slope_context *c, real theta, st
     struct sums sums = {0};
     enum dom_status status = lean_tilt(c->lean, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(c->lean, head, c->n, &sums, NULL);
+        status = chain_rise(c->lean, head, &sums, NULL);
     if (status == DOM_OK && sums.dH > b->height) {
         b->height = sums.dH;
         b->theta_m = theta;
@@ -97,7 +96,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-KERNEL enum dom_status barrier_search(const struct lean *g, size_t n, real end, struct barrier *barrier)
+KERNEL enum dom_status barrier_search(const struct lean *g, real end, struct barrier *barrier)
 {
     struct barrier b = {.theta_m = 0, .height = 0, .edge = {0}, .edges = 1};
     /* At r s = 1 the follower is gone for every theta > 0: H' jumps at 0, and its right limit counts. */
@@ -105,14 +104,14 @@ KERNEL enum dom_status barrier_search(const struct lean *g, size_t n, real end, 
         b.edge[0] = fmin(REAL_MIN, end);
     bool leaves;
     struct tilt leave;
-    enum dom_status status = chain_leave(g, n, &leaves, &leave, NULL);
+    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
     if (status != DOM_OK)
         return status;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
     if (theta_leave > b.edge[0] && theta_leave < end)
         b.edge[b.edges++] = theta_leave;
     b.edge[b.edges++] = end;
-    struct slope_context c = {.lean = g, .n = n};
+    struct slope_context c = {.lean = g};
     for (int i = 1; status == DOM_OK && i < b.edges; i++)
         status = barrier_scan(&c, b.edge[i - 1], b.edge[i], i == 1, &b);
     if (status == DOM_OK)
@@ -132,7 +131,7 @@ KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real 
     do {
         enum dom_status status = collision_launch(g, fuel, launch, error);
         if (status == DOM_OK)
-            status = barrier_search(g, CHAIN_ENDLESS, end, b);
+            status = barrier_search(g, end, b);
         if (status != DOM_OK || launch->fuel <= 0)
             return status;
         asked = g->tol;
@@ -149,18 +148,18 @@ static real curvature(struct slope_context *c, real theta, real end)
     return (above - below) / (hi - lo);
 }
 
-KERNEL enum dom_status barrier_error(const struct lean *g, size_t n, const struct barrier *b,
+KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier *b,
                                      struct barrier *error)
 {
     struct tilt head;
     struct sums at, e;
-    struct slope_context c = {.lean = g, .n = n};
+    struct slope_context c = {.lean = g};
     *error = (struct barrier){.theta_m = 0, .height = 0};
     if (b->theta_m == 0)
         return DOM_OK;
     enum dom_status status = lean_tilt(g, b->theta_m, &head);
     if (status == DOM_OK)
-        status = chain_rise(g, head, n, &at, &e);
+        status = chain_rise(g, head, &at, &e);
     real bend = status == DOM_OK ? fabs(curvature(&c, b->theta_m, b->edge[b->edges - 1])) : 0;
     if (status != DOM_OK || c.status != DOM_OK)
         return status != DOM_OK ? status : c.status;
@@ -182,7 +181,7 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
     if (status == DOM_OK)
         status = barrier_balance(&g, train->fuel, tilt_angle(g.c), &l, error ? &l_error : NULL, &b);
     if (status == DOM_OK && error)
-        status = barrier_error(&g, CHAIN_ENDLESS, &b, &b_error);
+        status = barrier_error(&g, &b, &b_error);
     if (status != DOM_OK)
         return status;
     bool fuelled = l.fuel > 0;

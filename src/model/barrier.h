@@ -16,7 +16,7 @@ struct barrier {
     int edges;
 };
 
-KERNEL enum dom_status barrier_search(const struct lean *lean, size_t n, real end, struct barrier *barrier);
+KERNEL enum dom_status barrier_search(const struct lean *lean, real end, struct barrier *barrier);
 
 /*
  * Launch of an endless train and its barrier over [0, end]; unless NULL, error gets the bounds of the
@@ -30,7 +30,7 @@ KERNEL enum dom_status barrier_balance(struct lean *lean, enum dom_fuel fuel, re
 KERNEL real balance_tol(real tol, real left, real whole);
 
 /* Bounds of the errors of theta_m and height. */
-KERNEL enum dom_status barrier_error(const struct lean *lean, size_t n, const struct barrier *barrier,
+KERNEL enum dom_status barrier_error(const struct lean *lean, const struct barrier *barrier,
                                      struct barrier *error);
 
 /* What a search ends with: the model's own status, if its function failed, else the solver's. */

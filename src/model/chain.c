@@ -8,8 +8,9 @@
 /* The tail of a sum may be this part of the tolerance, so that a result of several sums keeps it. */
 #define TAIL_SHARE ((real)0.125)
 
-static void link_lean(const struct lean *g, struct link *k)
+static void link_lean(struct link *k)
 {
+    const struct lean *g = k->lean;
     /* Upright is leaned on in any case: it has just been hit, even in the limit theta_leave = 0. */
     k->leads = !g->falls_off || k->tilt.v < g->leave.v || k->tilt.x == 0;
     if (k->leads) {
@@ -20,19 +21,22 @@ static void link_lean(const struct lean *g, struct link *k)
 
 KERNEL struct link link_head(const struct lean *g, struct tilt head)
 {
-    struct link k = {.i = 0, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
-    link_lean(g, &k);
+    struct link k = {.lean = g, .i = 0, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
+    link_lean(&k);
     return k;
 }
 
-KERNEL void link_next(const struct lean *g, struct link *k)
+KERNEL void link_next(struct link *k)
 {
+    const struct lean *g = k->lean;
     k->i++;
     k->tilt = tilt_turn(k->tilt, k->turn);
     k->slope *= k->step;
     k->weight *= g->weight;
     k->inertia *= g->inertia;
-    link_lean(g, k);
+    if (g->behind)
+        k->lean = g->behind;
+    link_lean(k);
 }
 
 /* A sum with a bound on the terms that have not been added yet. */
@@ -98,18 +102,21 @@ static void add_J(struct sum_state *a, const struct link *k)
     series_add(&a->J, k->inertia * k->slope * k->slope);
 }
 
-static void add_H1(const struct lean *g, struct sum_state *a, const struct link *k)
+static void add_H1(struct sum_state *a, const struct link *k)
 {
-    series_add(&a->H1, k->weight * k->slope * (g->d * k->tilt.y - k->tilt.x));
+    series_add(&a->H1, k->weight * k->slope * (k->lean->d * k->tilt.y - k->tilt.x));
 }
 
-static bool done_J(const struct lean *g, struct sum_state *a, const struct link *k)
+static bool done_J(struct sum_state *a, const struct link *k)
 {
-    return series_done(&a->J, k->inertia * k->slope * k->slope, g->inertia * k->step * k->step, g->tol);
+    const struct lean *g = k->lean;
+    return series_done(&a->J, k->inertia * k->slope * k->slope,
+                       fmax(g->inertia * k->step * k->step, g->decay_J), g->tol);
 }
 
-static bool done_H1(const struct lean *g, struct sum_state *a, const struct link *k, real tol)
+static bool done_H1(struct sum_state *a, const struct link *k, real tol)
 {
+    const struct lean *g = k->lean;
     return series_done(&a->H1, k->weight * k->slope * g->reach, fmax(g->weight * k->step, g->decay), tol);
 }
 
@@ -125,7 +132,7 @@ static enum dom_status sum_result(const struct lean *g, const struct sum_state *
     return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, size_t n, real *H1)
+KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, real *H1)
 {
     struct sum_state a = {0};
     struct sums sums;
@@ -134,17 +141,17 @@ KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, size_t
         enum dom_status status = chain_watch(g, k.i);
         if (status != DOM_OK)
             return status;
-        add_H1(g, &a, &k);
-        if (k.i + 1 >= n || !k.leads || done_H1(g, &a, &k, 1)) {
+        add_H1(&a, &k);
+        if (k.i + 1 >= g->n || !k.leads || done_H1(&a, &k, 1)) {
             status = sum_result(g, &a, k.i + 1, &sums);
             *H1 = sums.H1;
             return status;
         }
-        link_next(g, &k);
+        link_next(&k);
     }
 }
 
-KERNEL enum dom_status chain_sum(const struct lean *g, struct tilt head, size_t n, struct sums *sums)
+KERNEL enum dom_status chain_sum(const struct lean *g, struct tilt head, struct sums *sums)
 {
     struct sum_state a = {0};
     struct link k = link_head(g, head);
@@ -153,10 +160,10 @@ KERNEL enum dom_status chain_sum(const struct lean *g, struct tilt head, size_t 
         if (status != DOM_OK)
             return status;
         add_J(&a, &k);
-        add_H1(g, &a, &k);
-        if (k.i + 1 >= n || !k.leads || (done_J(g, &a, &k) && done_H1(g, &a, &k, g->tol)))
+        add_H1(&a, &k);
+        if (k.i + 1 >= g->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, g->tol)))
             return sum_result(g, &a, k.i + 1, sums);
-        link_next(g, &k);
+        link_next(&k);
     }
 }
 
@@ -217,12 +224,11 @@ static real leaving_half_turn(const struct lean *g, const struct link *leader)
  * because X_a - X_b = r L (y_a - y_b).  G is the slope's r L x / Y (b10) between the two tilts; so the
  * smallest differences keep their digits.
  */
-KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t n, struct sums *sums,
-                                  struct sums *error)
+static enum dom_status rise_between(const struct lean *g, struct tilt from, struct tilt head, real t,
+                                    struct sums *sums, struct sums *error)
 {
     struct sum_state state = {0};
-    struct link a = link_head(g, head), b = link_head(g, (struct tilt){0, 1, 0});
-    real t = head.x / (1 + head.y);
+    struct link a = link_head(g, head), b = link_head(g, from);
     struct rise_error e = error ? error_head(g, &a, &b, t) : (struct rise_error){.t = 0};
     bool ended = true;
     for (;;) {
@@ -230,16 +236,16 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
         if (status != DOM_OK)
             return status;
         add_J(&state, &a);
-        add_H1(g, &state, &a);
-        series_add(&state.dH, a.weight * rise(g, a.tilt, b.tilt, t));
+        add_H1(&state, &a);
+        series_add(&state.dH, a.weight * rise(a.lean, a.tilt, b.tilt, t));
         if (error)
             error_add(g, &e, &a, &b, t);
-        if (a.i + 1 >= n || !b.leads)
+        if (a.i + 1 >= g->n || !b.leads)
             break;
         struct link leader = b;
         if (!a.leads) {
             /* The follower has left during this cycle: it keeps the energy of theta_f. */
-            link_next(g, &b);
+            link_next(&b);
             real t_f = leaving_half_turn(g, &leader);
             state.left = b.weight * rise(g, g->f, b.tilt, t_f);
             series_add(&state.dH, state.left);
@@ -253,10 +259,11 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
         }
         /* F = 1 - G, from the arms: the smallest slopes keep their digits, too. */
         real Y = a.turn.Y + b.turn.Y, F = t == 0 ? 1 : (a.turn.arm + b.turn.arm) / Y;
-        real G = t == 0 ? 0 : g->r * g->L * (a.tilt.x + b.tilt.x) / Y, ratio = fmax(g->weight * F, g->decay);
+        real G = t == 0 ? 0 : a.lean->r * a.lean->L * (a.tilt.x + b.tilt.x) / Y;
+        real ratio = fmax(a.lean->weight * F, a.lean->decay);
         ended = false;
-        if (series_done(&state.dH, a.weight * 2 * t * g->reach, ratio, g->tol) && done_J(g, &state, &a) &&
-            done_H1(g, &state, &a, g->tol))
+        if (series_done(&state.dH, a.weight * 2 * t * a.lean->reach, ratio, g->tol) && done_J(&state, &a) &&
+            done_H1(&state, &a, g->tol))
             break;
         ended = true;
         if (error)
@@ -264,13 +271,13 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
         t *= F / (1 + t * t * G);
         if (error) {
             struct link leader_a = a;
-            link_next(g, &a);
-            link_next(g, &b);
+            link_next(&a);
+            link_next(&b);
             bound_next(g, &leader_a, &a, &e.a);
             bound_next(g, &leader, &b, &e.b);
         } else {
-            link_next(g, &a);
-            link_next(g, &b);
+            link_next(&a);
+            link_next(&b);
         }
     }
     if (error)
@@ -280,8 +287,21 @@ KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, size_t
     return sum_result(g, &state, a.i + 1, sums);
 }
 
-KERNEL enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves, struct tilt *head,
-                                   size_t *domino)
+KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, struct sums *sums,
+                                  struct sums *error)
+{
+    return rise_between(g, (struct tilt){0, 1, 0}, head, head.x / (1 + head.y), sums, error);
+}
+
+KERNEL enum dom_status chain_rise_from(const struct lean *g, struct tilt from, struct tilt head,
+                                       struct sums *sums)
+{
+    /* tan of half the difference. */
+    real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
+    return rise_between(g, from, head, sine / (1 + cosine), sums, NULL);
+}
+
+KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct tilt *head, size_t *domino)
 {
     *leaves = false;
     if (!g->falls_off)
@@ -292,9 +312,9 @@ KERNEL enum dom_status chain_leave(const struct lean *g, size_t n, bool *leaves,
         if (status != DOM_OK)
             return status;
         /* Whether a domino falls off that carries less than rounding changes nothing. */
-        if (b.i + 1 >= n || b.weight * b.slope < REAL_EPSILON * REAL_EPSILON)
+        if (b.i + 1 >= g->n || b.weight * b.slope < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        link_next(g, &b);
+        link_next(&b);
     }
     /* Domino b.i has no follower at 0: it falls off when domino b.i - 1 comes to theta_leave. */
     *head = g->leave;
@@ -341,7 +361,7 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
     enum dom_status status = lean_make_tilted(train, theta, &g, &head);
     struct sums sums = {0};
     if (status == DOM_OK)
-        status = chain_sum(&g, head, CHAIN_ENDLESS, &sums);
+        status = chain_sum(&g, head, &sums);
     if (status != DOM_OK)
         return status;
     struct link k = link_head(&g, head);
@@ -355,7 +375,7 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
         if (!visit(&link, errors ? &error : NULL, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
         struct link leader = k;
-        link_next(&g, &k);
+        link_next(&k);
         if (errors)
             bound_next(&g, &leader, &k, &e);
     }
@@ -376,7 +396,7 @@ KERNEL enum dom_status contact_find(const struct dom_train *train, dom_real thet
     bool leads = k.leads;
     real theta_1 = tilt_angle(g.f), slope = 0, angle_error = lean_error_f(&g), slope_error = 0;
     if (leads) {
-        link_next(&g, &k);
+        link_next(&k);
         bound_next(&g, &leader, &k, &e);
         theta_1 = tilt_angle(k.tilt);
         slope = k.slope;

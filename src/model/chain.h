@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The train behind the head at one tilt: its dominoes in order, and the sums over them.
- * A finite train has n dominoes (c1); the endless one, CHAIN_ENDLESS, is followed until its tail,
- * bounded by a geometric series, no longer matters at the tolerance.
+ * It is followed to its end, lean->n dominoes (c1), or until its tail, bounded by a geometric series, no
+ * longer matters at the tolerance.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
 
 #include "lean.h"
 
-#define CHAIN_ENDLESS SIZE_MAX
-
 struct link {
+    const struct lean *lean; /* of this domino and its follower */
     size_t i;
     struct tilt tilt;
     struct turn turn; /* to the follower, where it leads one */
@@ -23,32 +22,35 @@ struct link {
 };
 
 KERNEL struct link link_head(const struct lean *lean, struct tilt head);
-KERNEL void link_next(const struct lean *lean, struct link *link);
+KERNEL void link_next(struct link *link);
 
 struct sums {
     real J;    /* (c2) */
     real H1;   /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
-    real dH;   /* H(theta) - H(0); only from chain_rise */
+    real dH;   /* H(theta) - H(0), or from another tilt; only from chain_rise */
     real left; /* the part of it in a follower that has left during the cycle */
     size_t n;  /* dominoes followed */
 };
 
 /* The sign of H1 alone, right to rounding, from as few dominoes as show it. */
-KERNEL enum dom_status chain_sign(const struct lean *lean, struct tilt head, size_t n, real *H1);
+KERNEL enum dom_status chain_sign(const struct lean *lean, struct tilt head, real *H1);
 
-/* J and H1 of at most n dominoes. */
-KERNEL enum dom_status chain_sum(const struct lean *lean, struct tilt head, size_t n, struct sums *sums);
+/* J and H1. */
+KERNEL enum dom_status chain_sum(const struct lean *lean, struct tilt head, struct sums *sums);
 
 /* J, H1 and dH; and, where error is not NULL, bounds of their errors (bound.h). */
-KERNEL enum dom_status chain_rise(const struct lean *lean, struct tilt head, size_t n, struct sums *sums,
+KERNEL enum dom_status chain_rise(const struct lean *lean, struct tilt head, struct sums *sums,
                                   struct sums *error);
 
+/* The same with H(theta) - H(from), of a train that nobody leaves in between. */
+KERNEL enum dom_status chain_rise_from(const struct lean *lean, struct tilt from, struct tilt head,
+                                       struct sums *sums);
+
 /*
- * The tilt of the head at which one of the first n dominoes falls off; false where none does within
+ * The tilt of the head at which one of the dominoes falls off; false where none does within
  * the cycle.  domino, unless NULL, gets its number.  One at most does: the train at theta_c is the train at
  * 0, shifted by one.
  */
-KERNEL enum dom_status chain_leave(const struct lean *lean, size_t n, bool *leaves, struct tilt *head,
-                                   size_t *domino);
+KERNEL enum dom_status chain_leave(const struct lean *lean, bool *leaves, struct tilt *head, size_t *domino);
 
 #endif

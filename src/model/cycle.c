@@ -22,7 +22,7 @@ static enum dom_status cycle_begin(const struct dom_train *train, struct cycle *
 /* The barrier over [0, end]. */
 static enum dom_status cycle_climb(struct cycle *cycle, real end)
 {
-    return barrier_search(&cycle->lean, CHAIN_ENDLESS, end, &cycle->barrier);
+    return barrier_search(&cycle->lean, end, &cycle->barrier);
 }
 
 /* The cycle from its beginning to theta_c, with its barrier. */
@@ -44,7 +44,7 @@ static enum dom_status cycle_speed(const struct cycle *cycle, real theta, real *
     struct sums at = {0}, e = {0};
     enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(&cycle->lean, head, CHAIN_ENDLESS, &at, error ? &e : NULL);
+        status = chain_rise(&cycle->lean, head, &at, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *omegasq = (cycle->launch.kinetic - at.dH) / at.J;
@@ -110,7 +110,7 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     struct sums at, e;
     enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(&cycle->lean, head, CHAIN_ENDLESS, &at, &e);
+        status = chain_rise(&cycle->lean, head, &at, &e);
     if (status == DOM_OK)
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
                      (1 + 4 * cycle->lean.tol) + /* to second order in a loose tolerance */

@@ -27,7 +27,7 @@ static real fuel_paper_error(const struct lean *g)
 KERNEL enum dom_status energy_fuel(const struct lean *g, struct fuel *fuel, struct fuel *error)
 {
     struct sums at_c, e;
-    enum dom_status status = chain_rise(g, g->c, CHAIN_ENDLESS, &at_c, error ? &e : NULL);
+    enum dom_status status = chain_rise(g, g->c, &at_c, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *fuel = (struct fuel){.exact = -at_c.dH, .paper = energy_fuel_paper(g), .T = g->inertia * at_c.J};
@@ -64,7 +64,7 @@ KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta
     struct fuel fuel, fuel_error;
     enum dom_status status = lean_make_tilted(train, theta, &g, &head);
     if (status == DOM_OK)
-        status = chain_rise(&g, head, CHAIN_ENDLESS, &at, error ? &e : NULL);
+        status = chain_rise(&g, head, &at, error ? &e : NULL);
     if (status == DOM_OK)
         status = energy_fuel(&g, &fuel, error ? &fuel_error : NULL);
     if (status != DOM_OK)

@@ -17,6 +17,7 @@ KERNEL enum dom_status lean_make_at(const struct dom_train *t, real s, real r, s
                      .q = q,
                      .tol = (real)t->tol,
                      .L = L,
+                     .n = CHAIN_ENDLESS,
                      .interrupt = t->interrupt,
                      .work = t->work};
     /* The fma gives 1 - r s with one rounding; r = 1/s, rounded, may overshoot by half a unit. */

@@ -29,12 +29,18 @@ struct lean {
     real rq, rq_1;     /* r^q and r^q - 1 */
     real reach;        /* sqrt(1 + d^2), the largest |dh/dtheta| */
     real decay;        /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
+    real decay_J;      /* the same of J, where it is not that of the next two */
     struct tilt c;     /* theta_c (a2) */
     struct tilt inf;   /* theta_inf (A16) */
     struct tilt f;     /* theta_f (A18) if followers fall off, else theta_inf */
     struct tilt leave; /* theta_leave, only where falls_off */
     bool falls_off;    /* (A17) */
+    size_t n;          /* dominoes from here on: a chain ends with them */
+    /* The same for the follower and its own; NULL: as for this one, the train is self-similar. */
+    const struct lean *behind;
 };
+
+#define CHAIN_ENDLESS SIZE_MAX
 
 /* Checks the train, and fills lean. */
 KERNEL enum dom_status lean_make(const struct dom_train *train, struct lean *lean);

@@ -29,9 +29,9 @@ static enum dom_status train_margin(const struct lean *g, enum dom_fuel fuel, re
         return DOM_NO_FUEL;
     enum dom_status status = collision_launch(g, fuel, &launch, error ? &launch_error : NULL);
     if (status == DOM_OK)
-        status = barrier_search(g, CHAIN_ENDLESS, tilt_angle(g->c), &b);
+        status = barrier_search(g, tilt_angle(g->c), &b);
     if (status == DOM_OK && error)
-        status = barrier_error(g, CHAIN_ENDLESS, &b, &b_error);
+        status = barrier_error(g, &b, &b_error);
     if (status != DOM_OK)
         return status;
     *margin = launch.kinetic - b.height;
@@ -45,9 +45,11 @@ static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, rea
 {
     (void)fuel;
     struct barrier b, b_error = {0};
-    enum dom_status status = barrier_search(g, 2, tilt_angle(g->c), &b);
+    struct lean two = *g;
+    two.n = 2;
+    enum dom_status status = barrier_search(&two, tilt_angle(g->c), &b);
     if (status == DOM_OK && error)
-        status = barrier_error(g, 2, &b, &b_error);
+        status = barrier_error(&two, &b, &b_error);
     if (status != DOM_OK)
         return status;
     real u = g->reach;                        /* h(theta_u) (b2) */

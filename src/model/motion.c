@@ -42,7 +42,7 @@ static enum dom_status motion_drop(const struct lean *g, real end, real delta, r
         struct sums at;
         enum dom_status status = lean_tilt(g, end - place[k] * delta, &head);
         if (status == DOM_OK)
-            status = chain_sum(g, head, CHAIN_ENDLESS, &at);
+            status = chain_sum(g, head, &at);
         if (status != DOM_OK)
             return status;
         *drop += delta * (real)weight[k] / 18 * at.H1;
@@ -66,8 +66,8 @@ static real slowness_before(real u, void *context)
     real delta = m->end * u * u, theta = m->end - delta, left = 0;
     c->status = lean_tilt(&c->lean, theta, &head);
     if (c->status == DOM_OK)
-        c->status = u * u < CLOSE ? chain_sum(&c->lean, head, CHAIN_ENDLESS, &at)
-                                  : chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, NULL);
+        c->status = u * u < CLOSE ? chain_sum(&c->lean, head, &at)
+                                  : chain_rise(&c->lean, head, &at, NULL);
     left = c->launch.kinetic - at.dH;
     if (c->status == DOM_OK && u * u < CLOSE)
         c->status = motion_drop(&c->lean, m->end, delta, &left);
@@ -120,7 +120,7 @@ KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_ev
     size_t domino = 0;
     enum dom_status status = motion_begin(train, &m);
     if (status == DOM_OK)
-        status = chain_leave(&m.cycle.lean, CHAIN_ENDLESS, &leaves, &leave, &domino);
+        status = chain_leave(&m.cycle.lean, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
     real top = m.cycle.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
@@ -221,7 +221,7 @@ static real moving_bend(const struct lean *g, const struct moving *leader, const
 static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration)
 {
     struct sums at;
-    enum dom_status status = chain_sum(g, head, CHAIN_ENDLESS, &at);
+    enum dom_status status = chain_sum(g, head, &at);
     if (status != DOM_OK)
         return status;
     struct moving k = {.link = link_head(g, head), .bend = 0};
@@ -231,7 +231,7 @@ static enum dom_status motion_acceleration(const struct lean *g, struct tilt hea
         if (!k.link.leads || i + 1 == at.n)
             break;
         struct moving leader = k;
-        link_next(g, &k.link);
+        link_next(&k.link);
         k.bend = moving_bend(g, &leader, &k.link);
     }
     *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
@@ -259,13 +259,13 @@ static enum dom_status fallen_energy(const struct lean *g, real theta, real *lef
     bool leaves;
     struct tilt leave, head;
     struct sums at;
-    enum dom_status status = chain_leave(g, CHAIN_ENDLESS, &leaves, &leave, NULL);
+    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
     real fall = leaves ? tilt_angle(leave) : 0;
     if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
         return status;
     status = lean_tilt(g, fmin(fall * (1 + near), tilt_angle(g->c)), &head);
     if (status == DOM_OK)
-        status = chain_rise(g, head, CHAIN_ENDLESS, &at, NULL);
+        status = chain_rise(g, head, &at, NULL);
     if (status == DOM_OK)
         *left = at.left;
     return status;
@@ -290,7 +290,7 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     if (status == DOM_OK && error)
         status = collision_launch(&c->lean, train->fuel, &c->launch, &c->launch_error);
     if (status == DOM_OK)
-        status = chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, error ? &e : NULL);
+        status = chain_rise(&c->lean, head, &at, error ? &e : NULL);
     if (status == DOM_OK)
         status = cycle_speed(c, theta, &omegasq, error ? &omegasq_error : NULL);
     /* At the stop it is 0, which rounding hides. */
@@ -355,7 +355,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
     if (status == DOM_OK)
-        status = chain_sum(g, head, CHAIN_ENDLESS, &at);
+        status = chain_sum(g, head, &at);
     if (status == DOM_OK)
         status = cycle_speed(&m.cycle, fmin(theta, m.end), &w, NULL);
     w = fmax(w, 0);
@@ -374,7 +374,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     k[0] = (struct moving){.link = link_head(g, head), .bend = 0};
     for (count = 1; count < n && k[count - 1].link.leads; count++) {
         k[count].link = k[count - 1].link;
-        link_next(g, &k[count].link);
+        link_next(&k[count].link);
         k[count].bend = moving_bend(g, &k[count - 1], &k[count].link);
     }
     /* The old train's domino j - 1 is this one's j: in the collision its theta_j' omega falls to J-1 of J. */

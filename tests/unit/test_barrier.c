@@ -9,7 +9,7 @@ static double brute_force(const struct lean *g, double theta_c)
     double highest = 0;
     bool leaves;
     struct tilt leave;
-    assert_status(chain_leave(g, CHAIN_ENDLESS, &leaves, &leave, NULL), DOM_OK);
+    assert_status(chain_leave(g, &leaves, &leave, NULL), DOM_OK);
     double edge[3] = {0, leaves ? tilt_angle(leave) : theta_c / 2, theta_c};
     for (int piece = 0; piece < 2; piece++) {
         for (int k = 0; k <= 300; k++) {
@@ -18,7 +18,7 @@ static double brute_force(const struct lean *g, double theta_c)
             struct tilt head;
             struct sums sums;
             assert_status(lean_tilt(g, fmin(theta, theta_c), &head), DOM_OK);
-            assert_status(chain_rise(g, head, CHAIN_ENDLESS, &sums, NULL), DOM_OK);
+            assert_status(chain_rise(g, head, &sums, NULL), DOM_OK);
             highest = fmax(highest, sums.dH);
         }
     }
@@ -35,7 +35,7 @@ static void no_tilt_is_higher(void **state)
         struct barrier barrier;
         assert_status(lean_make(&train, &g), DOM_OK);
         double theta_c = tilt_angle(g.c), brute = brute_force(&g, theta_c);
-        assert_status(barrier_search(&g, CHAIN_ENDLESS, theta_c, &barrier), DOM_OK);
+        assert_status(barrier_search(&g, theta_c, &barrier), DOM_OK);
         if (barrier.height < brute * (1 - 1e-13))
             fail_msg("s %.17g r %.17g d %.17g q %.17g: barrier %.17g, but %.17g is there", (double)train.s,
                      (double)train.r, (double)train.d, (double)train.q, barrier.height, brute);

@@ -16,8 +16,8 @@ static void inertia_shifts_by_one(void **state)
         struct lean lean;
         struct sums at_0, at_c;
         assert_status(lean_make(&train, &lean), DOM_OK);
-        assert_status(chain_sum(&lean, (struct tilt){0, 1, 0}, CHAIN_ENDLESS, &at_0), DOM_OK);
-        assert_status(chain_sum(&lean, lean.c, CHAIN_ENDLESS, &at_c), DOM_OK);
+        assert_status(chain_sum(&lean, (struct tilt){0, 1, 0}, &at_0), DOM_OK);
+        assert_status(chain_sum(&lean, lean.c, &at_c), DOM_OK);
         assert_near("J(0)", at_0.J, 1 + lean.inertia * at_c.J, 1e-13);
     }
 }
@@ -40,9 +40,9 @@ static void slope_is_derivative_of_energy(void **state)
                h = 1e-5 * theta;
         if (g.falls_off && fabs(theta - tilt_angle(g.leave)) < 0.05 * theta_c)
             continue;
-        chain_rise(&g, tilt_make(sin(theta - h), cos(theta - h)), CHAIN_ENDLESS, &left, NULL);
-        chain_rise(&g, tilt_make(sin(theta), cos(theta)), CHAIN_ENDLESS, &here, NULL);
-        chain_rise(&g, tilt_make(sin(theta + h), cos(theta + h)), CHAIN_ENDLESS, &right, NULL);
+        chain_rise(&g, tilt_make(sin(theta - h), cos(theta - h)), &left, NULL);
+        chain_rise(&g, tilt_make(sin(theta), cos(theta)), &here, NULL);
+        chain_rise(&g, tilt_make(sin(theta + h), cos(theta + h)), &right, NULL);
         double scale = fabs(here.H1) + train.d + sin(theta);
         if (fabs((right.dH - left.dH) / (2 * h) - here.H1) > 1e-5 * scale)
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: %g, not %g", (double)train.s,
@@ -68,7 +68,7 @@ static void energy_agrees_with_its_definition(void **state)
         assert_status(lean_make(&train, &g), DOM_OK);
         double theta = random_unit(&seed) * tilt_angle(g.c), H[2] = {0, 0}, size = 0;
         struct tilt head = tilt_make(sin(theta), cos(theta));
-        assert_status(chain_rise(&g, head, CHAIN_ENDLESS, &sums, NULL), DOM_OK);
+        assert_status(chain_rise(&g, head, &sums, NULL), DOM_OK);
         for (int k = 0; k < 2; k++) {
             struct link link = link_head(&g, k ? head : (struct tilt){0, 1, 0});
             for (size_t n = 0; n < 4000; n++) {
@@ -83,7 +83,7 @@ static void energy_agrees_with_its_definition(void **state)
                     }
                     break;
                 }
-                link_next(&g, &link);
+                link_next(&link);
             }
         }
         /* What 4000 dominoes leave out is below rounding here, since s >= 3e-3. */
@@ -280,10 +280,10 @@ static void tolerance_decides_the_work(void **state)
         assert_status(lean_make(&train, &g), DOM_OK);
         double theta = random_unit(&seed) * tilt_angle(g.c);
         struct tilt head = tilt_make(sin(theta), cos(theta));
-        assert_status(chain_rise(&g, head, CHAIN_ENDLESS, &exact, NULL), DOM_OK);
+        assert_status(chain_rise(&g, head, &exact, NULL), DOM_OK);
         for (int k = 0; k < 4; k++) {
             g.tol = tols[k];
-            assert_status(chain_rise(&g, head, CHAIN_ENDLESS, &sums, NULL), DOM_OK);
+            assert_status(chain_rise(&g, head, &sums, NULL), DOM_OK);
             assert_near("J at tol", sums.J, exact.J, tols[k]);
             assert_near("dH at tol", sums.dH, exact.dH, tols[k]);
             total[k] += sums.n;

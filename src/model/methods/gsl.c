@@ -27,7 +27,7 @@ static double gsl_depth(double theta, void *context)
     struct sums at = {0};
     c->status = lean_tilt(&c->lean, theta, &head);
     if (c->status == DOM_OK)
-        c->status = chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, NULL);
+        c->status = chain_rise(&c->lean, head, &at, NULL);
     return -at.dH;
 }
 
@@ -155,7 +155,7 @@ static double gsl_slowness(double theta, void *context)
     struct sums at = {.J = 1};
     c->status = lean_tilt(&c->lean, theta, &head);
     if (c->status == DOM_OK)
-        c->status = chain_rise(&c->lean, head, CHAIN_ENDLESS, &at, NULL);
+        c->status = chain_rise(&c->lean, head, &at, NULL);
     return sqrt(at.J / (c->kinetic - at.dH));
 }
 
