@@ -50,6 +50,7 @@ typedef long double dom_real;
     X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
     X(NO_FUEL, "the fuel P is not positive: a cycle sets no energy free")                                    \
     X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
+    X(LOCKS, "friction locks the train: a contact force passes behind the hinge that it is to turn")         \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
     X(TOO_LONG, "more dominoes matter than can be followed")                                                 \
     X(UNDERFLOW, "r^(2q+1) is beyond the range of the precision; a smaller r or q is not")                   \
@@ -98,6 +99,22 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
     X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")              \
     X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
 
+/*
+ * Effects beyond the paper, each in src/model/effects/: struct dom_effect tells what it adds.  One that is
+ * not asked for is not computed, and none of its code is entered (struct dom_work counts).
+ */
+#define DOM_EFFECTS(X) X(friction)
+
+enum dom_effect_name {
+#define DOM_EFFECT_ENUM(name) DOM_EFFECT_##name,
+    DOM_EFFECTS(DOM_EFFECT_ENUM)
+#undef DOM_EFFECT_ENUM
+        DOM_EFFECT_COUNT
+};
+
+/* The largest friction coefficient that is taken. */
+#define DOM_MU_HIGHEST 100
+
 /* The fuel P that enters (c6): see dom_fuel_find. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
@@ -109,9 +126,10 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /* The work that answers took; every answer adds its own. */
 struct dom_work {
-    size_t passes;   /* evaluations: passes down the train */
-    size_t dominoes; /* followed in all of them */
-    size_t longest;  /* in one pass */
+    size_t passes;                    /* evaluations: passes down the train */
+    size_t dominoes;                  /* followed in all of them */
+    size_t longest;                   /* in one pass */
+    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of an effect was */
 };
 
 /* A self-similar train.  Start from dom_train_default() and change what differs. */
@@ -121,6 +139,12 @@ struct dom_train {
     enum dom_precision precision; /* in which answers are computed; parameters are rounded to it */
     enum dom_fuel fuel;
     enum dom_method method;
+    /*
+     * Coulomb's friction between dominoes, >= 0.  0: none.  Otherwise energies of motion obey the equation of
+     * motion in the place of (c3) and (c6), the paper's closed fuel and the methods to compare with are
+     * NO_METHOD, and no bounds of errors are known: they are NaN.
+     */
+    dom_real mu;
     struct dom_work *work; /* where not NULL, counts */
     /* Where not NULL, long computations end with DOM_INTERRUPTED soon after it becomes non-zero. */
     const volatile sig_atomic_t *interrupt;
@@ -215,13 +239,17 @@ enum dom_status dom_fuel_find(const struct dom_train *train, struct dom_fuels *f
 /* ---- Collision ---- */
 
 struct dom_launch {
-    dom_real fuel;    /* P, the one that train->fuel selects */
+    dom_real fuel;    /* P, the one that train->fuel selects, less what friction takes of it */
     dom_real J0;      /* J(0) */
+    dom_real keeps;   /* omega(0) over omega_1(theta_c): the share of momentum, (J(0) - 1) / J(0) (c4) */
     dom_real omegasq; /* tau^2 omega(0)^2 after the collision (c6) */
     dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
 };
 
-/* DOM_NO_FUEL where P <= 0: then fuel and J0 are written, omegasq and kinetic are NaN. */
+/*
+ * DOM_NO_FUEL where P <= 0: then fuel, J0 and keeps are written, omegasq and kinetic are NaN.
+ * DOM_LOCKS, from here on also of the others: friction lets no cycle begin; nothing is written.
+ */
 enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch *launch,
                                 struct dom_launch *error);
 
@@ -229,7 +257,9 @@ enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch
 
 struct dom_barrier {
     dom_real theta_m; /* where the barrier is highest, 0 <= theta_m <= theta_c */
-    dom_real barrier; /* max over the cycle of H(theta) - H(0), a global maximum, >= 0 */
+    /* max over the cycle of H(theta) - H(0), a global maximum, >= 0; with friction the kinetic energy that it
+     * takes to get there */
+    dom_real barrier;
     dom_real kinetic; /* after the collision; NaN without fuel */
     dom_real margin;  /* kinetic - barrier (c8, corrected); NaN without fuel */
 };
@@ -293,7 +323,8 @@ const char *dom_event_text(enum dom_event_kind kind);
 
 /*
  * The train at one tilt on its way, and the ledger of its energy in m g h / 2 of the head:
- * before - lost - climbed = kinetic.  With the paper's fuel it does not close, since that is no balance.
+ * before - lost - climbed - rubbed = kinetic.  With the paper's fuel it does not close, since that is no
+ * balance.
  */
 struct dom_state {
     dom_real theta;
@@ -304,7 +335,8 @@ struct dom_state {
     dom_real climbed;      /* H(theta) - H(0); what is negative was set free */
     dom_real fallen;       /* the part of it in dominoes that fell off in this cycle */
     dom_real before;       /* kinetic energy of the hitting train, just before the collision */
-    dom_real lost;         /* of that in the collision, the share 1 / J(0) (c4) */
+    dom_real lost;         /* of that in the collision: without friction the share 1 / J(0) (c4) */
+    dom_real rubbed;       /* what friction has taken since the launch */
 };
 
 /* 0 <= theta <= theta_c.  DOM_STOPS: the head does not come as far; DOM_NO_FUEL: it does not start. */
@@ -332,9 +364,9 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, 
 
 /* ---- The limits of growth ---- */
 
-enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
+enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH, DOM_END_LOCK };
 
-/* "none", "barrier" or "reach". */
+/* "none", "barrier", "reach" or "lock": friction locks the collision. */
 const char *dom_end_text(enum dom_end end);
 
 struct dom_limit {
@@ -345,7 +377,7 @@ struct dom_limit {
 /*
  * The first r, raised from 1, at which the margin reaches 0; 1/s where that never happens.  train->r is
  * not used.  DOM_OK with DOM_END_NONE where already r = 1 does not go on; *why, unless why is NULL,
- * then tells whether by NO_FUEL or STOPS.
+ * then tells whether by NO_FUEL, STOPS or LOCKS.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
                                struct dom_limit *error, enum dom_status *why);

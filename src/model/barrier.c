@@ -17,13 +17,23 @@ struct slope_context {
     enum dom_status status;
 };
 
+/* With friction it is u that rises and falls: C in the place of -H'/2. */
+static enum dom_status rubbing_slope(const struct lean *g, struct tilt head, real *slope)
+{
+    enum dom_status status = friction_drive(g, head, slope);
+    *slope *= -2;
+    return status;
+}
+
 static real slope_of_H(real theta, void *context)
 {
     struct slope_context *c = context;
     struct tilt head;
     struct sums sums = {0};
     c->status = lean_tilt(c->lean, theta, &head);
-    if (c->status == DOM_OK)
+    if (c->status == DOM_OK && c->lean->mu > 0)
+        c->status = rubbing_slope(c->lean, head, &sums.H1);
+    else if (c->status == DOM_OK)
         c->status = chain_sum(c->lean, head, &sums);
     return c->status == DOM_OK ? sums.H1 : REAL_NAN;
 }
@@ -35,7 +45,7 @@ static real rises(real theta, struct slope_context *c)
     real H1 = 0;
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK)
-        c->status = chain_sign(c->lean, head, &H1);
+        c->status = c->lean->mu > 0 ? rubbing_slope(c->lean, head, &H1) : chain_sign(c->lean, head, &H1);
     return H1;
 }
 
@@ -45,7 +55,9 @@ static enum dom_status barrier_try(const struct slope_context *c, real theta, st
     struct tilt head;
     struct sums sums = {0};
     enum dom_status status = lean_tilt(c->lean, theta, &head);
-    if (status == DOM_OK)
+    if (status == DOM_OK && c->lean->mu > 0)
+        sums.dH = friction_climb(c->lean, theta);
+    else if (status == DOM_OK)
         status = chain_rise(c->lean, head, &sums, NULL);
     if (status == DOM_OK && sums.dH > b->height) {
         b->height = sums.dH;
@@ -105,6 +117,8 @@ KERNEL enum dom_status barrier_search(const struct lean *g, real end, struct bar
     bool leaves;
     struct tilt leave;
     enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
+    if (status == DOM_OK && g->mu > 0)
+        status = friction_flow(g);
     if (status != DOM_OK)
         return status;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
@@ -148,14 +162,15 @@ static real curvature(struct slope_context *c, real theta, real end)
     return (above - below) / (hi - lo);
 }
 
-KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier *b,
-                                     struct barrier *error)
+KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier *b, struct barrier *error)
 {
     struct tilt head;
     struct sums at, e;
     struct slope_context c = {.lean = g};
     *error = (struct barrier){.theta_m = 0, .height = 0};
-    if (b->theta_m == 0)
+    if (g->mu > 0)
+        error->theta_m = error->height = REAL_NAN;
+    if (b->theta_m == 0 || g->mu > 0)
         return DOM_OK;
     enum dom_status status = lean_tilt(g, b->theta_m, &head);
     if (status == DOM_OK)
@@ -177,7 +192,9 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
     struct lean g;
     struct barrier b, b_error;
     struct launch l, l_error;
+    struct flow flow;
     enum dom_status status = lean_make(train, &g);
+    lean_flow(&g, &flow);
     if (status == DOM_OK)
         status = barrier_balance(&g, train->fuel, tilt_angle(g.c), &l, error ? &l_error : NULL, &b);
     if (status == DOM_OK && error)

@@ -33,16 +33,4 @@ KERNEL real balance_tol(real tol, real left, real whole);
 KERNEL enum dom_status barrier_error(const struct lean *lean, const struct barrier *barrier,
                                      struct barrier *error);
 
-/* What a search ends with: the model's own status, if its function failed, else the solver's. */
-static inline enum dom_status model_status(enum dom_status own, enum num_status solver)
-{
-    static const enum dom_status of[] = {
-        [NUM_OK] = DOM_OK,
-        [NUM_NOT_BRACKETED] = DOM_NOT_CONVERGED,
-        [NUM_NOT_FINITE] = DOM_NOT_FINITE,
-        [NUM_NOT_CONVERGED] = DOM_NOT_CONVERGED,
-    };
-    return own != DOM_OK ? own : of[solver];
-}
-
 #endif

@@ -39,6 +39,15 @@ KERNEL void link_next(struct link *k)
     link_lean(k);
 }
 
+KERNEL real link_bend(const struct link *leader, real bend, const struct link *follower)
+{
+    real X = leader->turn.X, Y = leader->turn.Y;
+    if (leader->tilt.x == 0 && Y == 0)
+        return 0;
+    real turned = (follower->tilt.y + leader->step * leader->tilt.x * X) / (Y * Y);
+    return leader->step * bend - leader->lean->r * leader->lean->L * turned * leader->slope * leader->slope;
+}
+
 /* A sum with a bound on the terms that have not been added yet. */
 struct series {
     real sum, size;   /* of the terms, and of their absolute values */

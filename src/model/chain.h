@@ -8,6 +8,7 @@
 #define DOM_CHAIN_H
 
 #include "lean.h"
+#include "numerics/numerics.h"
 
 struct link {
     const struct lean *lean; /* of this domino and its follower */
@@ -23,6 +24,9 @@ struct link {
 
 KERNEL struct link link_head(const struct lean *lean, struct tilt head);
 KERNEL void link_next(struct link *link);
+
+/* theta'' of a follower from that of its leader: d/dtheta of (b10) along the chain. */
+KERNEL real link_bend(const struct link *leader, real bend, const struct link *follower);
 
 struct sums {
     real J;    /* (c2) */
@@ -52,5 +56,17 @@ KERNEL enum dom_status chain_rise_from(const struct lean *lean, struct tilt from
  * 0, shifted by one.
  */
 KERNEL enum dom_status chain_leave(const struct lean *lean, bool *leaves, struct tilt *head, size_t *domino);
+
+/* What a search ends with: the model's own status, if its function failed, else the solver's. */
+static inline enum dom_status model_status(enum dom_status own, enum num_status solver)
+{
+    static const enum dom_status of[] = {
+        [NUM_OK] = DOM_OK,
+        [NUM_NOT_BRACKETED] = DOM_NOT_CONVERGED,
+        [NUM_NOT_FINITE] = DOM_NOT_FINITE,
+        [NUM_NOT_CONVERGED] = DOM_NOT_CONVERGED,
+    };
+    return own != DOM_OK ? own : of[solver];
+}
 
 #endif

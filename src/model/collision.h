@@ -7,6 +7,7 @@
 struct launch {
     real fuel;    /* P, the one in use */
     real J0;      /* J(0) */
+    real keeps;   /* omega(0) / omega_1(theta_c) */
     real omegasq; /* tau^2 omega(0)^2 */
     real kinetic; /* J(0) tau^2 omega(0)^2 */
 };

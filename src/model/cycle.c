@@ -10,9 +10,11 @@ struct cycle {
 };
 
 /* DOM_NO_FUEL if the cycle does not begin. */
-static enum dom_status cycle_begin(const struct dom_train *train, struct cycle *cycle, bool errors)
+static enum dom_status cycle_begin(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
+                                   bool errors)
 {
     enum dom_status status = lean_make(train, &cycle->lean);
+    lean_flow(&cycle->lean, flow);
     if (status == DOM_OK)
         status =
             collision_launch(&cycle->lean, train->fuel, &cycle->launch, errors ? &cycle->launch_error : NULL);
@@ -26,11 +28,13 @@ static enum dom_status cycle_climb(struct cycle *cycle, real end)
 }
 
 /* The cycle from its beginning to theta_c, with its barrier. */
-static enum dom_status cycle_whole(const struct dom_train *train, struct cycle *cycle, bool errors)
+static enum dom_status cycle_whole(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
+                                   bool errors)
 {
     struct lean *g = &cycle->lean;
     cycle->status = DOM_OK;
     enum dom_status status = lean_make(train, g);
+    lean_flow(g, flow);
     if (status == DOM_OK)
         status = barrier_balance(g, train->fuel, tilt_angle(g->c), &cycle->launch,
                                  errors ? &cycle->launch_error : NULL, &cycle->barrier);
@@ -43,6 +47,12 @@ static enum dom_status cycle_speed(const struct cycle *cycle, real theta, real *
     struct tilt head;
     struct sums at = {0}, e = {0};
     enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
+    if (status == DOM_OK && cycle->lean.mu > 0) {
+        *omegasq = friction_omegasq(&cycle->lean, cycle->launch.omegasq, theta);
+        if (error)
+            *error = REAL_NAN;
+        return DOM_OK;
+    }
     if (status == DOM_OK)
         status = chain_rise(&cycle->lean, head, &at, error ? &e : NULL);
     if (status != DOM_OK)
@@ -57,10 +67,11 @@ KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real the
                                      dom_real *error)
 {
     struct cycle cycle;
+    struct flow flow;
     struct tilt head;
     real theta = (real)theta_, w = REAL_NAN, w_error = 0;
     *omegasq = DOM_NAN;
-    enum dom_status status = cycle_begin(train, &cycle, error != NULL);
+    enum dom_status status = cycle_begin(train, &flow, &cycle, error != NULL);
     if (status != DOM_OK && status != DOM_NO_FUEL)
         return status;
     enum dom_status tilt_status = lean_tilt(&cycle.lean, theta, &head);
@@ -121,15 +132,18 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
 KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error)
 {
     struct cycle cycle;
+    struct flow flow;
     real stop;
-    enum dom_status status = cycle_whole(train, &cycle, error != NULL);
+    enum dom_status status = cycle_whole(train, &flow, &cycle, error != NULL);
     if (status != DOM_OK)
         return status;
     *theta = DOM_NAN;
     if (cycle.barrier.height <= cycle.launch.kinetic)
         return DOM_OK;
     status = cycle_rest(cycle, &stop);
-    if (status == DOM_OK && error)
+    if (status == DOM_OK && error && cycle.lean.mu > 0)
+        *error = DOM_NAN;
+    else if (status == DOM_OK && error)
         status = stop_error(&cycle, stop, error);
     if (status == DOM_OK)
         *theta = stop;
@@ -180,7 +194,8 @@ static enum dom_status pieces_integral(struct cycle *cycle, const real *knot, in
 KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
 {
     struct cycle cycle;
-    enum dom_status status = cycle_whole(train, &cycle, error != NULL);
+    struct flow flow;
+    enum dom_status status = cycle_whole(train, &flow, &cycle, error != NULL);
     if (status != DOM_OK)
         return status;
     const struct barrier *b = &cycle.barrier;
@@ -202,7 +217,9 @@ KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *d
     }
     real share = fmax((real)train->tol / 8, noise);
     status = pieces_integral(&cycle, knot, knots, slowness, share, &sum, error ? &sum_error : NULL);
-    if (status == DOM_OK && error)
+    if (cycle.lean.mu > 0)
+        sum_error = REAL_NAN;
+    else if (status == DOM_OK && error)
         status = pieces_integral(&cycle, knot, knots, slowness_error, (real)0.125, &of_speed, NULL);
     if (status != DOM_OK)
         return status;

@@ -2,7 +2,7 @@
 #ifndef DOM_ENERGY_H
 #define DOM_ENERGY_H
 
-#include "chain.h"
+#include "friction.h"
 
 /* What one pass at theta_c gives. */
 struct fuel {

@@ -16,6 +16,7 @@ KERNEL enum dom_status lean_make_at(const struct dom_train *t, real s, real r, s
                      .d = d,
                      .q = q,
                      .tol = (real)t->tol,
+                     .mu = (real)t->mu,
                      .L = L,
                      .n = CHAIN_ENDLESS,
                      .interrupt = t->interrupt,

@@ -15,9 +15,13 @@ struct tilt {
     real v;    /* 1 - cos theta */
 };
 
+struct flow; /* friction.h */
+
 /* A checked train with the quantities that its whole cycle shares. */
 struct lean {
     real s, r, d, q, tol;
+    real mu;           /* 0: no friction, and flow is not used */
+    struct flow *flow; /* whose is the caller's; see lean_flow */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     real L;            /* s + d */
@@ -47,6 +51,9 @@ KERNEL enum dom_status lean_make(const struct dom_train *train, struct lean *lea
 
 /* The same for the separation s and the growth r in place of the train's. */
 KERNEL enum dom_status lean_make_at(const struct dom_train *train, real s, real r, struct lean *lean);
+
+/* Room for the motion of a train with friction, if it has any; for as long as the lean is used. */
+KERNEL void lean_flow(struct lean *lean, struct flow *flow);
 
 /* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
 KERNEL enum dom_status lean_tilt(const struct lean *lean, real theta, struct tilt *tilt);

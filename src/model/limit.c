@@ -16,6 +16,7 @@ struct margin_context {
     enum dom_status (*margin)(const struct lean *, enum dom_fuel, real *margin, real *error);
     real error; /* bound of that of the last margin, where wanted */
     bool errors;
+    bool locked; /* by friction, at the last r */
     enum dom_status status;
 };
 
@@ -25,7 +26,7 @@ static enum dom_status train_margin(const struct lean *g, enum dom_fuel fuel, re
     struct barrier b, b_error = {0};
     struct launch launch, launch_error = {0};
     /* At r = 1 the fuels agree, and the closed one needs no train. */
-    if (g->r == 1 && energy_fuel_paper(g) <= 0)
+    if (g->r == 1 && g->mu == 0 && energy_fuel_paper(g) <= 0)
         return DOM_NO_FUEL;
     enum dom_status status = collision_launch(g, fuel, &launch, error ? &launch_error : NULL);
     if (status == DOM_OK)
@@ -57,7 +58,9 @@ static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, rea
     real cosine = (g->c.y + g->d * g->c.x) / u;
     /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation. */
     real omegasq_1c = u * sine * sine / (1 + cosine);
-    real k = g->inertia, share = k / (1 + k); /* (b11) */
+    real k = g->inertia, T = g->mu > 0 ? g->flow->T : k, share = T / (1 + T); /* (b11) */
+    if (T <= 0)
+        return DOM_LOCKS;
     real kinetic = (1 + k) * g->r * omegasq_1c * share * share;
     /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
     *margin = sine > 0 ? kinetic - b.height : -b.height;
@@ -74,10 +77,17 @@ static real margin_at(real r, void *context)
 {
     struct margin_context *c = context;
     struct lean g;
+    struct flow flow;
     real margin = REAL_NAN;
     c->status = lean_make_at(c->train, c->s, r, &g);
+    lean_flow(&g, &flow);
     if (c->status == DOM_OK)
         c->status = c->margin(&g, c->train->fuel, &margin, c->errors ? &c->error : NULL);
+    c->locked = c->status == DOM_LOCKS;
+    if (c->locked) { /* no margin, but a verdict: it stops */
+        c->status = DOM_OK;
+        return -1;
+    }
     return c->status == DOM_OK ? margin : REAL_NAN;
 }
 
@@ -126,8 +136,11 @@ static enum dom_status limit_scan(struct margin_context *c, int k, real margin, 
         }
         if (next < 0) {
             enum num_status solver = num_root(margin_at, c, r, r_next, tol, &limit->r_max);
-            limit->ends = DOM_END_BARRIER;
-            return model_status(c->status, solver);
+            enum dom_status status = model_status(c->status, solver);
+            if (c->train->mu > 0 && status == DOM_OK)
+                margin_at(limit->r_max * (1 + 2 * fmax(tol, 4 * REAL_EPSILON)), c);
+            limit->ends = c->locked ? DOM_END_LOCK : DOM_END_BARRIER;
+            return status;
         }
         before = margin;
         r_before = r;
@@ -146,8 +159,8 @@ static enum dom_status limit_scan(struct margin_context *c, int k, real margin, 
 static enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
     real r = limit->r_max, reach = 1 / c->s;
-    *error = UNIT * r;
-    if (limit->ends != DOM_END_BARRIER)
+    *error = c->train->mu > 0 ? REAL_NAN : UNIT * r;
+    if (limit->ends != DOM_END_BARRIER || c->train->mu > 0)
         return DOM_OK;
     c->errors = true;
     real margin = margin_at(r, c), wrong = c->error, slope = 0;
@@ -192,7 +205,7 @@ static enum dom_status rmax_find(struct margin_context *c, struct limit *limit, 
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin < 0)) {
         *limit = no_limit;
         if (why)
-            *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : DOM_STOPS;
+            *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
         return c->status = DOM_OK;
     }
     return c->status == DOM_OK ? limit_scan(c, 0, margin, limit) : c->status;

@@ -13,6 +13,8 @@ static enum dom_status range_check(const struct dom_train *train)
         return DOM_BAD_PARAMETER;
     if (dom_arithmetic(train->precision)->bits == 0)
         return DOM_NO_PRECISION;
+    if (!(train->mu >= 0 && train->mu <= DOM_MU_HIGHEST))
+        return DOM_BAD_PARAMETER;
     return (double)train->tol < (double)dom_arithmetic(train->precision)->tol_floor ? DOM_BAD_PARAMETER
                                                                                     : DOM_OK;
 }
@@ -26,6 +28,10 @@ static const struct kernel *kernel_of(const struct dom_train *train, enum dom_st
     *status = range_check(train);
     if (*status != DOM_OK)
         return NULL;
+    if (train->mu > 0 && train->method != DOM_METHOD_OURS) {
+        *status = DOM_NO_METHOD;
+        return NULL;
+    }
     return train->method == DOM_METHOD_GSL     ? &kernel_gsl
            : train->method == DOM_METHOD_PAPER ? &kernel_paper
                                                : kernels[train->precision];

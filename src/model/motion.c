@@ -16,9 +16,9 @@ struct motion {
     bool stops;
 };
 
-static enum dom_status motion_begin(const struct dom_train *train, struct motion *m)
+static enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m)
 {
-    enum dom_status status = cycle_whole(train, &m->cycle, false);
+    enum dom_status status = cycle_whole(train, flow, &m->cycle, false);
     if (status != DOM_OK)
         return status;
     m->end = tilt_angle(m->cycle.lean.c);
@@ -30,7 +30,10 @@ static enum dom_status motion_begin(const struct dom_train *train, struct motion
     return m->stops ? cycle_rest(m->cycle, &m->end) : DOM_OK;
 }
 
-/* H(end) - H(end - delta) for a small delta, as the integral of H' (Gauss, three points): nothing cancels. */
+/*
+ * H(end) - H(end - delta) for a small delta, as the integral of H' (Gauss, three points): nothing cancels.
+ * With friction the same of u.
+ */
 static enum dom_status motion_drop(const struct lean *g, real end, real delta, real *drop)
 {
     const real root = sqrt((real)3 / 5);
@@ -42,7 +45,8 @@ static enum dom_status motion_drop(const struct lean *g, real end, real delta, r
         struct sums at;
         enum dom_status status = lean_tilt(g, end - place[k] * delta, &head);
         if (status == DOM_OK)
-            status = chain_sum(g, head, &at);
+            status =
+                g->mu > 0 ? friction_rate(g, head, end - place[k] * delta, &at.H1) : chain_sum(g, head, &at);
         if (status != DOM_OK)
             return status;
         *drop += delta * (real)weight[k] / 18 * at.H1;
@@ -52,6 +56,18 @@ static enum dom_status motion_drop(const struct lean *g, real end, real delta, r
 
 /* This close to a stop, as a part of its tilt, the energy that is left comes from motion_drop. */
 #define CLOSE ((real)0.01)
+
+/* slowness_before of a train with friction: w = G (u(end) - u(theta)). */
+static real rubbing_before(struct motion *m, real theta, real delta, real root)
+{
+    struct cycle *c = &m->cycle;
+    real ln_G, u;
+    friction_at(&c->lean, theta, &ln_G, &u);
+    real left = c->launch.omegasq - u;
+    if (c->status == DOM_OK && root * root < CLOSE)
+        c->status = motion_drop(&c->lean, m->end, delta, &left);
+    return c->status == DOM_OK && left > 0 ? 2 * m->end * root / sqrt(exp(ln_G) * left) : REAL_NAN;
+}
 
 /*
  * With theta = end (1 - u^2) the slowness before a stop, which grows like 1/sqrt(end - theta), is smooth:
@@ -65,9 +81,10 @@ static real slowness_before(real u, void *context)
     struct sums at = {.J = 1};
     real delta = m->end * u * u, theta = m->end - delta, left = 0;
     c->status = lean_tilt(&c->lean, theta, &head);
+    if (c->lean.mu > 0)
+        return rubbing_before(m, theta, delta, u);
     if (c->status == DOM_OK)
-        c->status = u * u < CLOSE ? chain_sum(&c->lean, head, &at)
-                                  : chain_rise(&c->lean, head, &at, NULL);
+        c->status = u * u < CLOSE ? chain_sum(&c->lean, head, &at) : chain_rise(&c->lean, head, &at, NULL);
     left = c->launch.kinetic - at.dH;
     if (c->status == DOM_OK && u * u < CLOSE)
         c->status = motion_drop(&c->lean, m->end, delta, &left);
@@ -115,10 +132,11 @@ static enum dom_status motion_time(struct motion *m, real from, real to, real *t
 KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
 {
     struct motion m;
+    struct flow flow;
     bool leaves;
     struct tilt leave;
     size_t domino = 0;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, &flow, &m);
     if (status == DOM_OK)
         status = chain_leave(&m.cycle.lean, &leaves, &leave, &domino);
     if (status != DOM_OK)
@@ -176,8 +194,9 @@ static enum dom_status tilt_search(struct motion *m, real time, real tol, real *
 KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_, dom_real *theta)
 {
     struct motion m;
+    struct flow flow;
     real time = (real)time_, whole = 0, at = 0;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, &flow, &m);
     if (status == DOM_OK)
         status = motion_time(&m, 0, m.end, &whole);
     if (status != DOM_OK)
@@ -206,23 +225,15 @@ struct moving {
     real bend; /* theta_i'' = d^2 theta_i / d theta^2 */
 };
 
-/* theta'' of the follower: d/dtheta of (b10) along the chain. */
-static real moving_bend(const struct lean *g, const struct moving *leader, const struct link *follower)
-{
-    const struct link *k = &leader->link;
-    real X = k->turn.X, Y = k->turn.Y;
-    if (k->tilt.x == 0 && Y == 0)
-        return 0;
-    real turned = (follower->tilt.y + k->step * k->tilt.x * X) / (Y * Y);
-    return k->step * leader->bend - g->r * g->L * turned * k->slope * k->slope;
-}
-
 /* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w. */
 static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration)
 {
     struct sums at;
-    enum dom_status status = chain_sum(g, head, &at);
-    if (status != DOM_OK)
+    struct law law;
+    enum dom_status status = g->mu > 0 ? friction_law(g, head, &law) : chain_sum(g, head, &at);
+    if (status == DOM_OK && g->mu > 0)
+        *acceleration = (law.C - law.B * w) / law.A;
+    if (status != DOM_OK || g->mu > 0)
         return status;
     struct moving k = {.link = link_head(g, head), .bend = 0};
     real half_J1 = 0;
@@ -232,7 +243,7 @@ static enum dom_status motion_acceleration(const struct lean *g, struct tilt hea
             break;
         struct moving leader = k;
         link_next(&k.link);
-        k.bend = moving_bend(g, &leader, &k.link);
+        k.bend = link_bend(&leader.link, k.bend, &k.link);
     }
     *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
     return DOM_OK;
@@ -275,11 +286,12 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
                                    struct dom_state *error)
 {
     struct motion m;
+    struct flow flow;
     struct tilt head;
     struct sums at, e = {0};
     struct fuel fuel, fuel_error = {0};
     real theta = (real)theta_, omegasq = 0, omegasq_error = 0, time = 0, acceleration = 0;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, &flow, &m);
     if (status != DOM_OK)
         return status;
     struct cycle *c = &m.cycle;
@@ -307,7 +319,10 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     if (status != DOM_OK)
         return status;
     /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
-    real before = c->lean.weight * (c->launch.kinetic + fuel.exact), J0 = c->launch.J0;
+    bool rubs = c->lean.mu > 0;
+    real after = rubs ? friction_omegasq(&c->lean, c->launch.omegasq, tilt_angle(c->lean.c)) * flow.J_c
+                      : c->launch.kinetic + fuel.exact;
+    real before = c->lean.weight * after, J0 = c->launch.J0;
     *state = (struct dom_state){
         .theta = theta,
         .time = time,
@@ -317,7 +332,8 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         .climbed = at.dH,
         .fallen = at.left,
         .before = before,
-        .lost = before / J0,
+        .lost = rubs ? before - c->launch.kinetic : before / J0,
+        .rubbed = rubs ? c->launch.kinetic - at.dH - at.J * omegasq : 0,
     };
     if (!error)
         return DOM_OK;
@@ -344,10 +360,11 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
                                     void *context)
 {
     struct motion m;
+    struct flow flow;
     struct tilt head;
     struct sums at;
     real theta = (real)theta_, w = 0, acceleration = 0;
-    enum dom_status status = motion_begin(train, &m);
+    enum dom_status status = motion_begin(train, &flow, &m);
     if (status != DOM_OK)
         return status;
     const struct lean *g = &m.cycle.lean;
@@ -375,20 +392,23 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     for (count = 1; count < n && k[count - 1].link.leads; count++) {
         k[count].link = k[count - 1].link;
         link_next(&k[count].link);
-        k[count].bend = moving_bend(g, &k[count - 1], &k[count].link);
+        k[count].bend = link_bend(&k[count - 1].link, k[count - 1].bend, &k[count].link);
     }
     /* The old train's domino j - 1 is this one's j: in the collision its theta_j' omega falls to J-1 of J. */
-    real omega_lost = sqrt(m.cycle.launch.omegasq) / (m.cycle.launch.J0 - 1);
+    bool rubs = g->mu > 0;
+    real omega_lost = sqrt(m.cycle.launch.omegasq) / (rubs ? flow.T : m.cycle.launch.J0 - 1);
     real rest = 0, push = 0; /* sums over the followers, as torques on the first of them */
     for (size_t j = count - 1; j > 0; j--) {
         const struct link *own = &k[j].link;
         real theta_2 = own->slope * acceleration + k[j].bend * w;
         real gravity = own->weight * (own->tilt.x - g->d * own->tilt.y) / 2;
-        rest = gravity - own->inertia * theta_2 + k[j].link.step * (j + 1 < count ? rest : 0);
-        push = own->inertia * own->slope * omega_lost + k[j].link.step * (j + 1 < count ? push : 0);
+        real share = rubs && own->leads ? friction_share(own) : own->step; /* a / b */
+        rest = gravity - own->inertia * theta_2 + share * (j + 1 < count ? rest : 0);
+        push = own->inertia * own->slope * omega_lost + share * (j + 1 < count ? push : 0);
         real size = own->weight == 0 ? 0 : pow(g->r, -(real)(j - 1)); /* h_(j-1) over that of the head */
-        real arm_b =
-            j == 1 && theta == 0 && g->short_of <= REAL_EPSILON ? 0 : k[j - 1].link.turn.Y / g->r * size;
+        real arm_b = j == 1 && theta == 0 && g->short_of <= REAL_EPSILON
+                         ? 0
+                         : (rubs ? friction_arm_b(&k[j - 1].link) : k[j - 1].link.turn.Y) / g->r * size;
         force[j - 1] = (struct dom_force){
             .i = j - 1,
             /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */

@@ -96,7 +96,7 @@ static enum dom_status paper_launch_find(const struct dom_train *train, struct d
     struct paper p;
     enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
     if (status == DOM_OK)
-        *launch = (struct dom_launch){p.P, p.J0, p.kinetic / p.J0, p.kinetic};
+        *launch = (struct dom_launch){p.P, p.J0, (p.J0 - 1) / p.J0, p.kinetic / p.J0, p.kinetic};
     return status;
 }
 

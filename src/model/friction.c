@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "friction.h"
+
+KERNEL void lean_flow(struct lean *g, struct flow *flow)
+{
+    g->flow = flow;
+    if (g->mu > 0)
+        flow->solution.panels = 0;
+}
+
+static void friction_count(const struct lean *g, size_t n)
+{
+    chain_count(g, n);
+    if (g->work)
+        g->work->entered[DOM_EFFECT_friction]++;
+}
+
+KERNEL real friction_arm_a(const struct link *k)
+{
+    return k->turn.arm - k->lean->mu * k->lean->r * k->lean->d;
+}
+
+KERNEL real friction_arm_b(const struct link *k)
+{
+    return k->turn.Y + k->lean->mu * k->turn.X;
+}
+
+KERNEL real friction_share(const struct link *k)
+{
+    return friction_arm_a(k) / friction_arm_b(k);
+}
+
+/* One domino, its S_i, and theta_i''. */
+struct rubbing {
+    struct link link;
+    real S, bend;
+};
+
+static void rubbing_next(struct rubbing *k)
+{
+    struct link leader = k->link;
+    k->S *= friction_share(&k->link);
+    link_next(&k->link);
+    k->bend = link_bend(&leader, k->bend, &k->link);
+}
+
+/* Are the three sums known?  Far down, dominoes pass on no more than near the end of an endless train. */
+static bool rubbing_done(const struct rubbing *k, struct series *A, struct series *B, struct series *C)
+{
+    const struct link *link = &k->link;
+    const struct lean *g = link->lean;
+    real share = fabs(friction_share(link)), S = fabs(k->S);
+    real of_C = fmax(g->weight * share, g->decay),
+         of_A = fmax(g->inertia * share, fmax(g->decay, g->decay_J));
+    real Y = link->turn.Y, bends = g->r * g->L / (Y * Y) * link->slope * link->slope;
+    return series_done(C, link->weight * S * g->reach, of_C, g->tol) &&
+           series_done(A, link->inertia * S * link->slope, of_A, g->tol) &&
+           series_done(B, link->inertia * S * (fabs(k->bend) + bends), of_A, g->tol);
+}
+
+KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, struct law *law)
+{
+    struct series A = {0}, B = {0}, C = {0};
+    struct rubbing k = {.link = link_head(g, head), .S = 1};
+    real J = 0;
+    for (;;) {
+        const struct link *link = &k.link;
+        enum dom_status status = chain_watch(g, link->i);
+        if (status != DOM_OK)
+            return status;
+        series_add(&A, link->inertia * k.S * link->slope);
+        series_add(&B, link->inertia * k.S * k.bend);
+        series_add(&C, link->weight * k.S * (link->tilt.x - link->lean->d * link->tilt.y) / 2);
+        J += link->inertia * link->slope * link->slope;
+        if (link->i + 1 >= g->n || !link->leads || rubbing_done(&k, &A, &B, &C))
+            break;
+        rubbing_next(&k);
+    }
+    friction_count(g, k.link.i + 1);
+    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost, J};
+    return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, real *C)
+{
+    struct law law;
+    enum dom_status status = friction_law(g, head, &law);
+    *C = status == DOM_OK ? law.C : REAL_NAN;
+    return status;
+}
+
+struct flow_context {
+    const struct lean *lean;
+    enum dom_status status;
+};
+
+/* dw/dtheta = -2 B / A w + 2 C / A. */
+static bool flow_rate(real theta, void *context, real *p, real *c)
+{
+    struct flow_context *f = context;
+    struct tilt head;
+    struct law law;
+    f->status = lean_tilt(f->lean, theta, &head);
+    if (f->status == DOM_OK)
+        f->status = friction_law(f->lean, head, &law);
+    /* With A <= 0 no acceleration fits the forces (Painleve): the train is locked. */
+    if (f->status == DOM_OK && law.A <= 0)
+        f->status = DOM_LOCKS;
+    if (f->status != DOM_OK)
+        return false;
+    *p = -2 * law.B / law.A;
+    *c = 2 * law.C / law.A;
+    return true;
+}
+
+/* The hitting train has all but the head, which stands upright. */
+static enum dom_status flow_collision(const struct lean *g, struct flow *flow)
+{
+    struct law at_c;
+    struct lean hitting = *g;
+    struct link upright = link_head(g, (struct tilt){0, 1, 0});
+    hitting.n = g->n == CHAIN_ENDLESS ? CHAIN_ENDLESS : g->n - 1;
+    enum dom_status status = friction_law(&hitting, g->c, &at_c);
+    flow->T = g->inertia * friction_share(&upright) * at_c.A;
+    flow->J0 = 1 + g->inertia * at_c.J;
+    flow->J_c = at_c.J;
+    return status;
+}
+
+KERNEL enum dom_status friction_flow(const struct lean *g)
+{
+    struct flow *flow = g->flow;
+    if (flow->solution.panels > 0 && flow->tol <= g->tol)
+        return DOM_OK;
+    struct lean fine = *g; /* the series see a sum that ends elsewhere as a jump */
+    fine.tol = fmin(g->tol / 16, 64 * REAL_EPSILON);
+    flow->solution.panels = 0;
+    flow->tol = g->tol;
+    bool leaves;
+    struct tilt leave;
+    struct flow_context c = {.lean = &fine};
+    real edge[3] = {0}, end = tilt_angle(g->c);
+    int edges = 1;
+    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
+    if (status != DOM_OK)
+        return status;
+    /* As in barrier_search: at r s = 1 nobody leans on the head from the first moment on. */
+    if (g->short_of == 0)
+        edge[0] = fmin(REAL_MIN, end);
+    real theta_leave = leaves ? tilt_angle(leave) : 0;
+    if (theta_leave > edge[0] && theta_leave < end)
+        edge[edges++] = theta_leave;
+    edge[edges++] = end;
+    status = flow_collision(&fine, flow);
+    for (int i = 1; i < edges && status == DOM_OK; i++) {
+        enum num_status solver =
+            num_linear_solve(flow_rate, &c, edge[i - 1], edge[i], g->tol / 8, &flow->solution);
+        if (solver != NUM_OK)
+            status = model_status(c.status, solver);
+    }
+    return status;
+}
+
+KERNEL void friction_at(const struct lean *g, real theta, real *ln_G, real *u)
+{
+    num_linear_at(&g->flow->solution, theta, ln_G, u);
+    *u = -*u;
+}
+
+KERNEL real friction_climb(const struct lean *g, real theta)
+{
+    real ln_G, u;
+    friction_at(g, theta, &ln_G, &u);
+    return g->flow->J0 * u;
+}
+
+KERNEL real friction_omegasq(const struct lean *g, real omegasq_0, real theta)
+{
+    real ln_G, u;
+    friction_at(g, theta, &ln_G, &u);
+    return exp(ln_G) * (omegasq_0 - u);
+}
+
+KERNEL enum dom_status friction_rate(const struct lean *g, struct tilt head, real theta, real *rate)
+{
+    struct law law;
+    real ln_G, u;
+    enum dom_status status = friction_law(g, head, &law);
+    friction_at(g, theta, &ln_G, &u);
+    *rate = -2 * law.C / (law.A * exp(ln_G));
+    return status;
+}

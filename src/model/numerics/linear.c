@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "numerics/linear.h"
+
+enum { N = LINEAR_ORDER };
+
+/* The Chebyshev nodes of the first kind, and sums over them: T_k(node j) by its recurrence. */
+static void nodes_make(real *node)
+{
+    for (int j = 0; j < N; j++)
+        node[j] = cos(PI * ((real)j + (real)0.5) / N);
+}
+
+static void series_of(const real *node, const real *value, real *series)
+{
+    for (int k = 0; k < N; k++)
+        series[k] = 0;
+    for (int j = 0; j < N; j++) {
+        real x = node[j], T = 1, before = x; /* T_-1 = T_1 = x */
+        for (int k = 0; k < N; k++) {
+            series[k] += value[j] * T * 2 / N;
+            real next = 2 * x * T - before;
+            before = T;
+            T = next;
+        }
+    }
+    series[0] /= 2;
+}
+
+/* Clenshaw. */
+static real series_at(const real *series, int n, real x)
+{
+    real b = 0, before = 0;
+    for (int k = n - 1; k > 0; k--) {
+        real next = 2 * x * b - before + series[k];
+        before = b;
+        b = next;
+    }
+    return x * b - before + series[0];
+}
+
+/* The integral from -1 times half, as a series of N + 1 terms that is `start` at -1. */
+static void series_integral(const real *series, real half, real start, real *integral)
+{
+    real at_left = 0;
+    for (int k = 1; k <= N; k++) {
+        real below = k == 1 ? 2 * series[0] : series[k - 1], above = k + 1 < N ? series[k + 1] : 0;
+        integral[k] = half * (below - above) / (2 * (real)k);
+        at_left += k % 2 ? -integral[k] : integral[k];
+    }
+    integral[0] = start - at_left;
+}
+
+/* What the series leaves out, by its last terms; and how large it is. */
+static bool series_died(const real *series, real tol)
+{
+    real size = 0, left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
+    for (int k = 0; k < N; k++)
+        size = fmax(size, fabs(series[k]));
+    return left <= fmax(tol, 2 * REAL_EPSILON) * size;
+}
+
+/* One panel that begins with ln_G and v; false where it is too wide. */
+static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
+                       struct num_panel *panel, enum num_status *status)
+{
+    real p[N], c[N], series[N], half = (panel->hi - panel->lo) / 2, middle = panel->lo + half;
+    for (int j = 0; j < N; j++)
+        if (!f(middle + half * node[j], context, &p[j], &c[j]) || !isfinite(p[j]) || !isfinite(c[j])) {
+            *status = NUM_NOT_FINITE;
+            return false;
+        }
+    series_of(node, p, series);
+    /* ln G is an exponent: what counts of p is absolute. */
+    real largest = 0;
+    for (int k = 0; k < N; k++)
+        largest = fmax(largest, fabs(series[k]));
+    if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol))
+        return false;
+    series_integral(series, half, ln_G, panel->ln_G);
+    for (int j = 0; j < N; j++)
+        c[j] *= exp(-series_at(panel->ln_G, N + 1, node[j]));
+    series_of(node, c, series);
+    if (!series_died(series, tol))
+        return false;
+    series_integral(series, half, v, panel->v);
+    return true;
+}
+
+KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
+                                        struct num_linear *s)
+{
+    real node[N], width = hi - lo, ln_G = 0, v = 0;
+    enum num_status status = NUM_OK;
+    nodes_make(node);
+    if (s->panels > 0)
+        num_linear_at(s, lo, &ln_G, &v);
+    while (lo < hi) {
+        if (s->panels == LINEAR_PANELS)
+            return NUM_NOT_CONVERGED;
+        struct num_panel *panel = &s->panel[s->panels];
+        panel->lo = lo;
+        /* No sliver is left for a panel of its own. */
+        panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
+        if (panel_make(f, context, node, ln_G, v, tol, panel, &status)) {
+            s->panels++;
+            width = 2 * (panel->hi - lo);
+            lo = panel->hi;
+            num_linear_at(s, lo, &ln_G, &v);
+        } else {
+            width = (panel->hi - lo) / 2;
+            if (status != NUM_OK || !(lo + width / 4 > lo))
+                return status != NUM_OK ? status : NUM_NOT_CONVERGED;
+        }
+    }
+    return NUM_OK;
+}
+
+KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *v)
+{
+    int k = s->panels - 1;
+    while (k > 0 && x < s->panel[k].lo)
+        k--;
+    const struct num_panel *panel = &s->panel[k];
+    real u = (x - panel->lo - (panel->hi - x)) / (panel->hi - panel->lo);
+    u = fmin(fmax(u, -1), 1);
+    *ln_G = series_at(panel->ln_G, N + 1, u);
+    *v = series_at(panel->v, N + 1, u);
+}
