@@ -103,7 +103,7 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
  * Effects beyond the paper, each in src/model/effects/: struct dom_effect tells what it adds.  One that is
  * not asked for is not computed, and none of its code is entered (struct dom_work counts).
  */
-#define DOM_EFFECTS(X) X(friction)
+#define DOM_EFFECTS(X) X(friction) X(row) X(push) X(placement) X(floor)
 
 enum dom_effect_name {
 #define DOM_EFFECT_ENUM(name) DOM_EFFECT_##name,
@@ -346,21 +346,35 @@ enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, s
 /* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TILT. */
 enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta);
 
-/* The contact between domino i and the follower that leans on it. */
+/* Domino i, and the contact of the follower that leans on it. */
 struct dom_force {
     size_t i;
-    dom_real force;   /* in m g of the head */
-    dom_real of_own;  /* in the weight of domino i */
-    dom_real impulse; /* in the collision, in m g tau of the head: > 0 presses them together */
+    dom_real force;   /* in m g of the head; NaN without a follower */
+    dom_real of_own;  /* the same in the weight of domino i */
+    dom_real impulse; /* in the collision (NaN unless theta = 0), in m g tau of the head: > 0 presses them */
 };
 
 /*
- * Calls visit for the contacts that matter at the tilt theta of a moving train, from the head down (model of
- * section 5: dominoes stay in contact as long as every force is > 0).  Statuses as dom_cycle_state.
+ * Calls visit for the dominoes that matter at the tilt theta of a moving train, from the head down (model of
+ * section 5: they stay in contact as long as every force is > 0).  Statuses as dom_cycle_state.
  */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
                                  void *context);
+
+/*
+ * The friction coefficient that the floor needs so that no hinge slips: |R_x| / R_z of the floor's force, and
+ * of its impulse in the collision; infinite where a domino would be lifted off it.
+ */
+struct dom_floor {
+    dom_real motion, theta; /* the most in motion, and the tilt of the head then */
+    size_t domino;          /* whose hinge, 0 = head */
+    dom_real hit;           /* the most in the collision */
+    size_t hit_domino;
+};
+
+/* Over the cycle, of the dominoes that move; right to a millionth.  Statuses as dom_cycle_state. */
+enum dom_status dom_cycle_floor(const struct dom_train *train, struct dom_floor *floor);
 
 /* ---- The limits of growth ---- */
 
@@ -397,6 +411,93 @@ struct dom_best {
 
 /* train->s and train->r are not used.  DOM_NO_GROWTH where no separation allows r > 1. */
 enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *best, struct dom_best *error);
+
+/* ---- A finite row of any dominoes ---- */
+
+/* A solid block; the gap is the free one to the domino before it, of which the first has none. */
+struct dom_domino {
+    dom_real height, thickness, gap; /* m */
+    dom_real mass;                   /* kg */
+};
+
+/*
+ * Dominoes 1, 2, ... in the order in which they fall, of any sizes.  They start one after the other as a
+ * train does: a head that all before it lean on, until it hits the next.
+ */
+struct dom_row {
+    const struct dom_domino *domino; /* count of them: domino[0] is number 1 */
+    size_t count;
+    dom_real g;    /* m/s^2 */
+    dom_real push; /* rad/s, of the first, upright domino; NaN: it is tipped over its edge and let go */
+    dom_real mu;   /* friction between dominoes, as of a train */
+    bool floor;    /* is it asked what friction the floor needs? */
+    dom_real tol;  /* relative tolerance */
+    enum dom_precision precision;
+    struct dom_work *work;                  /* where not NULL, counts */
+    const volatile sig_atomic_t *interrupt; /* as of a train */
+};
+
+/* How a row ends: X(name, what it means). */
+#define DOM_ROW_ENDS(X)                                                                                      \
+    X(FALLS, "all fall")                                                                                     \
+    X(STOPS, "what is left of the motion does not carry it over its barrier")                                \
+    X(MISSES, "it falls short of the next: the gap is larger than it is tall")                               \
+    X(PASSES,                                                                                                \
+      "its tip passes above the next one: a contact of another kind, which this model does not have")        \
+    X(LEANS, "the first touches the second before it is over its edge: it needs a push")                     \
+    X(PARTS, "it runs ahead of those that lean on it: the contact opens, which this model does not follow")  \
+    X(LOCKS, "friction locks: the force on the struck domino passes behind its hinge")
+
+enum dom_row_end {
+#define DOM_ROW_ENUM(name, text) DOM_ROW_##name,
+    DOM_ROW_ENDS(DOM_ROW_ENUM)
+#undef DOM_ROW_ENUM
+};
+
+/* What it means, as a phrase about the domino where it ends. */
+const char *dom_row_end_text(enum dom_row_end end);
+
+/* One domino of the row, from when it is hit to when it hits the next, or lies on the floor. */
+struct dom_fall {
+    size_t domino;     /* its number, from 1 */
+    dom_real time;     /* s, when it was hit; the clock starts with the push, or else with the first hit */
+    dom_real duration; /* s, until it hits the next one, or lies on the floor; NaN where it does not */
+    dom_real omega;    /* rad/s, just after it was hit */
+    dom_real kinetic;  /* J, of all that move, just after it was hit */
+    dom_real barrier;  /* J, that it takes to go on */
+    dom_real margin;   /* J, kinetic - barrier */
+    dom_real lost;     /* J, in the collision */
+    dom_real rubbed;   /* J, to friction between dominoes since it was hit; NaN where it does not go on */
+    dom_real theta_m;  /* where it is hardest to go on */
+    dom_real theta;    /* where it hits the next, lies on the floor, or comes to rest */
+    size_t moving;     /* dominoes that moved with it */
+    /* Where the floor is asked for, as of a train; by numbers in the row.  Else NaN and 0. */
+    dom_real floor_motion, floor_hit;
+    size_t floor_domino, floor_hit_domino;
+};
+
+struct dom_verdict {
+    enum dom_row_end end;
+    size_t domino;     /* the last that was hit: where the row ends */
+    dom_real short_by; /* J, of what is missing there: > 0 for STOPS, else 0 */
+    dom_real seconds;  /* until all lie, or until the last hit */
+    size_t weakest;    /* of those that go on the one that does so with the smallest margin / barrier */
+    dom_real spare;    /* that ratio; infinite where nothing has to be climbed */
+};
+
+/*
+ * Runs a row.  visit is called for each domino that is hit, in order, unless it is NULL; it returns false to
+ * stop early.  times = false leaves out what only times need: they are NaN.  The verdict is written with
+ * DOM_OK.  BAD_PARAMETER: a size, g, mu, push or tol is not finite, or not in its range.
+ */
+typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
+enum dom_status dom_row_run(const struct dom_row *row, bool times, dom_fall_visit *visit, void *context,
+                            struct dom_verdict *verdict);
+
+/* Of a train: domino k = 1 ... count, each r times as large, gap s of its own height; the first weighs mass.
+ */
+void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
+                      struct dom_domino *domino, size_t count);
 
 /* ---- Metres and seconds ---- */
 

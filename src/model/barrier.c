@@ -14,6 +14,7 @@
 
 struct slope_context {
     const struct lean *lean;
+    struct tilt from; /* heights are over that of the train there */
     enum dom_status status;
 };
 
@@ -58,7 +59,8 @@ static enum dom_status barrier_try(const struct slope_context *c, real theta, st
     if (status == DOM_OK && c->lean->mu > 0)
         sums.dH = friction_climb(c->lean, theta);
     else if (status == DOM_OK)
-        status = chain_rise(c->lean, head, &sums, NULL);
+        status = c->from.x > 0 ? chain_rise_from(c->lean, c->from, head, &sums)
+                               : chain_rise(c->lean, head, &sums, NULL);
     if (status == DOM_OK && sums.dH > b->height) {
         b->height = sums.dH;
         b->theta_m = theta;
@@ -106,6 +108,14 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     if (c->status == DOM_OK && last.slope > 0)
         c->status = barrier_try(c, hi, b); /* H still rises at the end of the piece */
     return c->status;
+}
+
+KERNEL enum dom_status barrier_piece(const struct lean *g, struct tilt from, real lo, real hi,
+                                     struct barrier *b)
+{
+    struct slope_context c = {.lean = g, .from = from};
+    *b = (struct barrier){.theta_m = lo, .edge = {lo, hi}, .edges = 2};
+    return barrier_scan(&c, lo, hi, lo == 0, b);
 }
 
 KERNEL enum dom_status barrier_search(const struct lean *g, real end, struct barrier *barrier)

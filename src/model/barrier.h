@@ -18,6 +18,10 @@ struct barrier {
 
 KERNEL enum dom_status barrier_search(const struct lean *lean, real end, struct barrier *barrier);
 
+/* The same over [lo, hi], where H is smooth, and relative to H at lo, the tilt `from`. */
+KERNEL enum dom_status barrier_piece(const struct lean *lean, struct tilt from, real lo, real hi,
+                                     struct barrier *barrier);
+
 /*
  * Launch of an endless train and its barrier over [0, end]; unless NULL, error gets the bounds of the
  * launch.  Where the two nearly balance their difference is not known as well as they are: then both come

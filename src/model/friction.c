@@ -127,18 +127,37 @@ static enum dom_status flow_collision(const struct lean *g, struct flow *flow)
     return status;
 }
 
+/* Over the smooth parts between the edges. */
+static enum dom_status flow_solve(const struct lean *fine, real tol, const real *edge, int edges)
+{
+    struct flow_context c = {.lean = fine};
+    for (int i = 1; i < edges; i++) {
+        enum num_status solver =
+            num_linear_solve(flow_rate, &c, edge[i - 1], edge[i], tol / 8, &fine->flow->solution);
+        if (solver != NUM_OK)
+            return model_status(c.status, solver);
+    }
+    return DOM_OK;
+}
+
+/* To its series a sum that ends elsewhere would be a jump. */
+static struct lean flow_begin(const struct lean *g)
+{
+    struct lean fine = *g;
+    fine.tol = fmin(g->tol / 16, 64 * REAL_EPSILON);
+    g->flow->solution.panels = 0;
+    g->flow->tol = g->tol;
+    return fine;
+}
+
 KERNEL enum dom_status friction_flow(const struct lean *g)
 {
     struct flow *flow = g->flow;
     if (flow->solution.panels > 0 && flow->tol <= g->tol)
         return DOM_OK;
-    struct lean fine = *g; /* the series see a sum that ends elsewhere as a jump */
-    fine.tol = fmin(g->tol / 16, 64 * REAL_EPSILON);
-    flow->solution.panels = 0;
-    flow->tol = g->tol;
+    struct lean fine = flow_begin(g);
     bool leaves;
     struct tilt leave;
-    struct flow_context c = {.lean = &fine};
     real edge[3] = {0}, end = tilt_angle(g->c);
     int edges = 1;
     enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
@@ -152,13 +171,17 @@ KERNEL enum dom_status friction_flow(const struct lean *g)
         edge[edges++] = theta_leave;
     edge[edges++] = end;
     status = flow_collision(&fine, flow);
-    for (int i = 1; i < edges && status == DOM_OK; i++) {
-        enum num_status solver =
-            num_linear_solve(flow_rate, &c, edge[i - 1], edge[i], g->tol / 8, &flow->solution);
-        if (solver != NUM_OK)
-            status = model_status(c.status, solver);
-    }
-    return status;
+    return status == DOM_OK ? flow_solve(&fine, g->tol, edge, edges) : status;
+}
+
+KERNEL enum dom_status friction_flow_piece(const struct lean *g, struct tilt from, real lo, real hi)
+{
+    struct lean fine = flow_begin(g);
+    struct law law;
+    real edge[] = {lo, hi};
+    enum dom_status status = friction_law(&fine, from, &law);
+    g->flow->J0 = law.J;
+    return status == DOM_OK ? flow_solve(&fine, g->tol, edge, 2) : status;
 }
 
 KERNEL void friction_at(const struct lean *g, real theta, real *ln_G, real *u)

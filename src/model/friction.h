@@ -53,6 +53,9 @@ KERNEL real friction_arm_b(const struct link *link);
 /* The flow of the lean over [0, theta_c], unless it is there already, with the edges between smooth parts. */
 KERNEL enum dom_status friction_flow(const struct lean *lean);
 
+/* The same over [lo, hi] alone, with u from lo, the tilt `from`, on, and J0 that of there. */
+KERNEL enum dom_status friction_flow_piece(const struct lean *lean, struct tilt from, real lo, real hi);
+
 /* ln G and u at a tilt of the head. */
 KERNEL void friction_at(const struct lean *lean, real theta, real *ln_G, real *u);
 

@@ -26,10 +26,12 @@ struct kernel {
                                    struct dom_state *);
     enum dom_status (*cycle_tilt)(const struct dom_train *, dom_real, dom_real *);
     enum dom_status (*cycle_forces)(const struct dom_train *, dom_real, dom_force_visit *, void *);
+    enum dom_status (*cycle_floor)(const struct dom_train *, struct dom_floor *);
     enum dom_status (*limit_rmax)(const struct dom_train *, struct dom_limit *, struct dom_limit *,
                                   enum dom_status *);
     enum dom_status (*limit_pair)(const struct dom_train *, struct dom_limit *, struct dom_limit *);
     enum dom_status (*limit_best)(const struct dom_train *, struct dom_best *, struct dom_best *);
+    enum dom_status (*row_run)(const struct dom_row *, bool, dom_fall_visit *, void *, struct dom_verdict *);
     enum dom_status (*count_find)(dom_real, dom_real, dom_real, struct dom_count *, struct dom_count *);
 };
 

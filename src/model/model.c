@@ -130,6 +130,11 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, 
     ASK(train, cycle_forces, train, theta, visit, context);
 }
 
+enum dom_status dom_cycle_floor(const struct dom_train *train, struct dom_floor *floor)
+{
+    ASK(train, cycle_floor, train, floor);
+}
+
 /* The limits have r of their own: the train's may be anything. */
 static struct dom_train without_r(const struct dom_train *train)
 {
@@ -157,6 +162,16 @@ enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *b
     struct dom_train t = without_r(train);
     t.s = 1;
     ASK(&t, limit_best, &t, best, error);
+}
+
+enum dom_status dom_row_run(const struct dom_row *row, bool times, dom_fall_visit *visit, void *context,
+                            struct dom_verdict *verdict)
+{
+    if (row->precision > DOM_QUAD)
+        return DOM_BAD_PARAMETER;
+    return dom_arithmetic(row->precision)->bits
+               ? kernels[row->precision]->row_run(row, times, visit, context, verdict)
+               : DOM_NO_PRECISION;
 }
 
 enum dom_status dom_count_find(enum dom_precision precision, dom_real first, dom_real height, dom_real r,

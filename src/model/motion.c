@@ -1,11 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * One cycle as it runs: events, times, accelerations and the forces in the chain.  From the tail upwards,
- * what each follower gets from gravity and does not need for its own acceleration is what its contact
- * passes on.
- */
+/* One cycle as it runs: events, times, accelerations. */
 #include "barrier.h"
-#include <stdlib.h>
 
 /* ---- Times ---- */
 
@@ -217,13 +212,7 @@ KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_,
     return status;
 }
 
-/* ---- Accelerations and forces ---- */
-
-/* One domino in the moving train. */
-struct moving {
-    struct link link;
-    real bend; /* theta_i'' = d^2 theta_i / d theta^2 */
-};
+/* ---- Accelerations ---- */
 
 /* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w. */
 static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration)
@@ -235,15 +224,15 @@ static enum dom_status motion_acceleration(const struct lean *g, struct tilt hea
         *acceleration = (law.C - law.B * w) / law.A;
     if (status != DOM_OK || g->mu > 0)
         return status;
-    struct moving k = {.link = link_head(g, head), .bend = 0};
-    real half_J1 = 0;
+    struct link k = link_head(g, head);
+    real half_J1 = 0, bend = 0;
     for (size_t i = 0; i < at.n; i++) {
-        half_J1 += k.link.inertia * k.link.slope * k.bend;
-        if (!k.link.leads || i + 1 == at.n)
+        half_J1 += k.inertia * k.slope * bend;
+        if (!k.leads || i + 1 == at.n)
             break;
-        struct moving leader = k;
-        link_next(&k.link);
-        k.bend = link_bend(&leader.link, k.bend, &k.link);
+        struct link leader = k;
+        link_next(&k);
+        bend = link_bend(&leader, bend, &k);
     }
     *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
     return DOM_OK;
@@ -351,76 +340,4 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         .lost = (of_before + before * c->launch_error.J0 / J0) / J0 + UNIT * before,
     };
     return status;
-}
-
-/* Dominoes beyond those that matter, so that the last that is reported has a tail that matters to it. */
-#define FORCES_MORE 64
-
-KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real theta_, dom_force_visit *visit,
-                                    void *context)
-{
-    struct motion m;
-    struct flow flow;
-    struct tilt head;
-    struct sums at;
-    real theta = (real)theta_, w = 0, acceleration = 0;
-    enum dom_status status = motion_begin(train, &flow, &m);
-    if (status != DOM_OK)
-        return status;
-    const struct lean *g = &m.cycle.lean;
-    status = lean_tilt(g, theta, &head);
-    if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
-        return DOM_STOPS;
-    if (status == DOM_OK)
-        status = chain_sum(g, head, &at);
-    if (status == DOM_OK)
-        status = cycle_speed(&m.cycle, fmin(theta, m.end), &w, NULL);
-    w = fmax(w, 0);
-    if (status == DOM_OK)
-        status = motion_acceleration(g, head, w, &acceleration);
-    if (status != DOM_OK)
-        return status;
-    size_t n = 2 * at.n + FORCES_MORE, count = 0;
-    struct moving *k = malloc(n * sizeof *k);
-    struct dom_force *force = malloc(n * sizeof *force);
-    if (!k || !force) {
-        free(k);
-        free(force);
-        return DOM_NO_MEMORY;
-    }
-    k[0] = (struct moving){.link = link_head(g, head), .bend = 0};
-    for (count = 1; count < n && k[count - 1].link.leads; count++) {
-        k[count].link = k[count - 1].link;
-        link_next(&k[count].link);
-        k[count].bend = link_bend(&k[count - 1].link, k[count - 1].bend, &k[count].link);
-    }
-    /* The old train's domino j - 1 is this one's j: in the collision its theta_j' omega falls to J-1 of J. */
-    bool rubs = g->mu > 0;
-    real omega_lost = sqrt(m.cycle.launch.omegasq) / (rubs ? flow.T : m.cycle.launch.J0 - 1);
-    real rest = 0, push = 0; /* sums over the followers, as torques on the first of them */
-    for (size_t j = count - 1; j > 0; j--) {
-        const struct link *own = &k[j].link;
-        real theta_2 = own->slope * acceleration + k[j].bend * w;
-        real gravity = own->weight * (own->tilt.x - g->d * own->tilt.y) / 2;
-        real share = rubs && own->leads ? friction_share(own) : own->step; /* a / b */
-        rest = gravity - own->inertia * theta_2 + share * (j + 1 < count ? rest : 0);
-        push = own->inertia * own->slope * omega_lost + share * (j + 1 < count ? push : 0);
-        real size = own->weight == 0 ? 0 : pow(g->r, -(real)(j - 1)); /* h_(j-1) over that of the head */
-        real arm_b = j == 1 && theta == 0 && g->short_of <= REAL_EPSILON
-                         ? 0
-                         : (rubs ? friction_arm_b(&k[j - 1].link) : k[j - 1].link.turn.Y) / g->r * size;
-        force[j - 1] = (struct dom_force){
-            .i = j - 1,
-            /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */
-            .force = arm_b > 0 ? rest / arm_b : REAL_NAN,
-            .of_own = arm_b > 0 ? rest / arm_b * size / k[j - 1].link.weight : REAL_NAN,
-            .impulse = theta == 0 && arm_b > 0 ? push / arm_b : REAL_NAN,
-        };
-    }
-    for (size_t i = 0; i + 1 < count && i < at.n; i++)
-        if (!visit(&force[i], context))
-            break;
-    free(k);
-    free(force);
-    return DOM_OK;
 }

@@ -81,3 +81,27 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
     };
     return &table[precision];
 }
+
+const char *dom_row_end_text(enum dom_row_end end)
+{
+    static const char *const text[] = {
+#define END_TEXT(name, text) [DOM_ROW_##name] = text,
+        DOM_ROW_ENDS(END_TEXT)
+#undef END_TEXT
+    };
+    return text[end];
+}
+
+void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
+                      struct dom_domino *domino, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        dom_real height = scale->h * pow(train->r, (dom_real)k);
+        domino[k] = (struct dom_domino){
+            .height = height,
+            .thickness = train->d * height,
+            .gap = k == 0 ? 0 : train->s * height,
+            .mass = mass * pow(train->r, (train->q - 1) * (dom_real)k),
+        };
+    }
+}

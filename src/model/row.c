@@ -1,0 +1,502 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A finite row of unlike dominoes (model section 8).  While domino k is the head, all before it lean on it in
+ * a chain as in a train, with sizes, weights and gaps of their own; so it has the same energies, the same law
+ * of motion, the same collision.  What differs: nothing repeats, so each head begins with what the one before
+ * left to it; and a domino that falls off takes along whoever leans on it.
+ *
+ * Inside, the head of the moment is the unit, as everywhere in here: its height, m g h / 2, tau.
+ */
+#include "barrier.h"
+#include "floor.h"
+#include <stdlib.h>
+
+/* ---- The row as a chain ---- */
+
+struct row {
+    const struct dom_row *asked;
+    struct lean *lean; /* of domino k as a head, and as a follower of k + 1 */
+    struct flow *flow;
+    size_t count;
+};
+
+/* Of one domino, in SI units. */
+struct block {
+    real height, d, mass, moment, tau; /* d = thickness / height; moment = m (h^2 + thickness^2) */
+};
+
+static struct block block_of(const struct dom_row *row, size_t k)
+{
+    const struct dom_domino *domino = &row->domino[k];
+    real h = (real)domino->height, thickness = (real)domino->thickness, m = (real)domino->mass;
+    real sizes = h * h + thickness * thickness;
+    return (struct block){h, thickness / h, m, m * sizes, sqrt(sizes / (3 * (real)row->g * h))};
+}
+
+/* The joint of domino k with k - 1, its follower, and how much of the row is behind it. */
+static void joint_make(const struct dom_row *row, size_t k, const struct lean *follower, struct lean *g)
+{
+    struct block own = block_of(row, k), behind = block_of(row, k - 1);
+    real gap = (real)row->domino[k].gap;
+    g->r = own.height / behind.height;
+    g->s = gap / own.height;
+    g->L = g->s + own.d;
+    g->short_of = fmax((behind.height - gap) / behind.height, 0);
+    g->leave_at = g->short_of * (1 + gap / behind.height);
+    g->leave_by = 2 * g->d * g->L * g->r * g->r;
+    real v = g->leave_at / g->leave_by;
+    g->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
+    g->weight = behind.mass / own.mass / g->r;
+    g->inertia = behind.moment / own.moment;
+    g->behind = follower;
+    /* All behind it, over what it has itself: a bound for what it leaves out to end a sum there. */
+    real weights = g->weight * follower->reach / g->reach * (1 + follower->decay / (1 - follower->decay));
+    real moments = g->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
+    g->decay = weights / (1 + weights);
+    g->decay_J = moments / (1 + moments);
+}
+
+/* Where domino k ends as a head: at the next one, or on the floor. */
+static struct tilt row_end(const struct dom_row *row, size_t k)
+{
+    if (k + 1 == row->count)
+        return (struct tilt){1, 0, 1};
+    real sine = fmin((real)row->domino[k + 1].gap / (real)row->domino[k].height, 1);
+    return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
+}
+
+static void row_make(struct row *row)
+{
+    const struct dom_row *asked = row->asked;
+    for (size_t k = 0; k < row->count; k++) {
+        struct lean *g = &row->lean[k];
+        *g = (struct lean){.tol = (real)asked->tol,
+                           .mu = (real)asked->mu,
+                           .flow = row->flow,
+                           .interrupt = asked->interrupt,
+                           .work = asked->work,
+                           .d = block_of(asked, k).d,
+                           .short_of = 1,
+                           .c = row_end(asked, k),
+                           .n = k + 1};
+        g->reach = hypot(1, g->d);
+        if (k > 0)
+            joint_make(asked, k, &row->lean[k - 1], g);
+    }
+}
+
+static bool positive(dom_real value)
+{
+    return value > 0 && isfinite((real)value) && (real)value > 0;
+}
+
+static enum dom_status row_check(const struct dom_row *row)
+{
+    if (row->count == 0 || !positive(row->g) || !(row->mu >= 0 && row->mu <= DOM_MU_HIGHEST) ||
+        !(row->tol > 0 && row->tol < 1) ||
+        (!isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))))
+        return DOM_BAD_PARAMETER;
+    for (size_t k = 0; k < row->count; k++) {
+        const struct dom_domino *d = &row->domino[k];
+        if (!positive(d->height) || !positive(d->thickness) || !positive(d->mass) || !(d->gap >= 0) ||
+            !isfinite((real)d->gap))
+            return DOM_BAD_PARAMETER;
+    }
+    return DOM_OK;
+}
+
+/* ---- One head, stretch by stretch: between them a domino falls off ---- */
+
+struct stretch {
+    struct lean g; /* n: dominoes that move */
+    struct tilt from;
+    real lo, hi;
+    real J, omegasq; /* at lo */
+    real T;          /* of the collision that it begins with; 0 for none */
+    struct barrier barrier;
+    enum dom_status status; /* of what is being searched or integrated */
+};
+
+/*
+ * The stretch ends where a domino falls off, and only *stay move on.  Behind the first that has left by then
+ * another may have left earlier, and so on.
+ */
+static enum dom_status stretch_cut(struct stretch *st, size_t *stay)
+{
+    const struct lean *g = &st->g;
+    *stay = g->n;
+    for (;;) {
+        struct tilt head;
+        enum dom_status status = lean_tilt(g, st->hi, &head);
+        if (status != DOM_OK)
+            return status;
+        struct link k = link_head(g, head);
+        while (k.i + 1 < g->n && ((*stay < g->n && k.i < *stay) || k.tilt.v < k.lean->leave.v))
+            link_next(&k);
+        if (k.i + 1 >= g->n)
+            return DOM_OK;
+        struct tilt leave = k.lean->leave;
+        *stay = k.i + 1;
+        for (const struct lean *leader = k.lean + 1; k.i > 0; k.i--, leader++)
+            leave = lean_leader(leader, leave);
+        st->hi = fmin(fmax(tilt_angle(leave), st->lo), st->hi);
+    }
+}
+
+static real stretch_climbed(struct stretch *st, real theta, real *J)
+{
+    struct tilt head;
+    struct sums at = {.dH = REAL_NAN, .J = REAL_NAN};
+    st->status = lean_tilt(&st->g, theta, &head);
+    if (st->status == DOM_OK)
+        st->status = chain_rise_from(&st->g, st->from, head, &at);
+    *J = at.J;
+    return at.dH;
+}
+
+/* tau^2 omega^2 at a tilt; NaN with a status. */
+static real stretch_speed(struct stretch *st, real theta)
+{
+    real J;
+    if (st->g.mu > 0)
+        return friction_omegasq(&st->g, st->omegasq, theta);
+    real climbed = stretch_climbed(st, theta, &J);
+    return (st->J * st->omegasq - climbed) / J;
+}
+
+static enum dom_status stretch_begin(struct stretch *st)
+{
+    struct sums at = {.J = 0};
+    enum dom_status status = chain_sum(&st->g, st->from, &at);
+    st->J = at.J;
+    if (status == DOM_OK && st->g.mu > 0 && st->lo < st->hi)
+        status = friction_flow_piece(&st->g, st->from, st->lo, st->hi);
+    if (status == DOM_OK && st->lo < st->hi)
+        status = barrier_piece(&st->g, st->from, st->lo, st->hi, &st->barrier);
+    return status;
+}
+
+static real stretch_kinetic(const struct stretch *st)
+{
+    return st->J * st->omegasq;
+}
+
+static real stretch_short(real theta, void *context)
+{
+    struct stretch *st = context;
+    struct barrier b = {.height = REAL_NAN};
+    st->status = barrier_piece(&st->g, st->from, st->lo, theta, &b);
+    return b.height - stretch_kinetic(st);
+}
+
+/* Where the motion is used up. */
+static enum dom_status stretch_rest(struct stretch *st, real *theta)
+{
+    enum num_status solver = num_root(stretch_short, st, st->lo, st->barrier.theta_m, st->g.tol / 8, theta);
+    return model_status(st->status, solver);
+}
+
+static real stretch_slowness(real theta, void *context)
+{
+    struct stretch *st = context;
+    real omegasq = stretch_speed(st, theta);
+    return omegasq > 0 ? 1 / sqrt(omegasq) : REAL_NAN;
+}
+
+/* In tau of the head; NaN where the margin is 0 to rounding, since it grows like ln(1/margin). */
+static enum dom_status stretch_time(struct stretch *st, real *time)
+{
+    real margin = stretch_kinetic(st) - st->barrier.height, top = st->barrier.theta_m;
+    real noise = 16 * REAL_EPSILON * stretch_kinetic(st) / margin, knot[3] = {st->lo, st->hi, st->hi};
+    bool near_stop = margin < NEAR_STOP * st->barrier.height && top > st->lo && top < st->hi;
+    *time = 0;
+    if (!(noise < (real)0.125)) {
+        *time = REAL_NAN;
+        return DOM_OK;
+    }
+    if (near_stop)
+        knot[1] = top;
+    for (int i = 1; i <= 1 + near_stop; i++) {
+        real part = 0;
+        enum num_status solver =
+            num_integral(stretch_slowness, st, knot[i - 1], knot[i], fmax(st->g.tol / 8, noise), &part, NULL);
+        if (solver != NUM_OK)
+            return model_status(st->status, solver);
+        *time += part;
+    }
+    return DOM_OK;
+}
+
+/* ---- Forces: does contact hold, what must the floor hold? ---- */
+
+static enum dom_status stretch_pace(real theta, struct tilt *head, struct pace *pace, void *context)
+{
+    struct stretch *st = context;
+    pace->omegasq = fmax(stretch_speed(st, theta), 0);
+    pace->hit = theta == 0 && st->T > 0;
+    pace->omega = sqrt(st->omegasq);
+    pace->omega_lost = pace->hit ? pace->omega / st->T : 0;
+    enum dom_status status = lean_tilt(&st->g, theta, head);
+    return status == DOM_OK ? motion_acceleration(&st->g, *head, pace->omegasq, &pace->acceleration) : status;
+}
+
+enum { CONTACT_SAMPLES = 6 };
+
+static bool contact_seen(const struct held *held, void *context)
+{
+    real *least = context;
+    if (held->leaned)
+        *least = fmin(*least, held->force / held->link->weight * held->size);
+    return true;
+}
+
+/* The smallest contact force at a few tilts, in weights of the dominoes that it is on. */
+static enum dom_status stretch_contact(struct stretch *st, real *least)
+{
+    for (int k = 0; k <= CONTACT_SAMPLES && st->g.n > 1; k++) {
+        real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2, theta = st->lo + u * (st->hi - st->lo);
+        struct tilt head;
+        struct sums at;
+        struct pace pace = {0};
+        enum dom_status status = stretch_pace(theta, &head, &pace, st);
+        if (status == DOM_OK)
+            status = chain_sum(&st->g, head, &at);
+        if (status == DOM_OK)
+            status = forces_walk(&st->g, head, &pace, at.n, contact_seen, least);
+        if (status != DOM_OK)
+            return status;
+    }
+    return DOM_OK;
+}
+
+/* ---- The run ---- */
+
+struct run {
+    struct row row;
+    bool times;
+    size_t moving; /* dominoes, with the head */
+    real omegasq;  /* of the head at its start, in its tau */
+    real T;        /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 for none */
+    real time;     /* s, so far; NaN where it has no value */
+    real carried;  /* J, of motion before the next collision */
+    struct dom_verdict verdict;
+};
+
+/* What the stretches of one head add up to, in its units. */
+struct descent {
+    struct stretch st;
+    size_t stay;
+    real least_margin, theta_m, time, climbed, least_force, stop;
+    bool stops;
+    struct need need; /* of the floor */
+};
+
+/* One stretch; the next one is prepared. */
+static enum dom_status descent_stretch(struct descent *d, real end, bool times, bool floor)
+{
+    struct stretch *st = &d->st;
+    struct tilt there = st->g.c;
+    real J, part = 0;
+    st->g.n = d->stay;
+    st->hi = end;
+    enum dom_status status = stretch_cut(st, &d->stay);
+    if (status == DOM_OK)
+        status = stretch_begin(st);
+    if (status != DOM_OK || !(st->lo < st->hi))
+        return status;
+    real margin = stretch_kinetic(st) - st->barrier.height;
+    if (margin < d->least_margin) {
+        d->least_margin = margin;
+        d->theta_m = st->barrier.theta_m;
+    }
+    d->stops = margin < 0;
+    if (d->stops)
+        return stretch_rest(st, &d->stop);
+    status = stretch_contact(st, &d->least_force);
+    struct floor_path path = {&st->g, st->lo, st->hi, stretch_pace, st};
+    if (status == DOM_OK && floor)
+        status = floor_over(&path, &d->need);
+    if (status == DOM_OK && times)
+        status = stretch_time(st, &part);
+    d->time += part;
+    d->climbed += stretch_climbed(st, st->hi, &J);
+    real omegasq = stretch_speed(st, st->hi);
+    if (status == DOM_OK && st->hi < end)
+        status = lean_tilt(&st->g, st->hi, &there);
+    if (status != DOM_OK || st->status != DOM_OK)
+        return status != DOM_OK ? status : st->status;
+    *st = (struct stretch){.g = st->g, .from = there, .lo = st->hi, .J = J, .omegasq = omegasq};
+    return DOM_OK;
+}
+
+/* The head k goes down; the state at its end is left in d. */
+static enum dom_status head_run(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
+{
+    const struct block block = block_of(run->row.asked, k);
+    const real unit = block.mass * (real)run->row.asked->g * block.height / 2;
+    const real end = tilt_angle(run->row.lean[k].c);
+    *d = (struct descent){
+        .st = {.g = run->row.lean[k], .from = {0, 1, 0}, .omegasq = run->omegasq, .T = run->T},
+        .stay = run->moving,
+        .least_margin = (real)INFINITY,
+        .least_force = (real)INFINITY};
+    struct sums at;
+    struct lean g = d->st.g;
+    g.n = run->moving;
+    enum dom_status status = chain_sum(&g, d->st.from, &at);
+    real kinetic = at.J * run->omegasq;
+    while (status == DOM_OK && d->st.lo < end && !d->stops)
+        status = descent_stretch(d, end, run->times, run->row.asked->floor);
+    if (status != DOM_OK)
+        return status;
+    run->moving = d->stay;
+    run->carried = stretch_kinetic(&d->st) * unit;
+    fall->omega = sqrt(run->omegasq) / block.tau;
+    fall->kinetic = kinetic * unit;
+    fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * unit : (real)fall->kinetic;
+    fall->barrier = fall->kinetic - fall->margin;
+    fall->theta_m = d->theta_m;
+    fall->theta = d->stops ? d->stop : end;
+    fall->duration = run->times && !d->stops ? d->time * block.tau : REAL_NAN;
+    fall->rubbed = d->stops ? REAL_NAN : fall->kinetic - d->climbed * unit - run->carried;
+    return DOM_OK;
+}
+
+/* The first one, tipped over its edge and let go: it has what it falls from there (b5). */
+static bool tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
+{
+    const struct block block = block_of(run->row.asked, 0);
+    const real unit = block.mass * (real)run->row.asked->g * block.height / 2;
+    const struct lean *g = &run->row.lean[0];
+    real u = g->reach, sine = (g->c.x - g->d * g->c.y) / u, cosine = (g->c.y + g->d * g->c.x) / u;
+    real barrier = g->d * g->d / (1 + u) * unit;
+    *fall = (struct dom_fall){.domino = 1,
+                              .time = REAL_NAN,
+                              .duration = REAL_NAN,
+                              .kinetic = barrier,
+                              .barrier = barrier,
+                              .theta_m = atan(g->d),
+                              .theta = tilt_angle(g->c),
+                              .moving = 1};
+    *d = (struct descent){
+        .st = {.g = *g, .from = g->c, .J = 1, .omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0}};
+    run->carried = d->st.omegasq * unit;
+    return sine > 0;
+}
+
+/* Head k hits k + 1, which takes over; the row ends there if it cannot. */
+static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
+{
+    const struct dom_domino *own = &run->row.asked->domino[k], *next = own + 1;
+    struct lean *g = &run->row.lean[k + 1];
+    struct law law = {.A = d->st.J};
+    enum dom_row_end *end = &run->verdict.end;
+    if (next->gap > own->height)
+        *end = DOM_ROW_MISSES;
+    else if ((real)own->height * d->st.g.c.y > (real)next->height)
+        *end = DOM_ROW_PASSES;
+    if (*end != DOM_ROW_FALLS)
+        return DOM_OK;
+    struct link upright = link_head(g, (struct tilt){0, 1, 0});
+    enum dom_status status = g->mu > 0 ? friction_law(&d->st.g, d->st.from, &law) : DOM_OK;
+    real T = g->inertia * law.A * (g->mu > 0 ? friction_share(&upright) : 1), keeps = T / (1 + T);
+    if (!(T > 0))
+        *end = DOM_ROW_LOCKS;
+    real slower = block_of(run->row.asked, k + 1).tau / block_of(run->row.asked, k).tau;
+    run->T = T;
+    run->omegasq = keeps * keeps * slower * slower * d->st.omegasq;
+    run->moving++;
+    return status;
+}
+
+/* What the row has shown so far, with this domino. */
+static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool tipped)
+{
+    dom_real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (dom_real)INFINITY;
+    v->domino = fall->domino;
+    if (v->end == DOM_ROW_STOPS)
+        v->short_by = -fall->margin;
+    else if (!tipped && (v->weakest == 0 || spare < v->spare)) {
+        v->weakest = fall->domino;
+        v->spare = spare;
+    }
+}
+
+static void fall_floor(const struct dom_row *row, size_t k, const struct need *need, struct dom_fall *fall)
+{
+    fall->floor_motion = fall->floor_hit = REAL_NAN;
+    if (!row->floor)
+        return;
+    if (row->work)
+        row->work->entered[DOM_EFFECT_floor]++;
+    fall->floor_motion = need->motion;
+    fall->floor_domino = k + 1 - need->domino;
+    fall->floor_hit = need->hit;
+    fall->floor_hit_domino = k + 1 - need->hit_domino;
+}
+
+static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *context)
+{
+    bool tips = isnan(run->row.asked->push), more = true;
+    struct dom_work *work = run->row.asked->work;
+    if (work)
+        work->entered[DOM_EFFECT_row]++;
+    if (work && !tips)
+        work->entered[DOM_EFFECT_push]++;
+    real tau = block_of(run->row.asked, 0).tau;
+    run->omegasq = tips ? 0 : (real)run->row.asked->push * tau * (real)run->row.asked->push * tau;
+    run->moving = 1;
+    for (size_t k = 0; k < run->row.count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
+        struct descent d;
+        struct dom_fall fall = {.domino = k + 1, .time = run->time, .moving = run->moving};
+        real before = run->carried;
+        enum dom_status status = DOM_OK;
+        if (run->row.asked->interrupt && *run->row.asked->interrupt)
+            return DOM_INTERRUPTED;
+        if (k == 0 && tips)
+            run->verdict.end = tip_run(run, &d, &fall) ? DOM_ROW_FALLS : DOM_ROW_LEANS;
+        else
+            status = head_run(run, k, &d, &fall);
+        if (status != DOM_OK)
+            return status;
+        if (k > 0)
+            fall.lost = before - (real)fall.kinetic;
+        if (!(k == 0 && tips)) {
+            run->time += (real)fall.duration;
+            if (d.stops || d.least_force < 0)
+                run->verdict.end = d.stops ? DOM_ROW_STOPS : DOM_ROW_PARTS;
+        }
+        fall_floor(run->row.asked, k, &d.need, &fall);
+        verdict_add(&run->verdict, &fall, k == 0 && tips);
+        more = !visit || visit(&fall, context);
+        if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->row.count)
+            status = row_hit(run, k, &d);
+        if (status != DOM_OK)
+            return status;
+    }
+    return DOM_OK;
+}
+
+/* ---- Public ---- */
+
+KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall_visit *visit, void *context,
+                               struct dom_verdict *verdict)
+{
+    struct flow flow;
+    enum dom_status status = row_check(asked);
+    if (status != DOM_OK)
+        return status;
+    struct run run = {.row = {.asked = asked, .flow = &flow, .count = asked->count},
+                      .times = times,
+                      .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
+    run.row.lean = malloc(asked->count * sizeof *run.row.lean);
+    if (!run.row.lean)
+        return DOM_NO_MEMORY;
+    row_make(&run.row);
+    status = row_falls(&run, visit, context);
+    run.verdict.seconds = run.time;
+    if (status == DOM_OK)
+        *verdict = run.verdict;
+    free(run.row.lean);
+    return status;
+}
