@@ -87,7 +87,8 @@ run: all
 
 # ---- Tests ----
 
-$(B)/unit/%: $(B)/obj/tests/unit/%.o $(B)/libdomino.a
+UNIT_MORE := $(filter-out $(UNIT),$(wildcard tests/unit/*.c))
+$(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 	@mkdir -p $(@D)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
@@ -95,7 +96,7 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(B)/libdomino.a
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
-.SECONDARY: $(call OBJ,$(UNIT) $(wildcard tests/hard/*.c))
+.SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c))
 
 # Hard cases and sweeps against a reference in MPFR: what test_*.c there share is linked into each.
 HARD     := $(wildcard tests/hard/*.c)
@@ -148,7 +149,7 @@ $(B)/bench_start: $(B)/obj/tests/bench/bench_start.o
 
 # ---- Checks ----
 
-C_FILES := $(wildcard src/*/*.c src/*/*/*.c) $(UNIT) $(HARD) $(wildcard tests/bench/*.c tests/fuzz/*.c)
+C_FILES := $(wildcard src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(wildcard tests/bench/*.c tests/fuzz/*.c)
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/unit/*.h tests/hard/*.h)
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks

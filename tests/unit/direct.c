@@ -1,0 +1,551 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Finite rows of dominoes by plain constrained dynamics; see direct.h.
+ *
+ * The angle and angular velocity of the head are integrated; the others follow from the leaning constraints,
+ * so that nothing drifts. Every acceleration and contact force comes from one linear system: Newton's law for
+ * each domino and the twice differentiated constraint for each contact. A collision is the same matrix, with
+ * impulses for forces and velocities for accelerations.
+ */
+#include "direct.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_odeiv2.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { THETA, OMEGA, RUBBED, DIM };             /* what is integrated: the head, and the work of friction */
+enum { REACH, REST, LEAVE };                    /* events; LEAVE + i: contact tail + i opens */
+enum { LEAST_STEPS = 32, MOST_STEPS = 100000 }; /* of one phase */
+
+static const double eps_rel = 1e-13, eps_abs = 1e-16;
+
+/* Domino j = its index leans on k = j + 1. */
+struct contact {
+    double face;    /* tip of j above the bottom of k's back face; d(constraint)/d(theta_k) */
+    double drop;    /* h_j cos(theta_j - theta_k); d(constraint)/d(theta_j) */
+    double arm_on;  /* torque on k of a unit normal force and its friction */
+    double arm_by;  /* torque against j */
+    double forced;  /* right side of the twice differentiated constraint */
+    double sliding; /* speed of the tip down the face */
+};
+
+struct run {
+    const struct direct_row *row;
+    struct direct_hit *hits;
+    struct direct_result *result;
+    size_t tail, head; /* the dominoes that move, from 0 */
+    double began;      /* time at which this phase began */
+    double target;     /* angle of the head that ends this phase */
+    double *theta, *omega, *alpha, *force;
+    struct contact *contact;
+    gsl_matrix *band;
+    gsl_vector *known, *found;
+    gsl_vector_uint *pivot;
+    gsl_odeiv2_system system;
+    gsl_odeiv2_step *step;
+    gsl_odeiv2_evolve *evolve;
+    gsl_odeiv2_control *control;
+    gsl_root_fsolver *solver;
+    const double *from; /* start of the step in which an event is being located */
+    size_t event;
+};
+
+static double inertia(const struct direct_row *row, size_t i)
+{
+    double h = row->height[i], d = row->thickness[i];
+
+    return row->mass[i] * (h * h + d * d) / 3;
+}
+
+static double torque(const struct run *run, size_t i)
+{
+    const struct direct_row *row = run->row;
+    double h = row->height[i], d = row->thickness[i];
+
+    return row->mass[i] * row->g * (h * sin(run->theta[i]) - d * cos(run->theta[i])) / 2;
+}
+
+/* From the position and velocity of k = j + 1 to those of j, and all the system needs of their contact. */
+static void lean(struct run *run, size_t j)
+{
+    const struct direct_row *row = run->row;
+    size_t k = j + 1;
+    double h = row->height[j], d = row->thickness[k], pitch = row->gap[k] + d;
+    double x = sin(run->theta[k]), y = cos(run->theta[k]), half = sin(run->theta[k] / 2);
+    double less = 2 * pitch * half * half;
+    double sine = (row->gap[k] - less) / h; /* of theta_j - theta_k; 1 - sine as well as it can be had */
+    double cosine = sqrt((h - row->gap[k] + less) / h * (1 + sine));
+    struct contact *c = &run->contact[j];
+
+    c->drop = h * cosine;
+    c->face = h * cosine - pitch * x;
+    run->theta[j] = run->theta[k] + atan2(sine, cosine);
+    run->omega[j] = c->face * run->omega[k] / c->drop;
+
+    double turn = run->omega[j] - run->omega[k];
+
+    c->arm_on = c->face - row->mu * d;
+    c->arm_by = h * (cosine + row->mu * sine);
+    c->forced = h * sine * turn * turn - pitch * y * run->omega[k] * run->omega[k];
+    c->sliding = h * sine * turn + pitch * y * run->omega[k];
+}
+
+static void place(struct run *run, double theta, double omega)
+{
+    run->theta[run->head] = theta;
+    run->omega[run->head] = omega;
+    for (size_t j = run->head; j-- > run->tail;)
+        lean(run, j);
+}
+
+/* Forces are sought in units that keep the matrix near 1 where the dominoes differ by many decades. */
+static double unit_of_force(const struct run *run, size_t j)
+{
+    return inertia(run->row, j) / run->row->height[j];
+}
+
+/* Element of the matrix, in the storage of gsl_linalg_LU_band for one diagonal on either side. */
+static void put(gsl_matrix *band, size_t line, size_t column, double value)
+{
+    gsl_matrix_set(band, column, 2 + line - column, value);
+}
+
+/*
+ * Unknowns in the order motion of tail, force between it and the next, motion of the next, ..., motion of the
+ * head: line 2i is Newton's law of a domino over its inertia, line 2i + 1 the constraint of a contact over h.
+ */
+static void fill(struct run *run, gsl_matrix *band)
+{
+    const struct direct_row *row = run->row;
+
+    gsl_matrix_set_zero(band);
+    for (size_t i = run->tail; i <= run->head; i++) {
+        size_t at = 2 * (i - run->tail);
+
+        put(band, at, at, 1);
+        if (i == run->head)
+            return;
+        const struct contact *c = &run->contact[i];
+        double unit = unit_of_force(run, i), h = row->height[i];
+
+        put(band, at, at + 1, c->arm_by * unit / inertia(row, i));
+        put(band, at + 1, at, c->drop / h);
+        put(band, at + 1, at + 2, -c->face / h);
+        put(band, at + 2, at + 1, -c->arm_on * unit / inertia(row, i + 1));
+    }
+}
+
+/* Solves for motion (accelerations or velocities) and force (forces or impulses); known is filled in. */
+static int solve(struct run *run, double *motion)
+{
+    size_t movers = run->head - run->tail + 1, size = 2 * movers - 1;
+    gsl_matrix_view band = gsl_matrix_submatrix(run->band, 0, 0, size, 4);
+    gsl_vector_view known = gsl_vector_subvector(run->known, 0, size);
+    gsl_vector_view found = gsl_vector_subvector(run->found, 0, size);
+    gsl_vector_uint_view pivot = gsl_vector_uint_subvector(run->pivot, 0, size);
+
+    if (movers == 1) { /* nothing to couple */
+        motion[run->head] = gsl_vector_get(run->known, 0);
+        return GSL_SUCCESS;
+    }
+    fill(run, &band.matrix);
+    int status = gsl_linalg_LU_band_decomp(size, 1, 1, &band.matrix, &pivot.vector);
+
+    if (status == GSL_SUCCESS)
+        status = gsl_linalg_LU_band_solve(1, 1, &band.matrix, &pivot.vector, &known.vector, &found.vector);
+    for (size_t i = 0; i < movers; i++) {
+        motion[run->tail + i] = gsl_vector_get(run->found, 2 * i);
+        if (i + 1 < movers)
+            run->force[run->tail + i] =
+                gsl_vector_get(run->found, 2 * i + 1) * unit_of_force(run, run->tail + i);
+    }
+    return status;
+}
+
+/* Accelerations and contact forces where place() has put the dominoes. */
+static int accelerate(struct run *run)
+{
+    for (size_t i = run->tail; i <= run->head; i++) {
+        size_t at = 2 * (i - run->tail);
+
+        gsl_vector_set(run->known, at, torque(run, i) / inertia(run->row, i));
+        if (i < run->head)
+            gsl_vector_set(run->known, at + 1, run->contact[i].forced / run->row->height[i]);
+    }
+    return solve(run, run->alpha);
+}
+
+static int derivative(double t, const double y[], double dydt[], void *params)
+{
+    struct run *run = params;
+
+    (void)t;
+    place(run, y[THETA], y[OMEGA]);
+    int status = accelerate(run);
+
+    dydt[THETA] = y[OMEGA];
+    dydt[OMEGA] = run->alpha[run->head];
+    dydt[RUBBED] = 0;
+    for (size_t j = run->tail; j < run->head; j++)
+        dydt[RUBBED] += run->row->mu * run->force[j] * run->contact[j].sliding;
+    if (status == GSL_SUCCESS && !isfinite(dydt[OMEGA] + dydt[RUBBED]))
+        return GSL_ERANGE; /* a trial step went where the dominoes cannot be */
+    return status;
+}
+
+static double kinetic(const struct run *run)
+{
+    double sum = 0;
+
+    for (size_t i = run->tail; i <= run->head; i++)
+        sum += inertia(run->row, i) * run->omega[i] * run->omega[i] / 2;
+    return sum;
+}
+
+static double potential(const struct run *run)
+{
+    const struct direct_row *row = run->row;
+    double sum = 0;
+
+    for (size_t i = run->tail; i < row->n; i++) {
+        double theta = i <= run->head ? run->theta[i] : 0;
+
+        sum += row->mass[i] * row->g * (row->height[i] * cos(theta) + row->thickness[i] * sin(theta)) / 2;
+    }
+    return sum;
+}
+
+/* Works out everything at the state y, and keeps the least contact force. */
+static int look(struct run *run, const double y[])
+{
+    struct direct_result *result = run->result;
+    double dydt[DIM];
+    int status = derivative(0, y, dydt, run);
+
+    for (size_t j = run->tail; j < run->head; j++) {
+        if (run->force[j] >= result->least_force)
+            continue;
+        result->least_force = run->force[j];
+        result->least_at = j + 1;
+        result->least_head = run->head + 1;
+    }
+    return status;
+}
+
+/* Rises through 0 where the event happens. */
+static double event_value(struct run *run, size_t event, const double y[])
+{
+    if (event == REACH)
+        return y[THETA] - run->target;
+    if (event == REST)
+        return -y[OMEGA];
+    place(run, y[THETA], y[OMEGA]);
+    return -run->contact[run->tail + (event - LEAVE)].face;
+}
+
+/* One step of any length from run->from: shorter than an accepted one, it is at least as accurate. */
+static int step_to(struct run *run, double span, double y[])
+{
+    double error[DIM];
+
+    for (size_t i = 0; i < DIM; i++)
+        y[i] = run->from[i];
+    if (span <= 0)
+        return GSL_SUCCESS;
+    gsl_odeiv2_step_reset(run->step);
+    return gsl_odeiv2_step_apply(run->step, 0, span, y, error, NULL, NULL, &run->system);
+}
+
+static double value_after(double span, void *params)
+{
+    struct run *run = params;
+    double y[DIM];
+
+    if (step_to(run, span, y) != GSL_SUCCESS)
+        return nan("");
+    return event_value(run, run->event, y);
+}
+
+/* How far into a step of length span the event happens; negative if it cannot be found. */
+static double locate(struct run *run, size_t event, double span)
+{
+    gsl_function function = {value_after, run};
+    double low = 0, high = span;
+
+    run->event = event;
+    if (value_after(0, run) >= 0)
+        return 0;
+    if (gsl_root_fsolver_set(run->solver, &function, low, high) != GSL_SUCCESS)
+        return -1;
+    for (int i = 0; i < 200; i++) {
+        if (gsl_root_fsolver_iterate(run->solver) != GSL_SUCCESS)
+            return -1;
+        low = gsl_root_fsolver_x_lower(run->solver);
+        high = gsl_root_fsolver_x_upper(run->solver);
+        if (gsl_root_test_interval(low, high, 0, 4 * GSL_DBL_EPSILON) == GSL_SUCCESS)
+            break;
+    }
+    return gsl_root_fsolver_root(run->solver);
+}
+
+/* The first event in the step from run->from to y: y and *span are cut there. False: none. */
+static bool first_event(struct run *run, double y[], double *span, size_t *event, const char **wrong)
+{
+    size_t events = LEAVE + (run->head - run->tail);
+    double whole = *span;
+    bool any = false;
+
+    for (size_t i = 0; i < events; i++) {
+        if (!(event_value(run, i, y) >= 0))
+            continue;
+        double at = locate(run, i, whole);
+
+        if (at < 0) {
+            *wrong = "An event could not be located.";
+            return false;
+        }
+        if (!any || at < *span) {
+            *span = at;
+            *event = i;
+        }
+        any = true;
+    }
+    if (any && step_to(run, *span, y) != GSL_SUCCESS)
+        *wrong = "The step to an event failed.";
+    return any;
+}
+
+/* Fresh error scales, as the dominoes and energies may grow by decades along the row. */
+static const char *set_control(struct run *run)
+{
+    const struct direct_row *row = run->row;
+    double h = row->height[run->head];
+    double scale[DIM] = {1, sqrt(row->g / h), row->mass[run->head] * row->g * h};
+
+    gsl_odeiv2_control_free(run->control);
+    run->control = gsl_odeiv2_control_scaled_new(eps_abs, eps_rel, 1, 0, scale, DIM);
+    gsl_odeiv2_evolve_reset(run->evolve);
+    gsl_odeiv2_step_reset(run->step);
+    return run->control ? 0 : "Out of memory.";
+}
+
+/* Not too long at first, and short enough that the forces are looked at often. */
+static double longest_step(const struct run *run, const double y[])
+{
+    double swing = sqrt(run->row->height[run->head] / run->row->g);
+
+    return fmin(run->target / y[OMEGA], swing) / LEAST_STEPS;
+}
+
+/* One step by the integrator, shortened until it succeeds. */
+static int advance(struct run *run, double *t, double *h, double y[])
+{
+    int status = GSL_FAILURE;
+
+    *h = fmin(*h, longest_step(run, y));
+    for (int i = 0; i < 40 && status != GSL_SUCCESS; i++) {
+        status =
+            gsl_odeiv2_evolve_apply(run->evolve, run->control, run->step, &run->system, t, HUGE_VAL, h, y);
+        if (status != GSL_SUCCESS) {
+            *h /= 2;
+            gsl_odeiv2_evolve_reset(run->evolve);
+            gsl_odeiv2_step_reset(run->step);
+        }
+    }
+    return status;
+}
+
+/* Integrates until something happens. */
+static const char *move(struct run *run, double y[], size_t *event)
+{
+    double t = 0, h = HUGE_VAL;
+    const char *wrong = set_control(run);
+
+    for (int i = 0; i < MOST_STEPS && !wrong; i++) {
+        double from[DIM] = {y[THETA], y[OMEGA], y[RUBBED]}, now = t;
+
+        if (advance(run, &t, &h, y) != GSL_SUCCESS)
+            return "The integration failed.";
+        double span = t - now;
+
+        run->from = from;
+        if (first_event(run, y, &span, event, &wrong)) {
+            run->began += now + span;
+            return wrong;
+        }
+        if (!wrong && look(run, y) != GSL_SUCCESS)
+            wrong = "The equations of motion are singular.";
+    }
+    return wrong ? wrong : "The head neither reaches the next domino nor comes to rest.";
+}
+
+/* The head strikes the next domino, upright: impulses at all contacts, and all of them hold afterwards. */
+static const char *collide(struct run *run, double y[])
+{
+    const struct direct_row *row = run->row;
+    size_t j = run->head, k = j + 1;
+
+    place(run, y[THETA], y[OMEGA]);
+    struct direct_hit *hit = &run->hits[k];
+
+    *hit = (struct direct_hit){.time = run->began, .omega_before = y[OMEGA], .rubbed = y[RUBBED]};
+    hit->kinetic_before = kinetic(run);
+    if (row->height[j] * cos(y[THETA]) > row->height[k])
+        return "The tip passes above the top of the next domino.";
+    gsl_vector_set_zero(run->known);
+    for (size_t i = run->tail; i <= j; i++)
+        gsl_vector_set(run->known, 2 * (i - run->tail), run->omega[i]);
+    run->head = k;
+    place(run, 0, 0);
+    if (run->contact[j].arm_on <= 0) /* the tip would slide, but friction holds it: all jams */
+        gsl_vector_set_zero(run->known);
+    if (solve(run, run->omega) != GSL_SUCCESS)
+        return "The collision is singular.";
+    hit->omega = run->omega[k];
+    hit->kinetic = kinetic(run);
+    hit->potential = potential(run);
+    run->result->hit = k + 1;
+    y[THETA] = 0;
+    y[OMEGA] = hit->omega;
+    return 0;
+}
+
+/* Of domino j where it reaches the next one. */
+static double upright_angle(const struct direct_row *row, size_t j)
+{
+    double h = row->height[j], gap = row->gap[j + 1];
+
+    return atan2(gap, sqrt((h - gap) * (h + gap)));
+}
+
+/* Falls flat unless the next one is near enough. */
+static void set_target(struct run *run)
+{
+    const struct direct_row *row = run->row;
+    size_t k = run->head + 1;
+
+    run->target = M_PI_2;
+    if (k < row->n && row->gap[k] < row->height[run->head])
+        run->target = upright_angle(row, run->head);
+}
+
+static const char *finish(struct run *run, const double y[], bool flat)
+{
+    run->result->all_fall = flat && run->head + 1 == run->row->n;
+    run->result->end_time = run->began;
+    run->result->stop_theta = y[THETA];
+    return 0;
+}
+
+static const char *run_through(struct run *run)
+{
+    double y[DIM] = {0, run->row->omega, 0};
+
+    set_target(run);
+    while (y[OMEGA] > 0) {
+        size_t event = REACH;
+
+        if (look(run, y) != GSL_SUCCESS)
+            return "The equations of motion are singular.";
+        const char *wrong = move(run, y, &event);
+
+        if (wrong)
+            return wrong;
+        if (look(run, y) != GSL_SUCCESS)
+            return "The equations of motion are singular.";
+        if (event >= LEAVE) {
+            run->tail += event - LEAVE + 1;
+            continue;
+        }
+        if (event == REST)
+            break;
+        y[THETA] = run->target;
+        if (run->target >= M_PI_2)
+            return finish(run, y, true);
+        wrong = collide(run, y);
+        if (wrong)
+            return wrong;
+        set_target(run);
+    }
+    return finish(run, y, false);
+}
+
+static bool prepare(struct run *run)
+{
+    size_t n = run->row->n;
+
+    run->theta = calloc(n, sizeof *run->theta);
+    run->omega = calloc(n, sizeof *run->omega);
+    run->alpha = calloc(n, sizeof *run->alpha);
+    run->force = calloc(n, sizeof *run->force);
+    run->contact = calloc(n, sizeof *run->contact);
+    run->band = gsl_matrix_calloc(2 * n, 4);
+    run->known = gsl_vector_calloc(2 * n);
+    run->found = gsl_vector_calloc(2 * n);
+    run->pivot = gsl_vector_uint_calloc(2 * n);
+    run->system = (gsl_odeiv2_system){derivative, NULL, DIM, run};
+    run->step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, DIM);
+    run->evolve = gsl_odeiv2_evolve_alloc(DIM);
+    run->solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    return run->theta && run->omega && run->alpha && run->force && run->contact && run->band && run->known &&
+           run->found && run->pivot && run->step && run->evolve && run->solver;
+}
+
+static void release(struct run *run)
+{
+    free(run->theta);
+    free(run->omega);
+    free(run->alpha);
+    free(run->force);
+    free(run->contact);
+    gsl_matrix_free(run->band);
+    gsl_vector_free(run->known);
+    gsl_vector_free(run->found);
+    gsl_vector_uint_free(run->pivot);
+    gsl_odeiv2_step_free(run->step);
+    gsl_odeiv2_evolve_free(run->evolve);
+    gsl_odeiv2_control_free(run->control);
+    gsl_root_fsolver_free(run->solver);
+}
+
+static bool positive(double x)
+{
+    return isfinite(x) && x > 0;
+}
+
+static bool sensible(const struct direct_row *row)
+{
+    if (row->n == 0 || !(row->mu >= 0 && isfinite(row->mu)) || !positive(row->g) || !isfinite(row->omega))
+        return false;
+    for (size_t i = 0; i < row->n; i++)
+        if (!positive(row->height[i]) || !positive(row->thickness[i]) || !positive(row->mass[i]) ||
+            (i > 0 && !positive(row->gap[i])))
+            return false;
+    return true;
+}
+
+const char *direct_run(const struct direct_row *row, struct direct_hit *hits, struct direct_result *result)
+{
+    struct run run = {.row = row, .hits = hits, .result = result};
+
+    *result = (struct direct_result){.hit = 1, .least_force = HUGE_VAL};
+    if (!sensible(row))
+        return "The row is not sensible.";
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    const char *wrong = "Out of memory.";
+
+    if (prepare(&run)) {
+        run.omega[0] = row->omega;
+        hits[0] = (struct direct_hit){.omega = row->omega, .kinetic = kinetic(&run)};
+        hits[0].kinetic_before = hits[0].kinetic;
+        hits[0].potential = potential(&run);
+        wrong = run_through(&run);
+    }
+    release(&run);
+    gsl_set_error_handler(handler);
+    return wrong;
+}
