@@ -18,10 +18,11 @@ WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Ws
 CFLAGS  ?= $(OPTIM)
 # Every digit is to be the same on every machine: no contraction, never -ffast-math.
 C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -D_GNU_SOURCE -Iinclude -Isrc/model $(CFLAGS)
-GSL     := -lgsl -lgslcblas -lm
+GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c $(wildcard src/model/precision/*.c src/model/methods/*.c)
+MODEL   := src/model/model.c src/model/train.c src/model/placement.c \
+           $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/methods/*.c)
 SHELL_C := $(wildcard src/shell/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
@@ -80,7 +81,7 @@ $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
 	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' \
-	  'Requires: gsl' 'Libs: -L$${libdir} -ldomino' 'Cflags: -I$${includedir}' > $@
+	  'Requires: gsl' 'Libs: -L$${libdir} -ldomino -pthread' 'Cflags: -I$${includedir}' > $@
 
 run: all
 	@$(B)/domino

@@ -499,6 +499,82 @@ enum dom_status dom_row_run(const struct dom_row *row, bool times, dom_fall_visi
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
+/* ---- Errors of placement: the same row, set up again and again ---- */
+
+/*
+ * Every gap gets an error of its own, normal with the standard deviation sigma; where it would overlap, the
+ * dominoes touch.  Heights may get relative errors; masses follow them.
+ */
+struct dom_placement {
+    dom_real sigma;     /* m */
+    dom_real heights;   /* relative */
+    unsigned long seed; /* row number i is the same for the same seed, whoever computes it */
+    size_t first, rows; /* numbers of the rows: first, first + 1, ... */
+    unsigned threads;   /* 0: as many as there are processors */
+    /* Where not NULL, called now and then with how many are done. */
+    void (*progress)(size_t done, size_t rows, void *context);
+    void *context;
+};
+
+struct dom_study {
+    size_t rows, fall;
+    size_t unknown;   /* of which the model does not tell: PASSES or PARTS */
+    double low, high; /* 95 % interval of the probability (Clopper and Pearson); unknown ones widen it */
+};
+
+/*
+ * stops, unless NULL, has room for row->count: how often the row ended at each domino without falling, the
+ * unknown left out.  Independent of the number of threads.  BAD_PARAMETER: also sigma or heights is no
+ * number >= 0, or rows is 0.
+ */
+enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *placement,
+                                    struct dom_study *study, size_t *stops);
+
+/* How precisely must it be placed? */
+struct dom_budget {
+    double sigma, low,
+        high; /* m, with its 95 % interval; infinite where no error up to the largest gap matters */
+};
+
+/*
+ * The sigma at which the whole row falls with the given probability; placement->sigma is not used.
+ * DOM_STOPS: even without any error it does not.
+ */
+enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *placement,
+                                     double probability, struct dom_budget *budget);
+
+/* ---- Effects ---- */
+
+struct dom_effect_argument {
+    const char *name, *unit, *meaning;
+    dom_real lowest, highest;
+    dom_real usual;      /* where it is left out, and what its price is measured with */
+    bool optional;       /* may be left out; those behind it too */
+    bool whole;          /* a whole number */
+    const char *or_file; /* what a file may give in its place; NULL for nothing */
+};
+
+enum { DOM_EFFECT_ARGUMENTS = 2 };
+
+/* What an effect tells of itself: the manual is made of it. */
+struct dom_effect {
+    const char *name;
+    const char *adds;    /* in a few words */
+    const char *help;    /* in full sentences, equations in the paper's letters */
+    const char *source;  /* where its mathematics is from */
+    const char *plan;    /* what is solved where it is on, and how */
+    const char *example; /* commands */
+    struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* ends early with a NULL name */
+    unsigned needs; /* 1 << DOM_EFFECT_...: those without which it says nothing */
+};
+
+#define DOM_EFFECT_DECLARE(name) extern const struct dom_effect dom_effect_##name;
+DOM_EFFECTS(DOM_EFFECT_DECLARE)
+#undef DOM_EFFECT_DECLARE
+
+/* All of them, in the order of DOM_EFFECTS. */
+const struct dom_effect *dom_effect(enum dom_effect_name name);
+
 /* ---- Metres and seconds ---- */
 
 /* tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (a1), for solid blocks; d in h. */

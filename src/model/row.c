@@ -240,7 +240,7 @@ static enum dom_status stretch_pace(real theta, struct tilt *head, struct pace *
     return status == DOM_OK ? motion_acceleration(&st->g, *head, pace->omegasq, &pace->acceleration) : status;
 }
 
-enum { CONTACT_SAMPLES = 6 };
+enum { CONTACT_SAMPLES = 3 };
 
 static bool contact_seen(const struct held *held, void *context)
 {

@@ -105,3 +105,13 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
         };
     }
 }
+
+const struct dom_effect *dom_effect(enum dom_effect_name name)
+{
+    static const struct dom_effect *const all[] = {
+#define EFFECT(effect) &dom_effect_##effect,
+        DOM_EFFECTS(EFFECT)
+#undef EFFECT
+    };
+    return all[name];
+}

@@ -7,6 +7,10 @@
 static const char *no_fuel(const struct session *session)
 {
     struct dom_fuels fuels;
+    if (session->train.mu > 0)
+        return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
+               "'rmax' tells how "
+               "large r may be";
     if (dom_fuel_find(&session->train, &fuels, NULL) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
                "give "
@@ -115,7 +119,7 @@ static bool run_energy(struct session *session, const struct call *call)
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P, the one in use: see 'show fuel'", 0},
+    {"fuel", "mgh/2", "P, the one in use ('show fuel'), less what friction takes of it", 0},
     {"fuel_exact", "mgh/2", "from the energy balance of one cycle", 0},
     {"fuel_paper", "mgh/2", "closed form of (c7), 1 - cos theta_f - d sin theta_f", 0},
     {NULL, NULL, NULL, 0},
@@ -129,29 +133,14 @@ static bool run_fuel(struct session *session, const struct call *call)
         return session_status(session, status);
     struct cell exact = cell_bound(f.exact, e.exact), paper = cell_bound(f.paper, e.paper);
     struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    struct dom_launch launch;
+    if (session->train.mu > 0) { /* what friction leaves of it */
+        status = dom_launch_find(&session->train, &launch, NULL);
+        if (status != DOM_OK && status != DOM_NO_FUEL)
+            return session_status(session, status);
+        used = cell_bound(launch.fuel, DOM_NAN);
+    }
     answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
-    return true;
-}
-
-static const struct column launch_columns[] = {
-    {"omega0sq", "", "tau^2 omega(0)^2 after the collision (c6)", 0},
-    {"omega0", "rad/s", "omega(0), angular velocity of the head", 0},
-    {"kinetic", "mgh/2", "kinetic energy, J(0) tau^2 omega(0)^2", 0},
-    {"J0", "", "inertia of the train, J(0) (d8, corrected)", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-static bool run_launch(struct session *session, const struct call *call)
-{
-    struct dom_launch l, e = {0};
-    enum dom_status status = dom_launch_find(&session->train, &l, ERROR_OF(session, e));
-    if (status != DOM_OK && status != DOM_NO_FUEL)
-        return session_status(session, status);
-    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer,
-               ROW(cell_bound(l.omegasq, e.omegasq), cell_omega(l.omegasq, e.omegasq, tau),
-                   cell_bound(l.kinetic, e.kinetic), cell_bound(l.J0, e.J0)),
-               status == DOM_OK ? NULL : no_fuel(session));
     return true;
 }
 
@@ -174,12 +163,40 @@ static const char *stop_reason(const struct session *session, char *reason, size
     return reason;
 }
 
+static const char locks[] =
+    "no domino effect: friction locks the collision, the force on the struck domino passes behind its "
+    "hinge and cannot turn it; a smaller r s or mu leaves it free";
+
 /* Why a cycle is not completed; NULL where it is. */
 static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])
 {
     return status == DOM_NO_FUEL ? no_fuel(session)
            : status == DOM_STOPS ? stop_reason(session, reason, REASON_SIZE)
+           : status == DOM_LOCKS ? locks
                                  : NULL;
+}
+
+static const struct column launch_columns[] = {
+    {"omega0sq", "", "tau^2 omega(0)^2 after the collision (c6)", 0},
+    {"omega0", "rad/s", "omega(0), angular velocity of the head", 0},
+    {"kinetic", "mgh/2", "kinetic energy, J(0) tau^2 omega(0)^2", 0},
+    {"J0", "", "inertia of the train, J(0) (d8, corrected)", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_launch(struct session *session, const struct call *call)
+{
+    struct dom_launch l = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, e = {0};
+    char reason[REASON_SIZE];
+    enum dom_status status = dom_launch_find(&session->train, &l, ERROR_OF(session, e));
+    if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
+        return session_status(session, status);
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    answer_row(call->answer,
+               ROW(cell_bound(l.omegasq, e.omegasq), cell_omega(l.omegasq, e.omegasq, tau),
+                   cell_bound(l.kinetic, e.kinetic), cell_bound(l.J0, e.J0)),
+               no_cycle(session, status, reason));
+    return true;
 }
 
 static const struct column omega_columns[] = {
@@ -194,7 +211,7 @@ static bool run_omega(struct session *session, const struct call *call)
     dom_real theta = call->number[0], omegasq, e = 0;
     char reason[REASON_SIZE];
     enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq, ERROR_OF(session, e));
-    if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_STOPS)
+    if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
     dom_real tau = dom_scale_tau(&session->scale, session->train.d);
     answer_row(call->answer, ROW(cell_real(theta), cell_bound(omegasq, e), cell_omega(omegasq, e, tau)),
@@ -207,18 +224,21 @@ static const struct column barrier_columns[] = {
     {"barrier", "mgh/2", "to climb: the maximum of H(theta) - H(0)", 0},
     {"kinetic", "mgh/2", "what there is for it, J(0) tau^2 omega(0)^2", 0},
     {"margin", "mgh/2", "kinetic - barrier, >= 0 to go on (c8, corrected)", 0},
-    {"verdict", "", "goes on, stops, or no fuel", 0},
+    {"verdict", "", "goes on, stops, locks (friction), or no fuel", 0},
     {NULL, NULL, NULL, 0},
 };
 
 static bool run_barrier(struct session *session, const struct call *call)
 {
-    struct dom_barrier b, e = {0};
+    struct dom_barrier b = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, e = {0};
     char reason[REASON_SIZE];
     enum dom_status status = dom_barrier_find(&session->train, &b, ERROR_OF(session, e));
-    if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_STOPS)
+    if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
-    const char *verdict = status == DOM_OK ? "goes on" : status == DOM_STOPS ? "stops" : "no fuel";
+    const char *verdict = status == DOM_OK      ? "goes on"
+                          : status == DOM_STOPS ? "stops"
+                          : status == DOM_LOCKS ? "locks"
+                                                : "no fuel";
     answer_row(call->answer,
                ROW(cell_bound(b.theta_m, e.theta_m), cell_bound(b.barrier, e.barrier),
                    cell_bound(b.kinetic, e.kinetic), cell_bound(b.margin, e.margin), cell_word(verdict)),

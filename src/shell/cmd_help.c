@@ -60,6 +60,7 @@ static void help_example(const struct session *session, const struct command *c)
     fresh.safe = true;
     fprintf(session->out, "\nExample: %s\n\n", c->example);
     command_run_text(&fresh, c->example);
+    session_close(&fresh);
 }
 
 /* Runs another command for its answer to people. */

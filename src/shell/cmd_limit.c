@@ -16,11 +16,13 @@ static const char no_growth_fuel[] =
 static const char no_growth_stops[] =
     "no growth possible: at this s and d even equal dominoes (r = 1) do not get over their barrier";
 
+static const char no_growth_locks[] = "no growth possible: friction locks already equal dominoes (r = 1)";
+
 static const char *no_growth(struct dom_limit limit, enum dom_status why)
 {
     if (limit.ends != DOM_END_NONE)
         return NULL;
-    return why == DOM_NO_FUEL ? no_growth_fuel : no_growth_stops;
+    return why == DOM_NO_FUEL ? no_growth_fuel : why == DOM_LOCKS ? no_growth_locks : no_growth_stops;
 }
 
 /* A limit with the bound of its error. */
@@ -41,10 +43,18 @@ static enum dom_status limit_with(const struct session *session, struct dom_trai
     return dom_limit_rmax(&train, &limit->is, ERROR_OF(session, limit->error), why);
 }
 
+/* With the paper's fuel, which knows no friction. */
+static enum dom_status limit_paper(const struct session *session, struct dom_train train,
+                                   struct bounded *limit, enum dom_status *why)
+{
+    *limit = (struct bounded){.is = {.r_max = DOM_NAN, .ends = DOM_END_NONE}};
+    return train.mu > 0 ? DOM_OK : limit_with(session, train, DOM_FUEL_PAPER, limit, why);
+}
+
 static const struct column rmax_columns[] = {
     {"s", "h", "separation", 0},
     {"r_max", "", "largest growth at which the train goes on", 0},
-    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 0},
+    {"ends_by", "", "barrier (too high), reach (the next is missed), lock, none", 0},
     {"r_max_exact", "", "with the fuel from the energy balance", 0},
     {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
     {NULL, NULL, NULL, 0},
@@ -58,7 +68,7 @@ static bool run_rmax(struct session *session, const struct call *call)
     train.s = argument_or(call, 0, train.s);
     enum dom_status status = limit_with(session, train, DOM_FUEL_EXACT, &exact, &why);
     if (status == DOM_OK)
-        status = limit_with(session, train, DOM_FUEL_PAPER, &paper, &why);
+        status = limit_paper(session, train, &paper, &why);
     if (status != DOM_OK)
         return session_status(session, status);
     struct bounded used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
@@ -66,7 +76,11 @@ static bool run_rmax(struct session *session, const struct call *call)
                ROW(cell_real(train.s), cell_limit(&used), cell_word(dom_end_text(used.is.ends)),
                    cell_limit(&exact), cell_limit(&paper)),
                no_growth(used.is, why));
-    if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
+    if (train.mu > 0)
+        answer_say(call->answer,
+                   "with friction %.6g between dominoes; the paper's closed form of the fuel knows none",
+                   (double)train.mu);
+    else if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
         answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
     else if (used.is.ends != DOM_END_NONE)
         answer_say(call->answer,
@@ -141,7 +155,7 @@ static bool run_curve(struct session *session, const struct call *call)
         train.s = (1 - f) * from + f * to;
         enum dom_status status = limit_with(session, train, DOM_FUEL_EXACT, &exact, NULL);
         if (status == DOM_OK)
-            status = limit_with(session, train, DOM_FUEL_PAPER, &paper, NULL);
+            status = limit_paper(session, train, &paper, NULL);
         if (status == DOM_OK)
             status = dom_limit_pair(&train, &pair.is, ERROR_OF(session, pair.error));
         if (!rows_seen)
@@ -190,6 +204,7 @@ static enum dom_status count_feasible(const struct dom_train *train, bool *feasi
     *why = status == DOM_OUT_OF_REACH ? "r s > 1, each domino falls past the next one without touching it"
            : status == DOM_STOPS      ? "the train stops below its barrier"
            : status == DOM_NO_FUEL    ? "there is no fuel, a cycle sets no energy free"
+           : status == DOM_LOCKS      ? "friction locks the train"
            : status == DOM_UNDERFLOW  ? "r is so large that nothing is left of the energy"
                                       : NULL;
     return *feasible || *why ? DOM_OK : status;

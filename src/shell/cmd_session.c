@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the session itself. */
 #include "command.h"
+#include "effects.h"
 #include "line.h"
 #include "redirect.h"
 #include "wide.h"
@@ -28,6 +29,10 @@ static bool run_set(struct session *session, const struct call *call)
     const struct parameter *p = parameter_of(call, 0);
     if (strcmp(p->name, "precision") == 0)
         return choose_precision(session, call, (enum dom_precision)call->number[1]);
+    if (strcmp(p->name, "fuel") == 0 && call->number[1] == DOM_FUEL_PAPER && session->train.mu > 0)
+        return session_error(
+            session, "the paper's closed form of the fuel knows no friction: they exclude each other; "
+                     "'effect friction off' first");
     parameter_put(session, p, call->number[1]);
     return true;
 }
@@ -77,6 +82,8 @@ static bool run_reset(struct session *session, const struct call *call)
         else
             parameter_put(session, p, parameter_fallback(session, p));
     }
+    if (call->count == 0)
+        effects_reset(session);
     return true;
 }
 
@@ -92,6 +99,7 @@ static bool run_save(struct session *session, const struct call *call)
             parameter_text(p, parameter_get(session, p), WIDE_DIGITS, value, sizeof value);
             fprintf(file.file, "set %s %s\n", p->name, value);
         }
+        effects_save(session, file.file);
         wrong = redirect_close(&file, true);
     }
     return !wrong ||

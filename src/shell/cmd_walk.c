@@ -25,7 +25,7 @@ static const struct column walk_columns[] = {
 static bool same_train(const struct dom_train *a, const struct dom_train *b)
 {
     return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->fuel == b->fuel &&
-           a->tol == b->tol && a->precision == b->precision;
+           a->tol == b->tol && a->precision == b->precision && a->mu == b->mu;
 }
 
 /* The walk of the session's train, begun if there is none; *begun tells.  False: an error was reported. */

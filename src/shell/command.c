@@ -9,6 +9,9 @@ const struct command_group command_groups[] = {
     {"How far it can grow", limit_commands},
     {"The train in pictures", draw_commands},
     {"Curves", plot_commands},
+    {"Effects beyond the paper", effect_commands},
+    {"A row of dominoes", row_commands},
+    {"Rows with random errors", study_commands},
     {"What accuracy costs", cost_commands},
     {"The session", session_commands},
     {"Help", help_commands},
@@ -91,14 +94,28 @@ static bool is_tilt(const struct argument *a)
     return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
 }
 
+static bool effect_check(struct session *session, const struct dom_effect_argument *a, dom_real value)
+{
+    if (!(value >= a->lowest && value <= a->highest))
+        return session_error(session, "%s = %s is out of range; %s, the %s, is in %g .. %g%s%s", a->name,
+                             wide_shown(value).text, a->name, a->meaning, (double)a->lowest,
+                             (double)a->highest, *a->unit ? " " : "", a->unit);
+    if (a->whole && value != floor(value))
+        return session_error(session, "%s = %s is no whole number; %s is one in %g .. %g", a->name,
+                             wide_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
+    return true;
+}
+
 bool argument_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
 {
     char kind[64], wanted[64];
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
-    struct quantity unit = p                            ? expression_unit(p->unit)
-                           : a->kind == ARGUMENT_HEIGHT ? (struct quantity){1, 1, 0, 0}
-                           : is_tilt(a)                 ? (struct quantity){1, 0, 0, 1}
-                                                        : (struct quantity){1, 0, 0, 0};
+    struct quantity unit = p ? expression_unit(p->unit)
+                           : a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH
+                               ? (struct quantity){1, 1, 0, 0}
+                           : a->effect  ? expression_unit(a->effect->unit)
+                           : is_tilt(a) ? (struct quantity){1, 0, 0, 1}
+                                        : (struct quantity){1, 0, 0, 0};
     bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
     if (!bare && a->kind != ARGUMENT_ANY &&
         (q.length != unit.length || q.time != unit.time || q.angle != unit.angle))
@@ -110,9 +127,14 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
         return true;
     if (is_tilt(a))
         return tilt_check(session, a, q, number);
+    if (a->effect && !effect_check(session, a->effect, q.value))
+        return false;
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
         return session_error(session, "%s = %s is no height; %s is a length in metres, larger than 0",
                              a->name, wide_shown(q.value).text, a->name);
+    if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (dom_real)1e9))
+        return session_error(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
+                             wide_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= COUNT_MAX && q.value == floor(q.value)))
         return session_error(session, "%s = %s is no count; %s is an integer in 1 .. %d", a->name,
                              wide_shown(q.value).text, a->name, COUNT_MAX);

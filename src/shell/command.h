@@ -15,6 +15,7 @@ enum argument_kind {
     ARGUMENT_TILT,      /* an angle in [0, theta_c] */
     ARGUMENT_OF,        /* a value for the parameter argument.of */
     ARGUMENT_HEIGHT,    /* a length > 0 */
+    ARGUMENT_LENGTH,    /* a length >= 0 */
     ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,       /* any value */
     ARGUMENT_PARAMETER, /* the name of a parameter */
@@ -24,6 +25,7 @@ enum argument_kind {
     ARGUMENT_PLACE,     /* the same, as -1 - its number, or an angle in [0, theta_c] */
     ARGUMENT_WORD,      /* any word, or several between "..." */
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
+    ARGUMENT_EFFECT,    /* a value for the effect before it, or on, off, or a file where it takes one */
     ARGUMENT_REST,      /* the rest of the line as it is */
 };
 
@@ -34,7 +36,8 @@ struct argument {
     enum argument_kind kind;
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
-    names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
+    names_list *choices;                      /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
+    const struct dom_effect_argument *effect; /* of ARGUMENT_EFFECT, once the effect is known */
 };
 
 enum { ARGUMENTS_MAX = 3 };
@@ -73,6 +76,7 @@ extern const struct command_group command_groups[]; /* ends with a NULL title */
 extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
     session_commands[], help_commands[];
 extern const struct command draw_commands[], plot_commands[];
+extern const struct command effect_commands[], row_commands[], study_commands[];
 
 /* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */
 const char *command_names(const void *context, int k);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From text to commands: lines, arguments, expressions in the session's names, files behind '>'. */
 #include "command.h"
+#include "effects.h"
 #include "redirect.h"
 #include "terminal.h"
 #include "text.h"
@@ -298,6 +299,26 @@ static bool read_place(struct reader *r, const struct argument *a, struct call *
     return !letters && read_quantity(r, a, &call->quantity[i], &call->number[i]);
 }
 
+/* 'on', 'off', a value of the effect before it, or the file in its place. */
+static bool read_effect(struct reader *r, struct call *call, int i)
+{
+    enum dom_effect_name effect = (enum dom_effect_name)call->number[0];
+    const struct dom_effect_argument *of = &dom_effect(effect)->argument[i - 1];
+    char usage[EFFECT_USAGE], shown[NAMES_SHOWN], word[NAMES_SHOWN];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
+    bool turned = strcmp(word, "on") == 0 || strcmp(word, "off") == 0;
+    if (i > DOM_EFFECT_ARGUMENTS || (!of->name && !turned) || call->word[1])
+        return session_error(r->session, "'%s' is one argument too many; usage: effect %s",
+                             names_shown(word, shown), effect_usage(effect, usage));
+    bool named = isalpha((unsigned char)*word) && !is_value_name(word) && !strchr(word, '(');
+    if ((turned && i == 1) || (of->or_file && (named || strchr("\"./~", *word)))) {
+        call->word[i] = read_file(r);
+        return call->word[i] || session_error(r->session, unclosed);
+    }
+    struct argument a = {.name = of->name, .kind = ARGUMENT_EFFECT, .effect = of};
+    return read_quantity(r, &a, &call->quantity[i], &call->number[i]);
+}
+
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
 {
     struct session *session = r->session;
@@ -331,6 +352,8 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         return read_choice(r, a, &call->word[i], &call->number[i]);
     case ARGUMENT_PLACE:
         return read_place(r, a, call, i);
+    case ARGUMENT_EFFECT:
+        return read_effect(r, call, i);
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
         call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);

@@ -142,6 +142,7 @@ int main(int argc, char **argv)
         line_stream(&session, stdin, "stdin");
 
     bool failed = session.errors > 0;
+    session_close(&session);
     /* Buffered output may fail as late as here. */
     errno = 0;
     bool lost = ferror(stdout) != 0;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
+#include "effects.h"
 #include "terminal.h"
 #include "wide.h"
 #include <stdarg.h>
@@ -97,6 +98,20 @@ const struct parameter session_parameters[] = {
           "energy balance, or the paper's closed form of (c7)", NULL),
     WORDS("precision", train.precision, precision_words, DOM_DOUBLE, false,
           "arithmetic of the answers; quad is " QUAD_TYPE, precision_help),
+    {.name = "seed",
+     .unit = "",
+     .meaning = "of random rows: the same seed, the same rows",
+     .fallback = 1,
+     .highest = (dom_real)4294967295.0,
+     .whole = true,
+     .offset = offsetof(struct session, seed)},
+    {.name = "threads",
+     .unit = "",
+     .meaning = "of studies; 0: as many as there are processors",
+     .highest = 256,
+     .whole = true,
+     .offset = offsetof(struct session, threads),
+     .setting = true},
     WORDS("output", style.output, output_words, OUTPUT_TABLE, true, "how answers are written", NULL),
     {.name = "digits",
      .unit = "",
@@ -123,6 +138,18 @@ void session_init(struct session *session, FILE *out)
 {
     *session = (struct session){.train = dom_train_default(), .scale = dom_scale_default(), .out = out};
     session->style.digits = parameter_find("digits")->fallback;
+    session->seed = parameter_find("seed")->fallback;
+}
+
+void session_close(struct session *session)
+{
+    effects_reset(session);
+}
+
+dom_real session_mass(const struct session *session)
+{
+    dom_real h = session->scale.h;
+    return session->mass > 0 ? session->mass : session->density * h * h * session->train.d * h / 2;
 }
 
 /*
@@ -186,6 +213,10 @@ bool session_status(struct session *session, enum dom_status status)
                              "r s = %s > 1: the head falls past the next domino without touching it; "
                              "at s = %s r may be up to 1/s = %.17g",
                              wide_shown(t->r * t->s).text, wide_shown(t->s).text, (double)(1 / t->s));
+    if (status == DOM_NO_METHOD && t->mu > 0 && t->fuel == DOM_FUEL_PAPER)
+        return session_error(session,
+                             "the paper's closed form of the fuel knows no friction; 'set fuel exact', or "
+                             "'effect friction off'");
     if (status == DOM_TOO_LONG)
         return session_error(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
     return session_error(session, "%s", dom_status_text(status));

@@ -15,12 +15,34 @@ struct command;
 
 enum { ANSWER_CELLS = 12, SOURCE_DEPTH = 16 };
 
+/* What the session asks of an effect. */
+struct effect_state {
+    bool on;
+    dom_real value[DOM_EFFECT_ARGUMENTS];
+};
+
+/* Dominoes that are listed in a file, and gaps that were changed since. */
+struct listed_row {
+    struct dom_domino *domino; /* NULL for none */
+    size_t count;
+    bool weighed; /* masses are in kg; else they are relative */
+    char *path;
+    struct placed {
+        size_t k; /* from 1 */
+        dom_real gap;
+    } * placed;
+    size_t changes;
+};
+
 struct session {
     struct dom_train train;
     struct dom_scale scale;
     dom_real mass, density;    /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
     struct output_style style; /* output, digits, angle */
     unsigned timing;
+    dom_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
+    struct effect_state effect[DOM_EFFECT_COUNT];
+    struct listed_row listed; /* the row, where it is not counted */
     struct walk walk;
     FILE *out;          /* where answers go: standard output, or the file behind '>' */
     const char *source; /* name of the script for messages; NULL at the prompt */
@@ -47,6 +69,12 @@ struct session {
 };
 
 void session_init(struct session *session, FILE *out);
+
+/* Gives back what the session holds. */
+void session_close(struct session *session);
+
+/* The mass of the first domino in kg; 0 where it is not known. */
+dom_real session_mass(const struct session *session);
 
 /* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
 bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));

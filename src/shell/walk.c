@@ -4,17 +4,11 @@
 #include "wide.h"
 #include <string.h>
 
-/* The mass of the first domino in kg; 0 where it is not known. */
-static dom_real first_mass(const struct session *session)
-{
-    dom_real h = session->scale.h;
-    return session->mass > 0 ? session->mass : session->density * h * h * session->train.d * h / 2;
-}
-
 struct walk_units walk_units(const struct session *session, int cycle)
 {
     const struct dom_train *t = &session->train;
-    dom_real mass = first_mass(session), grown = pow(t->r, (dom_real)(cycle - 1)), heavier = pow(grown, t->q);
+    dom_real mass = session_mass(session), grown = pow(t->r, (dom_real)(cycle - 1)),
+             heavier = pow(grown, t->q);
     struct dom_scale scale = session->scale;
     scale.h *= grown;
     bool known = mass > 0;
@@ -36,7 +30,7 @@ const char walk_no_start[] =
     "no domino effect: the fuel P is not positive (c7), no cycle begins; 'why' says more";
 
 /* The same columns in joules. */
-static void columns_in_joules(const struct column *from, struct column *to)
+void columns_in_joules(const struct column *from, struct column to[COLUMNS_ROOM])
 {
     for (;; from++, to++) {
         *to = *from;
@@ -146,6 +140,8 @@ static bool impulse_seen(const struct dom_force *f, void *context)
 {
     struct impulses *i = context;
     size_t used = strlen(i->text);
+    if (f->i > 0 && isnan(f->impulse)) /* nobody leans on the last */
+        return false;
     i->bounded = i->bounded && isfinite(f->impulse);
     snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->seen ? ", " : "",
              (double)(f->impulse * i->units->weight * i->units->tau));

@@ -35,6 +35,9 @@ struct walk_units walk_units(const struct session *session, int cycle);
 enum { COLUMNS_ROOM = 16 };
 void walk_columns_in(const struct session *session, struct answer *answer, struct column room[COLUMNS_ROOM]);
 
+/* The same columns with energies in J. */
+void columns_in_joules(const struct column *from, struct column to[COLUMNS_ROOM]);
+
 /* Why no cycle begins. */
 extern const char walk_no_start[];
 

@@ -1,0 +1,513 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A finite row: what it is, how it falls, and what to change where it does not. */
+#include "command.h"
+#include "effects.h"
+#include "terminal.h"
+#include "walk.h"
+#include "wide.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* A number that a narrow column shows with so many digits. */
+static struct cell cell_narrow(dom_real value, int digits)
+{
+    struct cell cell = cell_real(value);
+    cell.digits = digits;
+    return cell;
+}
+
+static const char *energy_unit(const struct session *session)
+{
+    return scene_weighed(session) ? "J" : "m g h/2 of the first";
+}
+
+/* ---- row ---- */
+
+static const struct column row_columns[] = {
+    {"domino", "", "its number, from 1", 6},
+    {"height", "m", "", 0},
+    {"thickness", "m", "", 0},
+    {"gap", "m", "free, to the one before it", 0},
+    {"mass", "kg", "- where only the ratios are known", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_row(struct session *session, const struct call *call)
+{
+    struct scene_row scene;
+    if (!scene_row_make(session, &scene))
+        return false;
+    bool weighed = scene_weighed(session);
+    for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
+        const struct dom_domino *d = &scene.domino[k];
+        answer_row(call->answer,
+                   ROW(cell_count((dom_real)k + 1), cell_real(d->height), cell_real(d->thickness),
+                       cell_real(d->gap), cell_real(weighed ? d->mass : DOM_NAN)),
+                   NULL);
+    }
+    free(scene.domino);
+    return true;
+}
+
+/* ---- fall ---- */
+
+#define FALL_COLUMNS                                                                                         \
+    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 7},                                         \
+        {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 8},       \
+        {"falls", "s", "when it hits the next, or lies on the floor", 8},                                    \
+        {"omega", "rad/s", "angular velocity just after it was hit", 7},                                     \
+        {"kinetic", "mgh/2", "energy of all that move, then; in J where a mass is known", 9},                \
+        {"barrier", "mgh/2", "what of that it takes to go on", 9},                                           \
+    {                                                                                                        \
+        "margin", "mgh/2", "kinetic - barrier", 9                                                            \
+    }
+
+static const struct column fall_columns[] = {FALL_COLUMNS, {NULL, NULL, NULL, 0}};
+
+static const struct column fall_floor_columns[] = {
+    FALL_COLUMNS,
+    {"floor", "", "friction that the floor needs; with 'effect floor'", 6},
+    {NULL, NULL, NULL, 0},
+};
+
+struct falling {
+    struct session *session;
+    struct answer *answer;
+    const struct scene_row *scene;
+    dom_real needs; /* the most of the floor */
+    size_t slips, head;
+    bool hit;
+    dom_real first_slip; /* the first need that the floor's friction does not meet, else NaN */
+    size_t first_domino, first_head;
+    bool first_hit;
+};
+
+/* The larger of what a domino's motion and its collision need of the floor. */
+static dom_real fall_needs(const struct dom_fall *f, bool *hit, size_t *domino)
+{
+    *hit = f->floor_hit > f->floor_motion;
+    *domino = *hit ? f->floor_hit_domino : f->floor_domino;
+    return *hit ? f->floor_hit : f->floor_motion;
+}
+
+static void floor_seen(struct falling *c, const struct dom_fall *f)
+{
+    bool hit;
+    size_t domino;
+    dom_real needs = fall_needs(f, &hit, &domino);
+    if (needs > c->needs) {
+        c->needs = needs;
+        c->slips = domino;
+        c->head = f->domino;
+        c->hit = hit;
+    }
+    if (isnan(c->first_slip) && needs > c->session->effect[DOM_EFFECT_floor].value[0]) {
+        c->first_hit = f->floor_hit > c->session->effect[DOM_EFFECT_floor].value[0]; /* that comes first */
+        c->first_slip = c->first_hit ? f->floor_hit : f->floor_motion;
+        c->first_domino = c->first_hit ? f->floor_hit_domino : f->floor_domino;
+        c->first_head = f->domino;
+    }
+}
+
+static bool fall_row(const struct dom_fall *f, void *context)
+{
+    struct falling *c = context;
+    bool hit;
+    size_t domino;
+    floor_seen(c, f);
+    answer_row(c->answer,
+               ROW(cell_count((dom_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 5),
+                   cell_narrow(f->time, 5), cell_narrow(f->time + f->duration, 5), cell_narrow(f->omega, 5),
+                   cell_narrow(f->kinetic, 4), cell_narrow(f->barrier, 4), cell_narrow(f->margin, 4),
+                   cell_narrow(c->scene->row.floor ? fall_needs(f, &hit, &domino) : DOM_NAN, 4)),
+               NULL);
+    return !answer_lost(c->answer);
+}
+
+/* How a row ends, as a sentence. */
+static void verdict_say(struct session *session, struct answer *a, const struct scene_row *scene,
+                        const struct dom_verdict *v, bool timed)
+{
+    size_t count = scene->row.count;
+    if (v->end == DOM_ROW_FALLS && !timed)
+        answer_say(a, "All %zu fall: nothing has to be mended.", count);
+    else if (v->end == DOM_ROW_FALLS && isfinite(v->seconds))
+        answer_say(a, "All %zu fall; the last lies %.4g s after the %s.", count, (double)v->seconds,
+                   isnan(scene->row.push) ? "first hit" : "push");
+    else if (v->end == DOM_ROW_FALLS)
+        answer_say(a, count == 1 ? "It falls."
+                                 : "All fall; one comes so close to a stop that its time has no value.");
+    else if (v->end == DOM_ROW_STOPS)
+        answer_say(a, "It stops at domino %zu of %zu, short by %.4g %s: %s. 'mend' looks for what saves it.",
+                   v->domino, count, (double)v->short_by, energy_unit(session), dom_row_end_text(v->end));
+    else
+        answer_say(a, "It ends at domino %zu of %zu: %s.", v->domino, count, dom_row_end_text(v->end));
+    if (v->weakest > 0 && isfinite(v->spare))
+        answer_say(a, "The weakest that goes on is domino %zu: it has %.4g times the energy that it needs.",
+                   v->weakest, (double)v->spare + 1);
+}
+
+static void floor_say(const struct session *session, struct answer *a, const struct falling *c)
+{
+    answer_say(a, "The floor needs a friction of %.4g, under domino %zu %s domino %zu%s.", (double)c->needs,
+               c->slips, c->hit ? "when" : "while", c->head, c->hit ? " is hit" : " falls");
+    if (isnan(c->first_slip))
+        answer_say(a, "With %.4g none slips.", (double)session->effect[DOM_EFFECT_floor].value[0]);
+    else
+        answer_say(a,
+                   "With %.4g domino %zu is the first to slip, %s domino %zu%s: it needs %.4g. The answer "
+                   "holds up to "
+                   "there.",
+                   (double)session->effect[DOM_EFFECT_floor].value[0], c->first_domino,
+                   c->first_hit ? "when" : "while", c->first_head, c->first_hit ? " is hit" : " falls",
+                   (double)c->first_slip);
+}
+
+/* Has the model an answer?  PASSES and PARTS are none. */
+static bool verdict_known(struct session *session, const struct dom_verdict *v)
+{
+    return (v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS) ||
+           session_error(session, "domino %zu: %s; what comes behind it is not known", v->domino,
+                         dom_row_end_text(v->end));
+}
+
+static bool run_fall(struct session *session, const struct call *call)
+{
+    struct scene_row scene;
+    struct dom_verdict verdict;
+    struct column room[COLUMNS_ROOM];
+    struct answer *a = call->answer;
+    if (!scene_row_make(session, &scene))
+        return false;
+    struct falling c = {.session = session, .answer = a, .scene = &scene, .first_slip = DOM_NAN};
+    a->columns = scene.row.floor ? fall_floor_columns : fall_columns;
+    if (scene_weighed(session)) {
+        columns_in_joules(a->columns, room);
+        a->columns = room;
+    }
+    enum dom_status status = dom_row_run(&scene.row, true, fall_row, &c, &verdict);
+    a->columns = fall_columns;
+    if (status == DOM_OK) {
+        verdict_say(session, a, &scene, &verdict, true);
+        if (scene.row.floor)
+            floor_say(session, a, &c);
+    }
+    free(scene.domino);
+    return status == DOM_OK ? verdict_known(session, &verdict) : session_status(session, status);
+}
+
+/* ---- verdict ---- */
+
+static const struct column verdict_columns[] = {
+    {"verdict", "", "falls, stops, or why it ends otherwise", 0},
+    {"domino", "", "the last that was hit", 0},
+    {"short_by", "mgh/2", "energy that is missing there, in J where a mass is known", 0},
+    {"seconds", "s", "until the last lies; counted as in 'fall'", 0},
+    {"weakest", "", "of those that go on, the domino with the least to spare", 0},
+    {"spare", "", "margin over barrier there", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static const char *end_word(enum dom_row_end end)
+{
+    static const char *const words[] = {
+        [DOM_ROW_FALLS] = "all fall",      [DOM_ROW_STOPS] = "stops", [DOM_ROW_MISSES] = "misses",
+        [DOM_ROW_PASSES] = "passes above", [DOM_ROW_LEANS] = "leans", [DOM_ROW_PARTS] = "parts",
+        [DOM_ROW_LOCKS] = "locks"};
+    return words[end];
+}
+
+static bool run_verdict(struct session *session, const struct call *call)
+{
+    struct scene_row scene;
+    struct dom_verdict v;
+    struct column room[COLUMNS_ROOM];
+    struct answer *a = call->answer;
+    if (!scene_row_make(session, &scene))
+        return false;
+    enum dom_status status = dom_row_run(&scene.row, true, NULL, NULL, &v);
+    free(scene.domino);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    if (!verdict_known(session, &v))
+        return false;
+    if (scene_weighed(session)) {
+        columns_in_joules(verdict_columns, room);
+        a->columns = room;
+    }
+    answer_row(a,
+               ROW(cell_word(end_word(v.end)), cell_count((dom_real)v.domino), cell_real(v.short_by),
+                   cell_real(v.end == DOM_ROW_FALLS ? v.seconds : DOM_NAN),
+                   v.weakest ? cell_count((dom_real)v.weakest) : cell_real(DOM_NAN), cell_real(v.spare)),
+               v.end == DOM_ROW_FALLS ? NULL : dom_row_end_text(v.end));
+    a->columns = verdict_columns;
+    return true;
+}
+
+/* ---- place ---- */
+
+static bool run_place(struct session *session, const struct call *call)
+{
+    return scene_row_place(session, (size_t)call->number[0], call->number[1]);
+}
+
+/* ---- mend: the smallest change of one gap that lets all fall ---- */
+
+static const struct column mend_columns[] = {
+    {"domino", "", "before which the gap is changed", 6},
+    {"gap", "m", "as it is", 0},
+    {"to", "m", "the nearest one with which all fall", 0},
+    {"change", "m", "by how much", 0},
+    {"relative", "", "change over gap", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+struct mend {
+    struct scene_row *scene;
+    size_t k; /* from 0 */
+    enum dom_status status;
+};
+
+static bool falls_with(struct mend *m, dom_real gap)
+{
+    struct dom_verdict v = {.end = DOM_ROW_STOPS};
+    dom_real kept = m->scene->domino[m->k].gap;
+    m->scene->domino[m->k].gap = gap;
+    if (m->status == DOM_OK)
+        m->status = dom_row_run(&m->scene->row, false, NULL, NULL, &v);
+    m->scene->domino[m->k].gap = kept;
+    return m->status == DOM_OK && v.end == DOM_ROW_FALLS;
+}
+
+enum { MEND_STEPS = 40 };
+
+/* The nearest gap on the way to `end` with which all fall; NaN where none was found. */
+static dom_real mend_towards(struct mend *m, dom_real end)
+{
+    dom_real gap = m->scene->domino[m->k].gap, bad = gap;
+    for (int i = 1; i <= MEND_STEPS; i++) {
+        /* First close by, then farther and farther: what is small should be found. */
+        dom_real part = (dom_real)i / MEND_STEPS, good = gap + (end - gap) * part * part * part;
+        if (!falls_with(m, good)) {
+            bad = good;
+            continue;
+        }
+        while (fabs(good - bad) > (dom_real)1e-7 * fmax(fabs(gap), fabs(good))) {
+            dom_real middle = (good + bad) / 2;
+            *(falls_with(m, middle) ? &good : &bad) = middle;
+        }
+        return good;
+    }
+    return DOM_NAN;
+}
+
+struct mended {
+    size_t k;
+    dom_real gap, to;
+};
+
+static int by_change(const void *a, const void *b)
+{
+    const struct mended *x = a, *y = b;
+    dom_real dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
+    return dx < dy ? -1 : dx > dy;
+}
+
+/* Gaps up to the one behind the domino where it ends: what lies farther does not matter to that. */
+static enum dom_status mend_search(struct scene_row *scene, size_t last, struct mended *list, size_t *found)
+{
+    struct progress progress = {0, 0};
+    *found = 0;
+    for (size_t k = 1; k <= last && k < scene->row.count; k++) {
+        struct mend m = {.scene = scene, .k = k};
+        dom_real gap = scene->domino[k].gap;
+        dom_real closer = mend_towards(&m, 0), wider = mend_towards(&m, scene->domino[k - 1].height);
+        if (m.status != DOM_OK) {
+            progress_show(&progress, 1);
+            return m.status;
+        }
+        dom_real to = isnan(closer) || (isfinite(wider) && wider - gap < gap - closer) ? wider : closer;
+        if (isfinite(to))
+            list[(*found)++] = (struct mended){k, gap, to};
+        progress_show(&progress, (double)k / (double)last);
+    }
+    progress_show(&progress, 1);
+    qsort(list, *found, sizeof *list, by_change);
+    return DOM_OK;
+}
+
+static void mend_say(struct answer *a, const struct mended *list, size_t found)
+{
+    if (found == 0) {
+        answer_say(a, "No change of a single gap lets all fall: change several, the push, or the dominoes.");
+        return;
+    }
+    answer_say(
+        a,
+        "The smallest change: %s the gap before domino %zu by %.3g mm, from %.5g mm to %.5g mm; 'place %zu "
+        "%.7g' does it.",
+        list->to < list->gap ? "narrow" : "widen", list->k + 1, (double)(1000 * fabs(list->to - list->gap)),
+        (double)(1000 * list->gap), (double)(1000 * list->to), list->k + 1, (double)list->to);
+    answer_say(
+        a,
+        "That is where it just falls: what is placed by hand needs more; 'budget' tells how precise it must "
+        "be.");
+}
+
+static bool run_mend(struct session *session, const struct call *call)
+{
+    struct scene_row scene;
+    struct dom_verdict v;
+    struct answer *a = call->answer;
+    size_t found = 0;
+    if (!scene_row_make(session, &scene))
+        return false;
+    struct mended *list = calloc(scene.row.count, sizeof *list);
+    enum dom_status status = list ? dom_row_run(&scene.row, false, NULL, NULL, &v) : DOM_NO_MEMORY;
+    bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
+    if (status == DOM_OK && !falls)
+        status = mend_search(&scene, v.domino, list, &found);
+    for (size_t i = 0; status == DOM_OK && i < found; i++)
+        answer_row(a,
+                   ROW(cell_count((dom_real)list[i].k + 1), cell_narrow(list[i].gap, 7),
+                       cell_narrow(list[i].to, 7), cell_narrow(list[i].to - list[i].gap, 4),
+                       cell_narrow(list[i].gap > 0 ? (list[i].to - list[i].gap) / list[i].gap : DOM_NAN, 4)),
+                   NULL);
+    if (falls)
+        verdict_say(session, a, &scene, &v, false);
+    else if (status == DOM_OK)
+        mend_say(a, list, found);
+    free(list);
+    free(scene.domino);
+    return status == DOM_OK || session_status(session, status);
+}
+
+/* ---- rowmax: the largest growth of a finite row ---- */
+
+static const struct column rowmax_columns[] = {
+    {"s", "h", "separation", 0},
+    {"count", "", "dominoes in the row", 0},
+    {"r_max", "", "largest growth at which all of them fall", 0},
+    {"r_train", "", "that of the endless train", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static enum dom_status falls_at(struct session *session, dom_real r, bool *falls)
+{
+    struct session scene = *session;
+    struct scene_row row;
+    struct dom_verdict v;
+    scene.train.r = r;
+    if (!scene_row_make(&scene, &row))
+        return DOM_NO_MEMORY;
+    enum dom_status status = dom_row_run(&row.row, false, NULL, NULL, &v);
+    free(row.domino);
+    *falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
+    return status;
+}
+
+#define ROWMAX_STEP ((dom_real)1.02)
+
+/* The first growth, raised from 1, at which not all fall; NaN where already equal ones do not. */
+static enum dom_status rowmax_find(struct session *session, dom_real *r_max)
+{
+    dom_real reach = 1 / session->train.s, good = 1, bad = 0;
+    bool falls;
+    enum dom_status status = falls_at(session, 1, &falls);
+    *r_max = falls ? reach : DOM_NAN;
+    while (status == DOM_OK && falls && good < reach) {
+        bad = fmin(good * ROWMAX_STEP, reach);
+        status = falls_at(session, bad, &falls);
+        good = falls ? bad : good;
+    }
+    bool found = status == DOM_OK && bad > good;
+    while (found && status == DOM_OK && bad - good > session->train.tol * good) {
+        dom_real middle = (good + bad) / 2;
+        if (!(middle > good && middle < bad))
+            break;
+        status = falls_at(session, middle, &falls);
+        *(falls ? &good : &bad) = middle;
+    }
+    if (found)
+        *r_max = good;
+    return status;
+}
+
+static bool run_rowmax(struct session *session, const struct call *call)
+{
+    dom_real r_max;
+    struct dom_limit limit = {.r_max = DOM_NAN};
+    if (session->listed.domino)
+        return session_error(session,
+                             "the row is from a file: it has no growth r; 'effect row N' is a row with one");
+    enum dom_status status = rowmax_find(session, &r_max);
+    if (status == DOM_OK)
+        status = dom_limit_rmax(&session->train, &limit, NULL, NULL);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    answer_row(call->answer,
+               ROW(cell_real(session->train.s), cell_count(session->effect[DOM_EFFECT_row].value[0]),
+                   cell_real(r_max), cell_real(limit.r_max)),
+               isnan(r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why" : NULL);
+    return true;
+}
+
+const struct command row_commands[] = {
+    {.name = "fall",
+     .summary = "run the row, domino by domino, to its verdict",
+     .help = "Of each domino that is hit: when, when it hits the next, how fast it starts, and what energy "
+             "that leaves "
+             "over its barrier. 'effect row' says which row.",
+     .example = "effect row 5; fall",
+     .see = "verdict mend row effect",
+     .columns = fall_floor_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_fall},
+    {.name = "verdict",
+     .summary = "does the whole row fall, and where is it weakest?",
+     .example = "effect row 5; verdict",
+     .see = "fall mend",
+     .columns = verdict_columns,
+     .principal = 3,
+     .run = run_verdict},
+    {.name = "mend",
+     .summary = "the smallest change of one gap that saves a row",
+     .help =
+         "For each gap up to where the row ends, the nearest value with which all fall, the smallest change "
+         "first. "
+         "Each is looked for in 40 steps, and then halved down; a window narrower than a step may be missed.",
+     .see = "fall place budget",
+     .columns = mend_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_mend},
+    {.name = "place",
+     .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
+     .summary = "change the gap before domino K of the row",
+     .help = "The change stays until another row is taken; 'save' keeps it, and so does 'row > FILE' in csv.",
+     .example = "effect row 5; place 3 25 mm; fall",
+     .see = "row fall mend",
+     .principal = -1,
+     .run = run_place},
+    {.name = "row",
+     .summary = "the dominoes of the row",
+     .help = "With 'set output csv', 'row > FILE' is a file that 'effect row FILE' reads.",
+     .example = "effect row 3; row",
+     .see = "effect fall",
+     .columns = row_columns,
+     .principal = -1,
+     .rows = true,
+     .run = run_row},
+    {.name = "rowmax",
+     .summary = "the largest growth r at which the whole row falls",
+     .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. In a long "
+             "row it is "
+             "that of the endless train, 'rmax'; a strong push carries a short one farther.",
+     .example = "set q hollow; effect row 8; rowmax",
+     .see = "rmax effect",
+     .columns = rowmax_columns,
+     .principal = 2,
+     .run = run_rowmax},
+    {.name = NULL},
+};
