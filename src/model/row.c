@@ -310,8 +310,11 @@ static enum dom_status descent_stretch(struct descent *d, real end, bool times, 
         d->theta_m = st->barrier.theta_m;
     }
     d->stops = margin < 0;
-    if (d->stops)
-        return stretch_rest(st, &d->stop);
+    if (d->stops) {
+        status = stretch_rest(st, &d->stop);
+        struct floor_path to_stop = {&st->g, st->lo, d->stop, stretch_pace, st};
+        return status == DOM_OK && floor ? floor_over(&to_stop, &d->need) : status;
+    }
     status = stretch_contact(st, &d->least_force);
     struct floor_path path = {&st->g, st->lo, st->hi, stretch_pace, st};
     if (status == DOM_OK && floor)

@@ -23,12 +23,21 @@ static const char *energy_unit(const struct session *session)
 
 /* ---- row ---- */
 
+#define ROW_COLUMNS                                                                                          \
+    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 0}, {"thickness", "m", "", 0},              \
+    {                                                                                                        \
+        "gap", "m", "free, to the one before it", 0                                                          \
+    }
+
 static const struct column row_columns[] = {
-    {"domino", "", "its number, from 1", 6},
-    {"height", "m", "", 0},
-    {"thickness", "m", "", 0},
-    {"gap", "m", "free, to the one before it", 0},
-    {"mass", "kg", "- where only the ratios are known", 0},
+    ROW_COLUMNS,
+    {"mass", "kg", "or, where that is not known, relative: over that of the first", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static const struct column row_relative_columns[] = {
+    ROW_COLUMNS,
+    {"relative", "", "mass over that of the first", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -38,13 +47,15 @@ static bool run_row(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     bool weighed = scene_weighed(session);
+    call->answer->columns = weighed ? row_columns : row_relative_columns;
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct dom_domino *d = &scene.domino[k];
         answer_row(call->answer,
                    ROW(cell_count((dom_real)k + 1), cell_real(d->height), cell_real(d->thickness),
-                       cell_real(d->gap), cell_real(weighed ? d->mass : DOM_NAN)),
+                       cell_real(d->gap), cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass)),
                    NULL);
     }
+    call->answer->columns = row_columns;
     free(scene.domino);
     return true;
 }

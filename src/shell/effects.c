@@ -163,14 +163,14 @@ void effects_save(const struct session *session, FILE *out)
         for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
             char number[WIDE_TEXT];
             if (k != DOM_EFFECT_row || !session->listed.domino)
-                fprintf(out, " %s", wide_text(session->effect[k].value[i], WIDE_DIGITS, number));
+                fprintf(out, " %s", wide_exact(session->effect[k].value[i], number));
         }
         putc('\n', out);
     }
     for (size_t i = 0; i < session->listed.changes; i++) {
         char number[WIDE_TEXT];
         fprintf(out, "place %zu %s\n", session->listed.placed[i].k,
-                wide_text(session->listed.placed[i].gap, WIDE_DIGITS, number));
+                wide_exact(session->listed.placed[i].gap, number));
     }
 }
 

@@ -12,7 +12,7 @@
 
 /* ---- What a column may be ---- */
 
-enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, KINDS };
+enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RELATIVE, DOMINO, KINDS };
 
 #define COLUMNS "height, thickness, gap, and if they are known mass or density, width"
 #define LENGTHS "m, mm, cm, km, in, ft"
@@ -34,6 +34,10 @@ static const struct kind {
     {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "density (g/cm^3)",
      "kg/m^3, g/cm^3", "g/cm^3", 1000, 1},
     {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1},
+    {"relative", "", false, false, 1e-40, 1e38, "1e-40 .. 1e38",
+     "it is a plain number: mass over that of the first", "none", "", 1, 1},
+    {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "it is a plain number, for the reader's eye", "none", "",
+     1, 1},
 };
 
 enum { CELLS = KINDS + 1, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
@@ -269,7 +273,10 @@ static bool row_keep(struct reader *r, struct rowfile *rows, const dom_real valu
 {
     dom_real ratio = value[THICKNESS] / value[HEIGHT];
     dom_real width = r->column[WIDTH] ? value[WIDTH] : value[HEIGHT] / 2;
-    dom_real mass = r->column[MASS] ? value[MASS] : value[DENSITY] * value[HEIGHT] * value[THICKNESS] * width;
+    dom_real mass = r->column[MASS] ? value[MASS]
+                    : r->column[RELATIVE] && !r->column[DENSITY]
+                        ? value[RELATIVE]
+                        : value[DENSITY] * value[HEIGHT] * value[THICKNESS] * width;
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
         return wrong(r, r->cell[r->column[THICKNESS] - 1], "thickness / height = %s; it is 1e-12 .. 100",
                      wide_shown(ratio).text);

@@ -9,10 +9,11 @@
  *
  * The first line names the columns in any order: height, thickness, gap, and if they are known mass, or
  * density, and width; without a unit they are in m, kg and kg/m^3.  A solid block weighs density * height *
- * thickness * width; without a width it is half as wide as tall, without a density that is 1.  Between cells
- * stands what stands between the names: ',' or ';' or a tab.  Decimals have a point in any case: in a decimal
- * comma nobody can see whether it parts thousands.  A file means the same in every session: it knows none of
- * the names of one, and a bare angle is in radians.
+ * thickness * width; without a width it is half as wide as tall, without a density that is 1; or a column
+ * gives relative masses.  A column domino, with numbers, is not used.  Between cells stands what stands
+ * between the names: ',' or ';' or a tab.  Decimals have a point in any case: in a decimal comma nobody can
+ * see whether it parts thousands.  A file means the same in every session: it knows none of the names of one,
+ * and a bare angle is in radians.
  */
 #ifndef SHELL_ROWFILE_H
 #define SHELL_ROWFILE_H

@@ -288,10 +288,10 @@ void parameter_text(const struct parameter *p, dom_real value, int digits, char 
 {
     char number[WIDE_TEXT];
     const char *word = p->words_only ? parameter_word(p, value) : NULL;
-    snprintf(text, size, "%s", word ? word : wide_text(value, digits < 15 ? digits : 15, number));
-    /* Where all digits are wanted, the fewest that read back to the same number. */
-    for (int n = 16; !word && n <= digits && wide_read(text, NULL) != value; n++)
-        snprintf(text, size, "%s", wide_text(value, n, number));
+    snprintf(text, size, "%s",
+             word                    ? word
+             : digits >= WIDE_DIGITS ? wide_exact(value, number)
+                                     : wide_text(value, digits < 15 ? digits : 15, number));
 }
 
 dom_real parameter_fallback(const struct session *session, const struct parameter *p)

@@ -36,3 +36,12 @@ dom_real wide_read(const char *text, char **end)
     return strtold(text, end);
 #endif
 }
+
+const char *wide_exact(dom_real value, char text[WIDE_TEXT])
+{
+    int digits = 15;
+    wide_text(value, digits, text);
+    while (digits < WIDE_DIGITS && wide_read(text, NULL) != value)
+        wide_text(value, ++digits, text);
+    return text;
+}

@@ -17,6 +17,9 @@ struct wide_shown {
 };
 struct wide_shown wide_shown(dom_real value);
 
+/* The fewest digits that read back to the same number. */
+const char *wide_exact(dom_real value, char text[WIDE_TEXT]);
+
 /* strtod: out of range is errno = ERANGE. */
 dom_real wide_read(const char *text, char **end);
 

@@ -18,8 +18,7 @@ const struct dom_effect dom_effect_friction = {
         "The verdict 'locks' is new: near r s = 1 the force on the struck domino passes behind its hinge and "
         "cannot turn it. There is no closed form of the fuel: 'set fuel paper' excludes friction.",
     .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
-    .plan =
-        "the equation of motion, linear in omega^2: Chebyshev series on panels, halved until they die out",
+    .plan = "the motion, linear in omega^2: Chebyshev series",
     .example = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     .argument = {{.name = "MU",
                   .unit = "",
