@@ -31,7 +31,7 @@ SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
 .PHONY: all run test unit hard sessions sanitize fuzz bench deps lint format install uninstall clean
-all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc
+all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 # ---- Dependencies: only what the goals of this call need ----
 
@@ -76,6 +76,10 @@ $(B)/libdomino.a: $(call OBJ,$(MODEL))
 $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lreadline -o $@
+
+# The manual of effects comes from the effects themselves.
+$(B)/domino-effects.7: $(B)/domino
+	@$(B)/domino -n -e manual > $@
 
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
@@ -162,7 +166,7 @@ lint: | $(FIRST)
 	clang-tidy --quiet $(MODEL) $(SHELL_C) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem -Iinclude -Isrc/model src
-	mandoc -T lint man/domino.1
+	mandoc -T lint man/domino.1 $(B)/gcc/domino-effects.7
 	shellcheck tests/run .ci/run tests/shell/*.bash src/shell/domino.bash
 
 format:
@@ -172,13 +176,15 @@ format:
 
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig \
-	  $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/doc/domino/examples \
+	  $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/man/man7 \
+	  $(DESTDIR)$(PREFIX)/share/doc/domino/examples \
 	  $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 	install -m 644 src/shell/domino.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/domino
 	install -m 755 $(B)/domino $(DESTDIR)$(PREFIX)/bin/domino
 	install -m 644 include/domino.h $(DESTDIR)$(PREFIX)/include/domino.h
 	install -m 644 $(B)/libdomino.a $(DESTDIR)$(PREFIX)/lib/libdomino.a
 	install -m 644 man/domino.1 $(DESTDIR)$(PREFIX)/share/man/man1/domino.1
+	install -m 644 $(B)/domino-effects.7 $(DESTDIR)$(PREFIX)/share/man/man7/domino-effects.7
 	install -m 644 README.md $(DESTDIR)$(PREFIX)/share/doc/domino/README.md
 	install -m 755 examples/*.dom $(DESTDIR)$(PREFIX)/share/doc/domino/examples
 	sed 's|^prefix=.*|prefix=$(PREFIX)|' $(B)/domino.pc > $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc
@@ -187,7 +193,7 @@ install: all
 uninstall:
 	rm -f $(DESTDIR)$(PREFIX)/bin/domino $(DESTDIR)$(PREFIX)/include/domino.h \
 	  $(DESTDIR)$(PREFIX)/lib/libdomino.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc \
-	  $(DESTDIR)$(PREFIX)/share/man/man1/domino.1 \
+	  $(DESTDIR)$(PREFIX)/share/man/man1/domino.1 $(DESTDIR)$(PREFIX)/share/man/man7/domino-effects.7 \
 	  $(DESTDIR)$(PREFIX)/share/bash-completion/completions/domino
 	rm -rf $(DESTDIR)$(PREFIX)/share/doc/domino
 

@@ -322,7 +322,7 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         .fallen = at.left,
         .before = before,
         .lost = rubs ? before - c->launch.kinetic : before / J0,
-        .rubbed = rubs ? c->launch.kinetic - at.dH - at.J * omegasq : 0,
+        .rubbed = rubs && theta > 0 ? c->launch.kinetic - at.dH - at.J * omegasq : 0,
     };
     if (!error)
         return DOM_OK;

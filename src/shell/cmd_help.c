@@ -2,8 +2,10 @@
 /* Help, all of it from the tables of commands and parameters. */
 #include "command.h"
 #include "complete.h"
+#include "effects.h"
 #include "terminal.h"
 #include "wide.h"
+#include <ctype.h>
 #include <string.h>
 
 /* Of the terminal, but not wider than reads well. */
@@ -28,7 +30,10 @@ static void help_list(FILE *out)
     }
     putc('\n', out);
     output_wrapped(out, names, 0, 80);
-    fputs("\n'help NAME' explains a command or a parameter, 'apropos WORD' finds one.\n", out);
+    fputs("\nEffects:", out);
+    for (int e = 0; e < DOM_EFFECT_COUNT; e++)
+        fprintf(out, " %s", effect_names(NULL, e));
+    fputs("\n'help NAME' explains a command, a parameter or an effect, 'apropos WORD' finds one.\n", out);
 }
 
 static void help_parameter(const struct session *session, const struct parameter *p)
@@ -51,15 +56,15 @@ static void help_parameter(const struct session *session, const struct parameter
 }
 
 /* The example runs in a session of its own, with the defaults: its output is true. */
-static void help_example(const struct session *session, const struct command *c)
+static void help_example(const struct session *session, const char *example)
 {
     struct session fresh;
     session_init(&fresh, session->out);
     fresh.train.interrupt = session->train.interrupt;
     fresh.source = "help";
     fresh.safe = true;
-    fprintf(session->out, "\nExample: %s\n\n", c->example);
-    command_run_text(&fresh, c->example);
+    fprintf(session->out, "\nExample: %s\n\n", example);
+    command_run_text(&fresh, example);
     session_close(&fresh);
 }
 
@@ -98,9 +103,32 @@ static void help_command(struct session *session, const struct command *c)
         run_topic(session, "show");
     }
     if (c->example)
-        help_example(session, c);
+        help_example(session, c->example);
     if (c->see)
         fprintf(out, "\nSee also: %s\n", c->see);
+}
+
+static void help_effect(const struct session *session, enum dom_effect_name name)
+{
+    const struct dom_effect *e = dom_effect(name);
+    char usage[EFFECT_USAGE], setting[EFFECT_SETTING];
+    FILE *out = session->out;
+    fprintf(out, "effect %s: %s\n\n", effect_usage(name, usage), e->adds);
+    output_wrapped(out, e->help, 0, help_width(out));
+    fputs("\n\n", out);
+    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
+         a++) {
+        fprintf(out, "  %-8s %s, %g .. %g%s%s", a->name, a->meaning, (double)a->lowest, (double)a->highest,
+                *a->unit ? " " : "", a->unit);
+        fprintf(out, "%s%s%s\n", a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
+                a->optional ? "; may be left out" : "");
+    }
+    fprintf(out, "\nSource: %s\n", e->source);
+    if (session->effect[name].on)
+        fprintf(out, "It is on: %s\n", effect_setting(session, name, setting));
+    else
+        fputs("It is off, and nothing of it is computed.\n", out);
+    help_example(session, e->example);
 }
 
 static bool run_help(struct session *session, const struct call *call)
@@ -118,6 +146,11 @@ static bool run_help(struct session *session, const struct call *call)
         fputs("\nThe parameter of this name:\n\n", session->out);
     if (p)
         help_parameter(session, p);
+    int effect = names_exact(effect_names, NULL, topic);
+    if (effect >= 0 && c)
+        fputs("\nThe effect of this name:\n\n", session->out);
+    if (effect >= 0)
+        help_effect(session, (enum dom_effect_name)effect);
     return true;
 }
 
@@ -151,8 +184,79 @@ static bool run_apropos(struct session *session, const struct call *call)
         if (hit)
             fprintf(session->out, "set %-14s %s\n", p->name, p->meaning);
     }
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        bool hit = mentions(e->name, word) || mentions(e->adds, word) || mentions(e->help, word);
+        found += hit;
+        if (hit)
+            fprintf(session->out, "effect %-11s %s\n", e->name, e->adds);
+    }
     return found > 0 || session_error(session, "nothing is said about '%s'; 'help' lists everything",
                                       names_shown(word, usage));
+}
+
+/* ---- The manual of effects, as mdoc(7) ---- */
+
+/* A sentence begins a line, and no line begins with what is a request there. */
+static void mdoc_text(FILE *out, const char *text)
+{
+    int at = 0;
+    while (*text) {
+        size_t length = strcspn(text, " ");
+        if (at > 0 && at + (int)length > 76)
+            at = (putc('\n', out), 0);
+        at += fprintf(out, at > 0 ? " " : "");
+        for (size_t i = 0; i < length; i++)
+            at += text[i] == '\'' ? fprintf(out, "\\(aq") : fprintf(out, "%c", text[i]);
+        bool ends = length > 1 && text[length - 1] == '.' && isupper((unsigned char)text[length + 1]) &&
+                    !isupper((unsigned char)text[length - 2]);
+        if (ends)
+            at = (putc('\n', out), 0);
+        text += length + (text[length] == ' ');
+    }
+    if (at > 0)
+        putc('\n', out);
+}
+
+static void mdoc_effect(FILE *out, const struct dom_effect *e)
+{
+    fprintf(out, ".Ss %s\n.Bd -ragged -compact\n.Nm effect %s\n", e->name, e->name);
+    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
+         a++)
+        fprintf(out, a->optional ? ".Op Ar %s\n" : ".Ar %s\n", a->or_file ? "N | FILE" : a->name);
+    fputs(".Ed\n.Pp\nAdds\n", out);
+    mdoc_text(out, e->adds);
+    fputs(".Pp\n", out);
+    mdoc_text(out, e->help);
+    fputs(".Bl -tag -width HEIGHTS\n", out);
+    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
+         a++) {
+        fprintf(out, ".It Ar %s\n%s, %g .. %g%s%s%s%s%s\n", a->name, a->meaning, (double)a->lowest,
+                (double)a->highest, *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "",
+                a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
+    }
+    fputs(".El\n.Pp\nComputed:\n", out);
+    mdoc_text(out, e->plan);
+    fputs(".Pp\nSource:\n", out);
+    mdoc_text(out, e->source);
+    fputs(".Pp\nExample:\n.Dl ", out);
+    fprintf(out, "%s\n", e->example);
+}
+
+static bool run_manual(struct session *session, const struct call *call)
+{
+    FILE *out = session->out;
+    (void)call;
+    fputs(".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n.\\\" Made by the command manual of domino.\n"
+          ".Dd November 21, 2026\n.Dt DOMINO-EFFECTS 7\n.Os\n.Sh NAME\n.Nm domino-effects\n"
+          ".Nd effects beyond the paper in scenes of domino\n.Sh DESCRIPTION\n"
+          "A scene is the parameters of\n.Xr domino 1\nand the effects that it asks for.\n"
+          "An effect that is off is not computed.\n",
+          out);
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+        mdoc_effect(out, dom_effect((enum dom_effect_name)k));
+    fputs(".Sh SEE ALSO\n.Xr domino 1\n", out);
+    return true;
 }
 
 static void print_candidate(const char *candidate, void *out)
@@ -181,6 +285,12 @@ const struct command help_commands[] = {
      .see = "help",
      .principal = -1,
      .run = run_apropos},
+    {.name = "manual",
+     .summary = "the manual page of the effects, for man(1)",
+     .help = "domino-effects(7), made from what each effect tells of itself; 'make install' installs it.",
+     .see = "help effects",
+     .principal = -1,
+     .run = run_manual},
     {.name = "complete",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
      .summary = "how LINE may go on, a line each, as <TAB> does",

@@ -7,18 +7,25 @@
 
 enum { CYCLES_MAX = 1000 };
 
-static const struct column walk_columns[] = {
-    {"cycle", "", "its number, from 1", 0},
-    {"event", "", "the last one that was passed", 0},
-    {"theta", "rad", "tilt of the head", 0},
-    {"t", "s", "time since the launch of this cycle", 0},
-    {"omega", "rad/s", "angular velocity of the head (c3)", 0},
-    {"before", "mgh/2", "kinetic energy before the collision", 0},
-    {"lost", "mgh/2", "of that in the collision, the share 1/J(0) (c4)", 0},
-    {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},
-    {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},
-    {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
-    {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
+#define WALK_COLUMNS                                                                                         \
+    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 0},                \
+        {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
+        {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
+        {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \
+        {"lost", "mgh/2", "of that in the collision, the share 1/J(0) (c4)", 0},                             \
+        {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},                   \
+        {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},                        \
+        {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},                               \
+    {                                                                                                        \
+        "potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0                                     \
+    }
+
+static const struct column walk_columns[] = {WALK_COLUMNS, {NULL, NULL, NULL, 0}};
+
+/* Where dominoes rub. */
+static const struct column rubbing_columns[] = {
+    WALK_COLUMNS,
+    {"rubbed", "mgh/2", "taken by friction between dominoes since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -63,6 +70,8 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     struct walk_units u = walk_units(session, w->cycle);
     if (words)
         walk_say(session, w, &s, a);
+    bool rubs = w->train.mu > 0;
+    a->columns = rubs ? rubbing_columns : walk_columns;
     walk_columns_in(session, a, room);
     struct cell energies[] = {
         cell_bound(s.before * u.energy, e.before * u.energy),
@@ -71,17 +80,18 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
         cell_bound((0 - s.fallen) * u.energy, e.fallen * u.energy),
         cell_bound(s.kinetic * u.energy, e.kinetic * u.energy),
         cell_bound(s.climbed * u.energy, e.climbed * u.energy),
+        cell_bound(s.rubbed * u.energy, DOM_NAN),
     };
     answer_row(a,
                ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
                    cell_real(s.theta), cell_bound(s.time * u.tau, e.time * u.tau),
                    cell_omega(s.omegasq, e.omegasq, u.tau), energies[0], energies[1], energies[2],
-                   energies[3], energies[4], energies[5]),
+                   energies[3], energies[4], energies[5], energies[6]),
                NULL);
     a->columns = walk_columns;
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
-    dom_real open = s.before - s.lost - s.climbed - s.kinetic;
+    dom_real open = s.before - s.lost - s.climbed - s.rubbed - s.kinetic;
     if (fabs(open) > 100 * w->train.tol * (s.before + fabs(s.climbed)))
         answer_say(a, "The ledger is open by %.4g %s: the paper's fuel is no balance of energy.",
                    (double)(open * u.energy), u.energy_unit);

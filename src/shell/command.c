@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command.h"
+#include "effects.h"
 #include "wide.h"
 #include <string.h>
 
@@ -45,6 +46,9 @@ const char *topic_names(const void *context, int k)
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
+    for (int e = 0; e < DOM_EFFECT_COUNT; e++)
+        if (!command_find(effect_names(NULL, e)) && k-- == commands)
+            return effect_names(NULL, e);
     return NULL;
 }
 

@@ -173,13 +173,18 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         dom_cycle_forces(&w->train, 0, impulse_seen, &impulses) != DOM_OK)
         return;
     dom_real omega = sqrt(l.omegasq) / u.tau;
+    bool rubs = w->train.mu > 0;
+    const char *inertia = rubs ? "A(0)" : "J(0)";
     answer_say(
         a,
         "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %s and hits the head, "
-        "domino 0, %.6g m tall. All move on as one train: J(0) omega(0) = (J(0) - 1) omega_1(theta_c) (c4) "
-        "with J(0) = %.6g, so omega(0) = %s (c6).",
-        spoken_omega(session, omega * l.J0 / (l.J0 - 1)).text, (double)u.height, (double)l.J0,
-        spoken_omega(session, omega).text);
+        "domino 0, %.6g m tall. All move on as one train: %s omega(0) = (%s - 1) omega_1(theta_c) (c4) "
+        "with %s = %.6g, so omega(0) = %s (c6).",
+        spoken_omega(session, omega / l.keeps).text, (double)u.height, inertia, inertia, inertia,
+        (double)(1 / (1 - l.keeps)), spoken_omega(session, omega).text);
+    if (rubs)
+        answer_say(a,
+                   "A(0) = sum r^-(q+1)i S_i theta_i' is J(0) with friction: S_i is what the arms pass on.");
     if (impulses.bounded)
         answer_say(a, "The impulse runs down the train, from contact to contact: %s%s %s s; all push (> 0).",
                    impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit);
@@ -187,25 +192,36 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         answer_say(a,
                    "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0 (b10), and its "
                    "impulse has no bound in this model.");
-    answer_say(a, "The collision takes the share 1/J(0) = %.4g %% of the kinetic energy; %.6g %s are left.",
-               percent(s->lost, s->before), (double)(l.kinetic * u.energy), u.energy_unit);
+    answer_say(a, "The collision takes %s%.4g %% of the kinetic energy; %.6g %s are left.",
+               rubs ? "" : "the share 1/J(0) = ", percent(s->lost, s->before), (double)(l.kinetic * u.energy),
+               u.energy_unit);
     if (b.theta_m == 0)
         answer_say(a, "Nothing is left to climb: H falls from the first moment on, theta_m = 0 (c8).");
     else
         answer_say(
             a,
-            "To climb: %.6g %s up to theta_m = %.6g %s (c8). What is left is %.4g times that: it %s by "
+            "To climb: %.6g %s up to theta_m = %.6g %s (c8)%s. What is left is %.4g times that: it %s by "
             "%.6g %s.",
             (double)(b.barrier * u.energy), u.energy_unit, (double)style_angle(&session->style, b.theta_m),
-            style_angle_unit(&session->style), (double)(b.kinetic / b.barrier),
-            b.margin >= 0 ? "clears the barrier" : "misses the top", (double)(fabs(b.margin) * u.energy),
-            u.energy_unit);
+            style_angle_unit(&session->style), rubs ? ", friction on the way included" : "",
+            (double)(b.kinetic / b.barrier), b.margin >= 0 ? "clears the barrier" : "misses the top",
+            (double)(fabs(b.margin) * u.energy), u.energy_unit);
 }
 
 static void say_top(const struct session *session, const struct walk *w, const struct dom_state *s,
                     struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle);
+    if (w->train.mu > 0) {
+        answer_say(a,
+                   "The hardest tilt, theta_m = %.6g %s (c8): the train has climbed %.6g %s, friction has "
+                   "taken %.6g, and "
+                   "%.6g %s of motion are left. From now on it gains more than it rubs away.",
+                   (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
+                   (double)(s->climbed * u.energy), u.energy_unit, (double)(s->rubbed * u.energy),
+                   (double)(s->kinetic * u.energy), u.energy_unit);
+        return;
+    }
     answer_say(
         a,
         "Top of the barrier, theta_m = %.6g %s (c8). The train stands highest: it has climbed %.6g %s, and "
@@ -244,12 +260,13 @@ static void say_stop(const struct session *session, const struct walk *w, const 
         return;
     answer_say(
         a,
-        "The train stops at theta = %.6g %s: all its kinetic energy, %.6g %s, has gone into the climb (c3). "
-        "The "
+        "The train stops at theta = %.6g %s: all its kinetic energy, %.6g %s, has gone into %s. The "
         "barrier stands at theta_m = %.6g %s, %.6g %s higher (c8). There is no next hit; 'why' says more.",
         (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-        (double)(b.kinetic * u.energy), u.energy_unit, (double)style_angle(&session->style, b.theta_m),
-        style_angle_unit(&session->style), (double)(-b.margin * u.energy), u.energy_unit);
+        (double)(b.kinetic * u.energy), u.energy_unit,
+        w->train.mu > 0 ? "the climb and friction" : "the climb (c3)",
+        (double)style_angle(&session->style, b.theta_m), style_angle_unit(&session->style),
+        (double)(-b.margin * u.energy), u.energy_unit);
 }
 
 static void say_hit(const struct session *session, const struct walk *w, const struct dom_state *s,
@@ -264,6 +281,9 @@ static void say_hit(const struct session *session, const struct walk *w, const s
         (double)next.height, (double)style_angle(&session->style, s->theta),
         style_angle_unit(&session->style), spoken_omega(session, sqrt(s->omegasq) / u.tau).text,
         (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
+    if (w->train.mu > 0)
+        answer_say(a, "Friction between dominoes has taken %.6g %s of it.", (double)(s->rubbed * u.energy),
+                   u.energy_unit);
     answer_say(
         a,
         "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r) (c5): "

@@ -112,6 +112,11 @@ bool cycle_run(struct session *session, const struct call *call)
     a->columns = cycle_columns;
     if (status != DOM_OK)
         return walk_status(session, status);
+    struct dom_state last;
+    if (session->train.mu > 0 &&
+        dom_cycle_state(&session->train, events[count - 1].theta, &last, NULL) == DOM_OK)
+        answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
+                   (double)(last.rubbed * walk_units(session, 1).energy), walk_units(session, 1).energy_unit);
     struct walk_contact contact;
     if (answer_for_people(a) && walk_contact(&session->train, &contact) == DOM_OK && isfinite(contact.force))
         answer_say(

@@ -39,8 +39,17 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
             (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
             (double)(b->margin / b->barrier));
     }
+    if (t->mu > 0 && verdict != DOM_NO_FUEL)
+        answer_say(a,
+                   "Friction of %.6g between dominoes is in K and in B: B is the kinetic energy that it "
+                   "takes to come "
+                   "over theta_m.",
+                   (double)t->mu);
     if (limit->ends == DOM_END_NONE)
         answer_say(a, "At s = %.6g no growth r >= 1 is possible.", (double)t->s);
+    else if (limit->ends == DOM_END_LOCK)
+        answer_say(a, "At s = %.6g growth ends at r = %.6g, where friction locks the collision.",
+                   (double)t->s, (double)limit->r_max);
     else if (limit->ends == DOM_END_REACH)
         answer_say(a,
                    "At s = %.6g growth ends by reach: beyond r = 1/s = %.6g the head falls past the next "

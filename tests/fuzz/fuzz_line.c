@@ -37,5 +37,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     setitimer(ITIMER_VIRTUAL, &limit, NULL);
     line_stream(&session, in, "fuzz");
     fclose(in);
+    session_close(&session);
     return 0;
 }

@@ -50,13 +50,16 @@ static void series_integral(const real *series, real half, real start, real *int
     integral[0] = start - at_left;
 }
 
-/* What the series leaves out, by its last terms; and how large it is. */
+/*
+ * What the series leaves out, by its last terms.  They never die below what rounding leaves in sums of N
+ * values, which have a few units each.
+ */
 static bool series_died(const real *series, real tol)
 {
     real size = 0, left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
     for (int k = 0; k < N; k++)
         size = fmax(size, fabs(series[k]));
-    return left <= fmax(tol, 2 * REAL_EPSILON) * size;
+    return left <= fmax(tol, 2 * N * REAL_EPSILON) * size;
 }
 
 /* One panel that begins with ln_G and v; false where it is too wide. */
