@@ -166,7 +166,8 @@ lint: | $(FIRST)
 	clang-tidy --quiet $(MODEL) $(SHELL_C) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem -Iinclude -Isrc/model src
-	mandoc -T lint man/domino.1 $(B)/gcc/domino-effects.7
+	mandoc -T lint man/domino.1
+	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
 	shellcheck tests/run .ci/run tests/shell/*.bash src/shell/domino.bash
 
 format:
@@ -187,6 +188,7 @@ install: all
 	install -m 644 $(B)/domino-effects.7 $(DESTDIR)$(PREFIX)/share/man/man7/domino-effects.7
 	install -m 644 README.md $(DESTDIR)$(PREFIX)/share/doc/domino/README.md
 	install -m 755 examples/*.dom $(DESTDIR)$(PREFIX)/share/doc/domino/examples
+	install -m 644 examples/*.csv $(DESTDIR)$(PREFIX)/share/doc/domino/examples
 	sed 's|^prefix=.*|prefix=$(PREFIX)|' $(B)/domino.pc > $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc
 	chmod 644 $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc
 

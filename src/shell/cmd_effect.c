@@ -229,7 +229,7 @@ static bool run_scene(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     for (int k = 0, n = 0; k < DOM_EFFECT_COUNT; k++)
-        if (session->effect[k].on)
+        if (session->effect[k].on && k != DOM_EFFECT_row)
             n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ",
                           dom_effect((enum dom_effect_name)k)->name,
                           effect_setting(session, (enum dom_effect_name)k, setting));
@@ -252,8 +252,8 @@ static bool run_scene(struct session *session, const struct call *call)
 const struct command effect_commands[] = {
     {.name = "effect",
      .argument = {{.name = "NAME", .kind = ARGUMENT_CHOICE, .of = "effect", .choices = effect_names},
-                  {.name = "VALUE", .kind = ARGUMENT_EFFECT, .optional = true},
-                  {.name = "VALUE", .kind = ARGUMENT_EFFECT, .optional = true}},
+                  {.name = "X", .kind = ARGUMENT_EFFECT, .optional = true},
+                  {.name = "Y", .kind = ARGUMENT_EFFECT, .optional = true}},
      .summary = "turn an effect on with its values, or 'off'",
      .help = "'effect friction 0.2', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect "
              "placement 1 mm', "

@@ -21,7 +21,7 @@ static void help_list(FILE *out)
     for (const struct command_group *g = command_groups; g->title; g++) {
         fprintf(out, "%s%s\n", g == command_groups ? "" : "\n", g->title);
         for (const struct command *c = g->commands; c->name; c++)
-            fprintf(out, "  %-18s %s\n", command_usage(c, usage), c->summary);
+            fprintf(out, "  %-20s %s\n", command_usage(c, usage), c->summary);
     }
     char names[256] = "Parameters:";
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -33,7 +33,7 @@ static void help_list(FILE *out)
     fputs("\nEffects:", out);
     for (int e = 0; e < DOM_EFFECT_COUNT; e++)
         fprintf(out, " %s", effect_names(NULL, e));
-    fputs("\n'help NAME' explains a command, a parameter or an effect, 'apropos WORD' finds one.\n", out);
+    fputs("\n'help NAME' explains one of these, 'apropos WORD' finds one.\n", out);
 }
 
 static void help_parameter(const struct session *session, const struct parameter *p)
@@ -108,7 +108,7 @@ static void help_command(struct session *session, const struct command *c)
         fprintf(out, "\nSee also: %s\n", c->see);
 }
 
-static void help_effect(const struct session *session, enum dom_effect_name name)
+static void help_effect(const struct session *session, enum dom_effect_name name, bool example)
 {
     const struct dom_effect *e = dom_effect(name);
     char usage[EFFECT_USAGE], setting[EFFECT_SETTING];
@@ -128,7 +128,8 @@ static void help_effect(const struct session *session, enum dom_effect_name name
         fprintf(out, "It is on: %s\n", effect_setting(session, name, setting));
     else
         fputs("It is off, and nothing of it is computed.\n", out);
-    help_example(session, e->example);
+    if (example)
+        help_example(session, e->example);
 }
 
 static bool run_help(struct session *session, const struct call *call)
@@ -150,7 +151,7 @@ static bool run_help(struct session *session, const struct call *call)
     if (effect >= 0 && c)
         fputs("\nThe effect of this name:\n\n", session->out);
     if (effect >= 0)
-        help_effect(session, (enum dom_effect_name)effect);
+        help_effect(session, (enum dom_effect_name)effect, !c);
     return true;
 }
 
@@ -173,7 +174,7 @@ static bool run_apropos(struct session *session, const struct call *call)
                 hit = mentions(k->key, word) || mentions(k->meaning, word);
             found += hit;
             if (hit)
-                fprintf(session->out, "%-18s %s\n", command_usage(c, usage), c->summary);
+                fprintf(session->out, "%-20s %s\n", command_usage(c, usage), c->summary);
         }
     }
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -182,14 +183,14 @@ static bool run_apropos(struct session *session, const struct call *call)
             hit = mentions(w->name, word);
         found += hit;
         if (hit)
-            fprintf(session->out, "set %-14s %s\n", p->name, p->meaning);
+            fprintf(session->out, "set %-16s %s\n", p->name, p->meaning);
     }
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
         bool hit = mentions(e->name, word) || mentions(e->adds, word) || mentions(e->help, word);
         found += hit;
         if (hit)
-            fprintf(session->out, "effect %-11s %s\n", e->name, e->adds);
+            fprintf(session->out, "effect %-13s %s\n", e->name, e->adds);
     }
     return found > 0 || session_error(session, "nothing is said about '%s'; 'help' lists everything",
                                       names_shown(word, usage));

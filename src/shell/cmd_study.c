@@ -196,7 +196,7 @@ const struct command study_commands[] = {
     {.name = "budget",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "how precisely to place the row to succeed with probability P",
+     .summary = "the errors of gaps that allow success with probability P",
      .help = "The sigma at which the share P of ROWS rows (1000) falls, the same rows at every sigma.",
      .example = "effect row 13; effect placement 1 mm; budget 0.9 200",
      .see = "placement mend",

@@ -19,6 +19,11 @@ golden() {
 @test "one-cycle.dom" { golden one-cycle; }
 @test "growth-curve.dom" { golden growth-curve; }
 @test "marginal-curve.dom" { golden marginal-curve; }
+@test "domtoren.dom" { golden domtoren; }
+@test "whitehead.dom" { golden whitehead; }
+@test "quiz-hollow.dom" { golden quiz-hollow; }
+@test "equal.dom" { golden equal; }
+@test "record.dom" { golden record; }
 
 @test "no example is without a golden transcript" {
     for example in "$root"/examples/*.dom; do
@@ -37,7 +42,7 @@ sentence() {
     [ "$(wc -l <"$BATS_TEST_TMPDIR/commands")" -ge 25 ]
     while IFS= read -r line; do
         usage=$(sed -E 's/  +.*//' <<<"$line")
-        summary=$(sed -E 's/^.{19}//' <<<"$line" | sentence)
+        summary=$(sed -E 's/^.{21}//' <<<"$line" | sentence)
         # "rmax [S]" is ".It Ic rmax Op Ar S" in the page.
         macro=${usage%% *}
         for word in $(cut -s -d ' ' -f 2- <<<"$usage"); do

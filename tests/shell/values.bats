@@ -481,10 +481,10 @@ END
 7|print sqr(2)|^print:.*'sqr' has no value; did you mean 'sqrt'\?
 7|print baricr|^print:.*'baricr' has no value; did you mean 'barrier'\?
 7|print rmax.r_max_papr|^print:.*unknown key of rmax 'r_max_papr'; did you mean 'r_max_paper'\?
-1|b|^'b' may be barrier, back, best$
+1|b|^'b' may be barrier, back, best, budget$
 1|the|^'the' may be thetac, theta1$
-6|show t|^show: 't' may be tol, timing$
-5|set t 1|^set: 't' may be tol, timing$
+6|show t|^show: 't' may be tol, threads, timing$
+5|set t 1|^set: 't' may be tol, threads, timing$
 12|set timing o|^set: 'o' may be off, on
 7|print rmax.r_|^print:.*'r_' may be r_max, r_max_exact, r_max_paper
 END
@@ -845,7 +845,7 @@ show |$parameters
 reset |$parameters
 set ou|output
 set d|d density digits
-show t|tol timing
+show t|tol threads timing
 se ti|timing
 set output |table csv json
 set output j|json
@@ -854,7 +854,7 @@ set angle |rad deg
 set timing |off on
 set q |hollow massive
 set q h|hollow
-help b|barrier back best
+help b|barrier back best budget
 help dig|digits
 theta1 at|atan atan2
 rmax 0.9*rm|0.9*rmax

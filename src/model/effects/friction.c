@@ -4,7 +4,7 @@
 
 const struct dom_effect dom_effect_friction = {
     .name = "friction",
-    .adds = "Coulomb friction mu between dominoes, in motion and in the collision",
+    .adds = "Coulomb friction between dominoes, also in the collision",
     .help =
         "The tip of each follower slides down its leader's face, with the force mu N against it. The arms of "
         "a "

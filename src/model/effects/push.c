@@ -4,7 +4,7 @@
 
 const struct dom_effect dom_effect_push = {
     .name = "push",
-    .adds = "the first domino starts upright with an angular velocity, rather than tipped over",
+    .adds = "the first domino is pushed upright, not tipped over",
     .help = "Without it the first domino stands on its edge, at theta_u with tan theta_u = d (b1), and is "
             "let go; its "
             "time is counted from its first hit. With it the clock starts at the push. A push too weak to "

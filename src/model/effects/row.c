@@ -4,7 +4,7 @@
 
 const struct dom_effect dom_effect_row = {
     .name = "row",
-    .adds = "a finite row of dominoes, alike or not, in the place of the endless train",
+    .adds = "a finite row, alike or not, in place of the train",
     .help =
         "Domino j leans on k = j + 1 at h_j sin(theta_j - theta_k) = (gap_k + d_k) cos theta_k - d_k; the "
         "energy is "
