@@ -145,8 +145,13 @@ $(B)/fuzz_line: $(B)/obj/tests/fuzz/fuzz_line.o $(filter-out %/main.o,$(call OBJ
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
 # Ratios, side by side in one run.
-bench: all $(B)/bench_start
+bench: all $(B)/bench_start $(B)/bench_rows
 	@$(B)/bench_start $(B)/domino
+	@$(B)/bench_rows
+
+$(B)/bench_rows: $(B)/obj/tests/bench/bench_rows.o $(B)/libdomino.a
+	$(call SAY,LD,$@)
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
 
 $(B)/bench_start: $(B)/obj/tests/bench/bench_start.o
 	$(call SAY,LD,$@)

@@ -19,9 +19,9 @@ struct slope_context {
 };
 
 /* With friction it is u that rises and falls: C in the place of -H'/2. */
-static enum dom_status rubbing_slope(const struct lean *g, struct tilt head, real *slope)
+static enum dom_status rubbing_slope(const struct lean *g, struct tilt head, real tol, real *slope)
 {
-    enum dom_status status = friction_drive(g, head, slope);
+    enum dom_status status = friction_drive(g, head, tol, slope);
     *slope *= -2;
     return status;
 }
@@ -33,7 +33,7 @@ static real slope_of_H(real theta, void *context)
     struct sums sums = {0};
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK && c->lean->mu > 0)
-        c->status = rubbing_slope(c->lean, head, &sums.H1);
+        c->status = rubbing_slope(c->lean, head, c->lean->tol, &sums.H1);
     else if (c->status == DOM_OK)
         c->status = chain_sum(c->lean, head, &sums);
     return c->status == DOM_OK ? sums.H1 : REAL_NAN;
@@ -46,7 +46,7 @@ static real rises(real theta, struct slope_context *c)
     real H1 = 0;
     c->status = lean_tilt(c->lean, theta, &head);
     if (c->status == DOM_OK)
-        c->status = c->lean->mu > 0 ? rubbing_slope(c->lean, head, &H1) : chain_sign(c->lean, head, &H1);
+        c->status = c->lean->mu > 0 ? rubbing_slope(c->lean, head, 1, &H1) : chain_sign(c->lean, head, &H1);
     return H1;
 }
 

@@ -44,18 +44,31 @@ static void rubbing_next(struct rubbing *k)
     k->bend = link_bend(&leader, k->bend, &k->link);
 }
 
-/* Are the three sums known?  Far down, dominoes pass on no more than near the end of an endless train. */
+static void drive_add(const struct rubbing *k, struct series *C)
+{
+    const struct link *link = &k->link;
+    series_add(C, link->weight * k->S * (link->tilt.x - link->lean->d * link->tilt.y) / 2);
+}
+
+/*
+ * Is C known to a tolerance, and are all three sums?  Far down, dominoes pass on no more than near the end of
+ * an endless train.
+ */
+static bool drive_done(const struct rubbing *k, struct series *C, real tol)
+{
+    const struct lean *g = k->link.lean;
+    real ratio = fmax(g->weight * fabs(friction_share(&k->link)), g->decay);
+    return series_done(C, k->link.weight * fabs(k->S) * g->reach, ratio, tol);
+}
+
 static bool rubbing_done(const struct rubbing *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;
     const struct lean *g = link->lean;
-    real share = fabs(friction_share(link)), S = fabs(k->S);
-    real of_C = fmax(g->weight * share, g->decay),
-         of_A = fmax(g->inertia * share, fmax(g->decay, g->decay_J));
-    real Y = link->turn.Y, bends = g->r * g->L / (Y * Y) * link->slope * link->slope;
-    return series_done(C, link->weight * S * g->reach, of_C, g->tol) &&
-           series_done(A, link->inertia * S * link->slope, of_A, g->tol) &&
-           series_done(B, link->inertia * S * (fabs(k->bend) + bends), of_A, g->tol);
+    real S = fabs(k->S), Y = link->turn.Y, bends = g->r * g->L / (Y * Y) * link->slope * link->slope;
+    real ratio = fmax(g->inertia * fabs(friction_share(link)), fmax(g->decay, g->decay_J));
+    return drive_done(k, C, g->tol) && series_done(A, link->inertia * S * link->slope, ratio, g->tol) &&
+           series_done(B, link->inertia * S * (fabs(k->bend) + bends), ratio, g->tol);
 }
 
 KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, struct law *law)
@@ -70,7 +83,7 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
             return status;
         series_add(&A, link->inertia * k.S * link->slope);
         series_add(&B, link->inertia * k.S * k.bend);
-        series_add(&C, link->weight * k.S * (link->tilt.x - link->lean->d * link->tilt.y) / 2);
+        drive_add(&k, &C);
         J += link->inertia * link->slope * link->slope;
         if (link->i + 1 >= g->n || !link->leads || rubbing_done(&k, &A, &B, &C))
             break;
@@ -81,12 +94,23 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
     return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, real *C)
+KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, real tol, real *drive)
 {
-    struct law law;
-    enum dom_status status = friction_law(g, head, &law);
-    *C = status == DOM_OK ? law.C : REAL_NAN;
-    return status;
+    struct series C = {0};
+    struct rubbing k = {.link = link_head(g, head), .S = 1};
+    for (;;) {
+        enum dom_status status = chain_watch(g, k.link.i);
+        if (status != DOM_OK)
+            return status;
+        drive_add(&k, &C);
+        if (k.link.i + 1 >= g->n || !k.link.leads || drive_done(&k, &C, tol))
+            break;
+        k.S *= friction_share(&k.link);
+        link_next(&k.link);
+    }
+    friction_count(g, k.link.i + 1);
+    *drive = C.sum + C.lost;
+    return isfinite(*drive) ? DOM_OK : DOM_NOT_FINITE;
 }
 
 struct flow_context {
@@ -140,11 +164,11 @@ static enum dom_status flow_solve(const struct lean *fine, real tol, const real 
     return DOM_OK;
 }
 
-/* To its series a sum that ends elsewhere would be a jump. */
+/* To a series a sum that ends elsewhere is a jump: it must stay below what the series resolves. */
 static struct lean flow_begin(const struct lean *g)
 {
     struct lean fine = *g;
-    fine.tol = fmin(g->tol / 16, 64 * REAL_EPSILON);
+    fine.tol = fmax(g->tol / 64, 64 * REAL_EPSILON);
     g->flow->solution.panels = 0;
     g->flow->tol = g->tol;
     return fine;

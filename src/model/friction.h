@@ -40,8 +40,8 @@ struct law {
 
 KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);
 
-/* Of C alone, which vanishes at the top of a barrier. */
-KERNEL enum dom_status friction_drive(const struct lean *lean, struct tilt head, real *C);
+/* C alone, which vanishes at the top of a barrier; at tol = 1 its sign is right, from few dominoes. */
+KERNEL enum dom_status friction_drive(const struct lean *lean, struct tilt head, real tol, real *C);
 
 /* The contact of a domino with its follower: the share of a torque that passes on to it, a / b. */
 KERNEL real friction_share(const struct link *link);

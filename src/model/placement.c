@@ -12,6 +12,9 @@
 #include <string.h>
 #include <unistd.h>
 
+/* Of a verdict only the sign of the margin counts: more digits would change one row in a billion. */
+#define VERDICT_TOL ((dom_real)1e-9)
+
 enum { BATCH = 16, THREADS_MAX = 256 };
 
 /* Two neighbours of a plain counter would begin alike: its bits are mixed (Steele et al., splitmix64, 2014).
@@ -68,6 +71,7 @@ static enum dom_status row_try(struct worker *w, size_t i)
     row.domino = w->domino;
     row.work = NULL;
     row.floor = false;
+    row.tol = row.tol > VERDICT_TOL ? row.tol : VERDICT_TOL;
     enum dom_status status = dom_row_run(&row, false, NULL, NULL, &verdict);
     if (status != DOM_OK)
         return status;

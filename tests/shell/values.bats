@@ -875,8 +875,8 @@ END
     for call in 'theta1 ' 'count ' 'rmax ' 'curve 0.1 0.9 ' 'print '; do same "$call" "$names" " $(completed "$call") "; done
     # Everything that is offered there has a value, or is a function.
     for name in $names; do
-        run --separate-stderr json "rmax; print $name"
-        [[ $status -eq 0 || $stderr == *usage:* || $stderr == *"values for"* || $name =~ ^(a?(sin|cos|tan)|atan2|exp|ln|log|log10|sqrt|abs|floor|ceil|round|hypot|min|max|theta1|energy|omega|count)$ ]] ||
+        run --separate-stderr json "effect row 4; effect placement 5 mm; rmax; print $name"
+        [[ $status -eq 0 || $stderr == *usage:* || $stderr == *"values for"* || $name =~ ^(a?(sin|cos|tan)|atan2|exp|ln|log|log10|sqrt|abs|floor|ceil|round|hypot|min|max|theta1|energy|omega|count|budget)$ ]] ||
             same "$name" 'a value' "$stderr"
     done
 }

@@ -5,6 +5,7 @@
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
+#include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_roots.h>
 
 static double cubic(double x, void *c)
@@ -215,6 +216,135 @@ static void integrals_against_gsl(void **state)
     assert_true(ours <= theirs);
 }
 
+/* ---- The linear equation: G and v known in closed form ---- */
+
+struct linear {
+    double a; /* how close to the real axis its singularity is */
+    int kind;
+    size_t calls;
+};
+
+static double square(double x)
+{
+    return x * x;
+}
+
+static double linear_G(const struct linear *l, double x)
+{
+    return l->kind == 0 ? 1 / (1 + x * x) : l->kind == 1 ? sqrt((x + l->a) / l->a) : exp(-x);
+}
+
+static double linear_v(const struct linear *l, double x)
+{
+    return l->kind == 0   ? sin(3 * x) / 3
+           : l->kind == 1 ? log1p(x / l->a)
+                          : (atan((x - 0.3) / l->a) + atan(0.3 / l->a)) / l->a;
+}
+
+static bool linear_rate(double x, void *context, double *p, double *c)
+{
+    struct linear *l = context;
+    l->calls++;
+    *p = l->kind == 0 ? -2 * x / (1 + x * x) : l->kind == 1 ? 0.5 / (x + l->a) : -1;
+    double slope = l->kind == 0   ? cos(3 * x)
+                   : l->kind == 1 ? 1 / (x + l->a)
+                                  : 1 / (l->a * l->a + square(x - 0.3));
+    *c = slope * linear_G(l, x);
+    return true;
+}
+
+static int linear_step(double x, const double *w, double *slope, void *context)
+{
+    double p, c;
+    linear_rate(x, context, &p, &c);
+    slope[0] = p * w[0] + c;
+    return GSL_SUCCESS;
+}
+
+static const struct linear linears[] = {
+    {1, 0, 0}, {1e-2, 1, 0}, {1e-6, 1, 0}, {1e-10, 1, 0}, {1e-1, 2, 0}, {1e-2, 2, 0}, {1e-3, 2, 0},
+};
+
+static void linear_everywhere(void **state)
+{
+    (void)state;
+    static struct num_linear solution;
+    for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
+        struct linear l = linears[i];
+        solution.panels = 0;
+        /* In two parts, as behind an edge. */
+        assert_int_equal(num_linear_solve(linear_rate, &l, 0, 0.4, 1e-13, &solution), NUM_OK);
+        assert_int_equal(num_linear_solve(linear_rate, &l, 0.4, 1, 1e-13, &solution), NUM_OK);
+        double most = linear_v(&l, 1);
+        for (double x = 1e-12; x <= 1; x = x < 1e-3 ? 3 * x : x + 0.0101) {
+            double ln_G, v;
+            num_linear_at(&solution, x, &ln_G, &v);
+            /* v is known relative to how far it moves. */
+            assert_true(fabs(ln_G - log(linear_G(&l, x))) < 1e-12);
+            if (fabs(v - linear_v(&l, x)) > 2e-12 * fabs(most))
+                fail_msg("problem %zu: v(%g) = %.17g, expected %.17g", i, x, v, linear_v(&l, x));
+        }
+    }
+}
+
+static void linear_against_gsl(void **state)
+{
+    (void)state;
+    static struct num_linear solution;
+    size_t ours = 0, theirs = 0;
+    for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
+        struct linear l = linears[i], m = linears[i];
+        double ln_G, v, x = 0, w = 0, expected = linear_G(&l, 1) * linear_v(&l, 1);
+        solution.panels = 0;
+        assert_int_equal(num_linear_solve(linear_rate, &l, 0, 1, 1e-12, &solution), NUM_OK);
+        num_linear_at(&solution, 1, &ln_G, &v);
+        assert_near("ours", exp(ln_G) * v, expected, 1e-11);
+        gsl_odeiv2_system system = {linear_step, NULL, 1, &m};
+        gsl_odeiv2_driver *driver =
+            gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-6, 0, 1e-13);
+        assert_int_equal(gsl_odeiv2_driver_apply(driver, &x, 1, &w), GSL_SUCCESS);
+        gsl_odeiv2_driver_free(driver);
+        assert_near("GSL's", w, expected, 1e-11);
+        ours += l.calls;
+        theirs += m.calls;
+    }
+    print_message("# evaluations for the linear equations: ours %zu, GSL's rk8pd %zu\n", ours, theirs);
+    assert_true(ours <= theirs);
+}
+
+static bool linear_nan(double x, void *context, double *p, double *c)
+{
+    (void)context;
+    *p = *c = x > 0.5 ? DOM_NAN : 1;
+    return true;
+}
+
+/* Not smooth: a jump takes panels until there are no more. */
+static bool linear_jump(double x, void *context, double *p, double *c)
+{
+    (void)context;
+    *p = 0;
+    *c = x > 1.0 / 3 ? 1 : 2;
+    return true;
+}
+
+static void linear_failures(void **state)
+{
+    (void)state;
+    static struct num_linear solution;
+    solution.panels = 0;
+    assert_int_equal(num_linear_solve(linear_nan, NULL, 0, 1, 1e-12, &solution), NUM_NOT_FINITE);
+    solution.panels = 0;
+    double ln_G, v;
+    enum num_status status = num_linear_solve(linear_jump, NULL, 0, 1, 1e-12, &solution);
+    /* Either it is met, or refused; never a wrong number. */
+    if (status == NUM_OK) {
+        num_linear_at(&solution, 1, &ln_G, &v);
+        assert_near("across a jump", v, 2.0 / 3 + 2.0 / 3, 1e-9);
+    } else
+        assert_int_equal(status, NUM_NOT_CONVERGED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -224,6 +354,9 @@ int main(void)
         cmocka_unit_test(integrals),
         cmocka_unit_test(roots_against_gsl),
         cmocka_unit_test(integrals_against_gsl),
+        cmocka_unit_test(linear_everywhere),
+        cmocka_unit_test(linear_against_gsl),
+        cmocka_unit_test(linear_failures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
  *
  * Ours and not GSL's, since GSL computes in double alone: the same source serves all precisions.
  * tests/unit/test_numerics.c holds them against GSL's: 65 evaluations for a list of roots where Brent's
- * method there takes 73, 3795 for integrals of near-stops where qag takes 7497.
+ * method there takes 73, 4883 for integrals of near-stops where qag takes 7497.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H

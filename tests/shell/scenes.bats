@@ -1,0 +1,245 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Scenes: effects on and off, rows from files, what saves them, random errors, the floor.
+
+load common
+
+root=$BATS_TEST_DIRNAME/../..
+
+# A file of the test's own.
+file() { # NAME < text
+    cat >"$BATS_TEST_TMPDIR/$1"
+}
+
+# Fails with this message, in one line, and the session goes on.
+wrong() { # COMMANDS PATTERN
+    run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
+    [ "$status" -eq 1 ] || same "$1: status" 1 "$status"
+    [ "$(wc -l <<<"$stderr")" -eq 1 ] || same "$1: one line" 1 "$stderr"
+    grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
+    [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
+}
+
+@test "effects are off, and entered 0 times; each alone enters its own code" {
+    run -0 json effects
+    same states 'off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
+    same entered '0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
+    same names 'friction row push placement floor' "$(values effect <<<"$output" | paste -sd ' ' -)"
+    while IFS='|' read -r commands pattern; do
+        entered=$(json "$commands; effects" | values entered | sed 's/^[1-9].*/x/' | paste -sd ' ' -)
+        same "$commands" "$pattern" "$entered"
+    done <<'END'
+effect friction 0.2|x 0 0 0 0
+effect floor 0.2|0 0 0 0 x
+effect row 4|0 x 0 0 0
+effect row 4; effect push 5|0 x x 0 0
+effect row 4; effect placement 1 mm|0 0 0 x 0
+effect row 4; effect friction 0.1; effect floor 1|x x 0 0 x
+END
+}
+
+@test "an effect that was on and is off again leaves no trace in any answer" {
+    same untouched "$(json 'rmax; barrier; duration; cycle 5; launch; fuel; step')" \
+        "$(json 'effect friction 0.3; effect row 9; effect push 3; effect placement 1 mm; effect floor 1
+effect floor off; effect placement off; effect push off; effect row off; effect friction off
+rmax; barrier; duration; cycle 5; launch; fuel; step')"
+    same 'mu = 0' "$(json 'barrier; duration; rmax' | values margin)" "$(json 'effect friction 0; barrier; duration; rmax' | values margin)"
+    same reset "$(json rmax)" "$(json 'effect friction 0.3; effect row 9; reset; rmax')"
+}
+
+@test "friction: r_max, front speeds, its verdicts; each smaller than without" {
+    close 's = 0.2' 1.48474793410 "$(json 'set q hollow; effect friction 0.2; rmax 0.2' | values r_max)"
+    close 's = 0.4' 1.91495681184 "$(json 'set q hollow; effect friction 0.1; rmax 0.4' | values r_max)"
+    for pair in '0 1.28427' '0.1 1.11545' '0.2 0.98392' '0.5 0.71678'; do
+        speed=$(json "set r 1; set s 13/48; effect friction ${pair% *}; duration" | values speed)
+        same "front speed, mu = ${pair% *}" "${pair#* }" "$(printf '%.5f' "$speed")"
+    done
+    same stops stops "$(json 'effect friction 1; barrier' | values verdict)"
+    same locks locks "$(json 'set s 0.5; set r 1.9; effect friction 5; barrier' | values verdict)"
+    same 'no paper fuel' null "$(json 'effect friction 0.2; rmax' | values r_max_paper)"
+    # The curve and the count follow, too.
+    same curve "$(json 'effect friction 0.2; rmax 0.3' | values r_max)" "$(json 'effect friction 0.2; curve 0.3 0.3 1' | values exact)"
+    same count false "$(json 'effect friction 0.5; count 112' | values feasible)"
+}
+
+@test "the ledger closes with friction at every event" {
+    for parameters in 'set s 0.4' 'set s 0.3; set r 1.2' 'set q hollow; set s 0.5; set r 1.8' 'set s 0.6; set r 1.4'; do
+        json "$parameters; effect friction 0.2; step; step; step; step; step" | while IFS= read -r row; do
+            for key in before lost gained rubbed kinetic; do
+                printf '%s ' "$(values "$key" <<<"$row")"
+            done
+            echo
+        done | awk '{ open = $1 - $2 + $3 - $4 - $5; if (open > 1e-9 * $1 || open < -1e-9 * $1) exit 1; if ($4 < 0) exit 1 } END { exit NR < 3 }'
+    done
+}
+
+@test "effects that need or exclude each other say so" {
+    wrong 'effect push 3' "push is about a row: 'effect row N\|FILE' first"
+    wrong 'effect placement 1 mm' 'placement is about a row'
+    wrong 'effect row 4; effect push 3; effect row off' "push is about the row: 'effect push off' first"
+    wrong 'set fuel paper; effect friction 0.2' 'exclude each other'
+    wrong 'effect friction 0.2; set fuel paper' 'exclude each other'
+    wrong 'fall' "there is no row here: 'effect row N'"
+    wrong 'effect row 4; placement' "'effect placement SIGMA' first"
+    wrong 'effect row 4; effect placement 1 mm; budget 2' 'no probability'
+}
+
+@test "values of effects: units, ranges, what is missing, one too many" {
+    wrong 'effect friction' 'MU is missing, the friction coefficient; usage: effect friction MU'
+    wrong 'effect friction -1' 'MU = -1 is out of range'
+    wrong 'effect friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
+    wrong 'effect friction 3 mm' 'MU is a plain number, not a length'
+    wrong 'effect row 2.5' 'no whole number'
+    wrong 'effect row 0' 'out of range'
+    wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
+    wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'
+    wrong 'effect foo 1' "'foo' is no effect; those are: friction, row, push, placement, floor"
+    wrong 'effect row 4; place 1 1 cm' 'domino 1 has no gap before it; in this row 2 .. 4 have'
+    wrong 'effect row 4; place 2 -1' 'no gap'
+}
+
+@test "a wrong value leaves the scene as it was" {
+    before=$("$DOMINO" -e 'effect friction 0.2; effect row 4; scene')
+    after=$("$DOMINO" -e 'effect friction 0.2; effect row 4; effect friction x; effect row none.csv; effect push -1; effect foo; scene' 2>/dev/null || true)
+    same scene "$before" "$after"
+}
+
+@test "rows from csv: the same row in every way of writing it" {
+    file plain.csv <<'END'
+height,thickness,gap,mass
+0.048,0.007,,0.008
+0.06,0.009,0.025,0.016
+0.08,0.012,0.03,0.04
+END
+    file units.csv <<'END'
+# made by hand
+"gap (mm)"; height (cm); mass (g); thickness (mm)
+
+-; 4.8; 8; 7
+25; 60 mm; 16; 9 # a comment
+30; 8; 40; 12
+END
+    printf '\xef\xbb\xbfheight\tthickness\tgap\tmass\r\n0.048\t0.007\t0\t0.008\r\n0.06\t0.009\t0.025\t0.016\r\n0.08\t0.012\t0.03\t0.04' | file crlf.csv
+    plain=$(json "effect row $BATS_TEST_TMPDIR/plain.csv; effect push 8; verdict; fall")
+    [ -n "$plain" ]
+    for name in units crlf; do
+        other=$(json "effect row $BATS_TEST_TMPDIR/$name.csv; effect push 8; verdict; fall")
+        same "$name: verdict" "$(values verdict <<<"$plain")" "$(values verdict <<<"$other")"
+        paste <(values kinetic <<<"$plain") <(values kinetic <<<"$other") | while read -r a b; do close "$name" "$a" "$b"; done
+    done
+    # 'row' in csv is such a file.
+    "$DOMINO" -e "effect row $BATS_TEST_TMPDIR/plain.csv; set output csv; row > $BATS_TEST_TMPDIR/again.csv"
+    same again "$plain" "$(json "effect row $BATS_TEST_TMPDIR/again.csv; effect push 8; verdict; fall")"
+    "$DOMINO" -e "set q 3; effect row 4; set output csv; row > $BATS_TEST_TMPDIR/train.csv"
+    same 'row of a train' "$(json 'set q 3; effect row 4; verdict' | cut -c 1-60)" \
+        "$(json "effect row $BATS_TEST_TMPDIR/train.csv; verdict" | cut -c 1-60)"
+}
+
+@test "rows from csv: what is wrong, with file, line and column; nothing half loaded" {
+    while IFS='|' read -r name text pattern; do
+        printf '%b' "$text" | file "$name.csv"
+        wrong "effect row $BATS_TEST_TMPDIR/$name.csv" "$name\\.csv:$pattern"
+        same "$name: nothing is loaded" 'there is no row' \
+            "$("$DOMINO" -e "effect row $BATS_TEST_TMPDIR/$name.csv; fall" 2>&1 | grep -o 'there is no row')"
+    done <<'END'
+hight|hight,thickness,gap\n1,1,1\n|1:1: unknown column 'hight'; did you mean 'height'\?
+missing|height,thickness\n1,1\n|1:[0-9]+: the column 'gap' is missing
+few|height,thickness,gap\n1,0.1,0\n1,0.1\n|3:[0-9]+: too few cells: 2
+many|height,thickness,gap\n1,0.1,0,3\n|2:[0-9]+: too many cells
+empty|height,thickness,gap\n1,,0\n|2:3: thickness is missing
+gap|height,thickness,gap\n1,0.1,0\n1,0.1,-0.2\n|3:7: gap = -0.2 m is negative
+zero|height,thickness,gap\n0,0.1,0\n|2:1: height = 0
+comma|height;thickness;gap\n1,5;0.1;0\n|2:[0-9]+: height ends before
+unit|height,thickness,gap\n1 s,0.1,0\n|2:1: height: this is a time
+word|height,thickness,gap\nx,0.1,0\n|2:1: height
+nothing|height,thickness,gap\n|[0-9]+:[0-9]+: no dominoes
+both|height,thickness,gap,mass,density\n1,.1,0,1,1\n|1:[0-9]+: both mass and density
+END
+    wrong "effect row $BATS_TEST_TMPDIR/none.csv" "cannot read '.*none.csv': No such file"
+    wrong "effect row $BATS_TEST_TMPDIR" 'cannot read'
+}
+
+@test "a file beside the script is found from anywhere; a safe session reads none" {
+    cd / || false
+    "$DOMINO" -f "$root/examples/record.dom" | grep -q 'All 10 fall'
+    run --separate-stderr "$DOMINO" --safe -e "effect row $root/examples/record.csv"
+    [ "$status" -eq 1 ]
+    grep -q 'safe session' <<<"$stderr"
+}
+
+@test "a row that stops: where, short by how much; mend finds the smallest change, and it is one" {
+    scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"
+    verdict=$(json "$scene; verdict")
+    same stops 'stops 8' "$(values verdict <<<"$verdict") $(values domino <<<"$verdict")"
+    close short_by "$(json "$scene; fall" | tail -n 1 | values margin | tr -d -)" "$(values short_by <<<"$verdict")"
+    mend=$(json "$scene; mend" | head -n 1)
+    domino=$(values domino <<<"$mend") to=$(values to <<<"$mend") change=$(values change <<<"$mend")
+    same saved 'all fall' "$(json "$scene; place $domino $to; verdict" | values verdict)"
+    less=$(awk -v to="$to" -v change="$change" 'BEGIN { printf "%.17g", to - 1e-4 * change }')
+    same 'a bit less does not' stops "$(json "$scene; place $domino $less; verdict" | values verdict)"
+}
+
+@test "rows of the model: one, the verdicts of each end, thousands, taller than the Earth" {
+    same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"
+    same weak stops "$(json 'effect row 1; effect push 1; verdict' | values verdict)"
+    same leans leans "$(json 'set s 0.05; set r 1; effect row 3; verdict' | values verdict)"
+    same misses misses "$(json 'effect row 3; effect push 9; place 2 60 mm; verdict' | values verdict)"
+    file low.csv <<'END'
+height,thickness,gap
+0.1,0.015,
+0.05,0.0075,0.02
+END
+    wrong "effect row $BATS_TEST_TMPDIR/low.csv; effect push 9; fall" 'passes above the next one'
+    same thousands 'all fall 10000' "$(json 'set r 1; set s 0.3; effect row 10000; effect push 5; verdict' |
+        sed -E 's/.*"verdict":"([^"]*)","domino":([0-9]*).*/\1 \2/')"
+    # 0.048 m 2^40 is 5e7 km: the numbers are large, and right.
+    close tall "$(awk 'BEGIN { printf "%.17g", 0.048 * 2 ^ 40 }')" \
+        "$(json 'set q 3; set s 0.35; set r 1.9; set r 2; set s 0.42; effect row 41; row' | tail -n 1 | values height)"
+}
+
+@test "rowmax tends to rmax as the row grows longer" {
+    train=$(json 'set q hollow; rmax' | values r_max)
+    row=$(json 'set q hollow; effect row 60; effect push 20; rowmax' | values r_max)
+    awk -v a="$train" -v b="$row" 'BEGIN { d = b - a; exit !(d > -1e-9 && d < 1e-6) }'
+}
+
+@test "placement: the same rows whatever the number of threads, another seed others; the interval is right" {
+    scene='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
+    one=$(json "$scene; set threads 1; placement 400")
+    for threads in 2 3 7 0; do same "$threads threads" "$one" "$(json "$scene; set threads $threads; placement 400")"; done
+    [ "$one" != "$(json "$scene; set seed 2; placement 400")" ]
+    # Nothing goes wrong without errors: all of 200 fall, with the exact interval 0.025^(1/200) .. 1.
+    exact=$(json 'effect row 5; effect placement 0; placement 200')
+    same all '200 1' "$(values fall <<<"$exact") $(values high <<<"$exact")"
+    close low "$(awk 'BEGIN { printf "%.15g", exp(log(0.025) / 200) }')" "$(values low <<<"$exact")"
+    # And the budget: at its sigma the share falls, within the interval.
+    sigma=$(json "$scene; budget 0.8 400" | values sigma)
+    share=$(json "$scene; effect placement $sigma m; placement 400" | values probability)
+    awk -v p="$share" 'BEGIN { exit !(p >= 0.8 && p < 0.81) }'
+}
+
+@test "the floor: what the struck domino needs, with the centre of percussion; and its verdict" {
+    # |1/2 - (1 + d^2)/(3 a)| / (d/2), a = sqrt(1/r^2 - s^2), where the head is the worst.
+    close struck "$(awk 'BEGIN { d = 7 / 48; a = sqrt(1 - 0.16); x = 0.5 - (1 + d * d) / (3 * a); printf "%.17g", (x < 0 ? -x : x) / (d / 2) }')" \
+        "$(json 'set r 1; slip' | values hit)"
+    same slips true "$(json 'set r 1; effect floor 0.5; slip' | values slips)"
+    same holds false "$(json 'set s 0.2; set r 1.3; effect floor 3; slip' | values slips)"
+    "$DOMINO" -e 'effect row 5; effect floor 0.4; fall' | grep -q 'is the first to slip'
+}
+
+@test "save keeps the scene, and source brings it back" {
+    scene="effect friction 0.3; effect row $root/examples/record.csv; effect push 3; place 8 0.75; effect placement 2 mm 0.01; effect floor 0.5"
+    same saved "$(json "$scene; fall; verdict")" "$(json "$scene; save $BATS_TEST_TMPDIR/scene.dom; reset; source $BATS_TEST_TMPDIR/scene.dom; fall; verdict")"
+    grep -qx 'effect friction 0.3' "$BATS_TEST_TMPDIR/scene.dom"
+    grep -qx 'effect placement 0.002 0.01' "$BATS_TEST_TMPDIR/scene.dom"
+}
+
+@test "the manual of effects has every effect with its arguments, source and example" {
+    "$DOMINO" -e manual >"$BATS_TEST_TMPDIR/effects.7"
+    for name in friction row push placement floor; do
+        grep -qx ".Ss $name" "$BATS_TEST_TMPDIR/effects.7"
+        grep -qx ".Nm effect $name" "$BATS_TEST_TMPDIR/effects.7"
+        "$DOMINO" -e "help $name" | grep -q '^Source: '
+    done
+    [ "$(grep -c '^Source:$' "$BATS_TEST_TMPDIR/effects.7")" -eq 5 ]
+}
