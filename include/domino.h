@@ -373,14 +373,17 @@ struct dom_floor {
     size_t hit_domino;
 };
 
-/* Over the cycle, of the dominoes that move; right to a millionth.  Statuses as dom_cycle_state. */
+/*
+ * Over the cycle, or up to where the train stops, of the dominoes that move with a thousandth of the head's
+ * speed at least; a smooth maximum is right to a millionth.  DOM_NO_FUEL, DOM_LOCKS: no cycle.
+ */
 enum dom_status dom_cycle_floor(const struct dom_train *train, struct dom_floor *floor);
 
 /* ---- The limits of growth ---- */
 
-enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH, DOM_END_LOCK };
+enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* "none", "barrier", "reach" or "lock": friction locks the collision. */
+/* "none", "barrier" or "reach". */
 const char *dom_end_text(enum dom_end end);
 
 struct dom_limit {

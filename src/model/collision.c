@@ -27,7 +27,7 @@ static enum dom_status collision_rubbing(const struct lean *g, enum dom_fuel fue
     };
     if (error)
         *error = (struct launch){REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN};
-    return flow->T <= 0 ? DOM_LOCKS : isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
+    return isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
 }
 
 KERNEL enum dom_status collision_launch(const struct lean *g, enum dom_fuel fuel, struct launch *launch,

@@ -106,10 +106,20 @@ static real energy_short(real theta, void *context)
     return cycle->status == DOM_OK ? cycle->barrier.height - cycle->launch.kinetic : REAL_NAN;
 }
 
-/* The tilt where the energy is used up, of a cycle that stops; on a copy, since the search climbs anew. */
+/*
+ * The tilt where the energy is used up, of a cycle that stops; on a copy, since the search climbs anew.  With
+ * friction the flow may not reach farther than that any more.
+ */
 static enum dom_status cycle_rest(struct cycle cycle, real *theta)
 {
-    real lo = cycle.barrier.edge[0], hi = cycle.barrier.theta_m;
+    const struct barrier *b = &cycle.barrier;
+    const struct tilt upright = {0, 1, 0};
+    real lo = b->edge[0], hi = b->theta_m;
+    enum dom_status status = DOM_OK;
+    if (cycle.lean.mu > 0 && hi <= b->edge[1]) /* nobody falls off before */
+        status = friction_flow_spent(&cycle.lean, upright, lo, cycle.launch.omegasq, &hi);
+    if (status != DOM_OK)
+        return status;
     enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.lean.tol / 8, theta);
     return model_status(cycle.status, solver);
 }

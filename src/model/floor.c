@@ -3,8 +3,8 @@
 
 enum { FLOOR_SAMPLES = 24, FLOOR_ZOOMS = 3 };
 
-/* Farther back than this, dominoes lie as good as still, each like the one before. */
-#define FLOOR_SHARE ((real)1e-6)
+/* Dominoes that move less than this share of the head may need much, and nobody would see them slip. */
+#define FLOOR_SHARE ((real)1e-3)
 
 static bool need_seen(const struct held *held, void *context)
 {

@@ -75,7 +75,6 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
 {
     struct series A = {0}, B = {0}, C = {0};
     struct rubbing k = {.link = link_head(g, head), .S = 1};
-    real J = 0;
     for (;;) {
         const struct link *link = &k.link;
         enum dom_status status = chain_watch(g, link->i);
@@ -84,13 +83,12 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
         series_add(&A, link->inertia * k.S * link->slope);
         series_add(&B, link->inertia * k.S * k.bend);
         drive_add(&k, &C);
-        J += link->inertia * link->slope * link->slope;
         if (link->i + 1 >= g->n || !link->leads || rubbing_done(&k, &A, &B, &C))
             break;
         rubbing_next(&k);
     }
     friction_count(g, k.link.i + 1);
-    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost, J};
+    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost};
     return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -141,14 +139,19 @@ static bool flow_rate(real theta, void *context, real *p, real *c)
 static enum dom_status flow_collision(const struct lean *g, struct flow *flow)
 {
     struct law at_c;
+    struct sums sums;
     struct lean hitting = *g;
     struct link upright = link_head(g, (struct tilt){0, 1, 0});
     hitting.n = g->n == CHAIN_ENDLESS ? CHAIN_ENDLESS : g->n - 1;
-    enum dom_status status = friction_law(&hitting, g->c, &at_c);
+    enum dom_status status = friction_arm_a(&upright) > 0 ? friction_law(&hitting, g->c, &at_c) : DOM_LOCKS;
+    if (status == DOM_OK)
+        status = chain_sum(&hitting, g->c, &sums);
+    if (status != DOM_OK)
+        return status;
     flow->T = g->inertia * friction_share(&upright) * at_c.A;
-    flow->J0 = 1 + g->inertia * at_c.J;
-    flow->J_c = at_c.J;
-    return status;
+    flow->J0 = 1 + g->inertia * sums.J;
+    flow->J_c = sums.J;
+    return flow->T > 0 ? DOM_OK : DOM_LOCKS;
 }
 
 /* Over the smooth parts between the edges. */
@@ -198,14 +201,12 @@ KERNEL enum dom_status friction_flow(const struct lean *g)
     return status == DOM_OK ? flow_solve(&fine, g->tol, edge, edges) : status;
 }
 
-KERNEL enum dom_status friction_flow_piece(const struct lean *g, struct tilt from, real lo, real hi)
+KERNEL enum dom_status friction_flow_piece(const struct lean *g, real J0, real lo, real hi)
 {
     struct lean fine = flow_begin(g);
-    struct law law;
     real edge[] = {lo, hi};
-    enum dom_status status = friction_law(&fine, from, &law);
-    g->flow->J0 = law.J;
-    return status == DOM_OK ? flow_solve(&fine, g->tol, edge, 2) : status;
+    g->flow->J0 = J0;
+    return flow_solve(&fine, g->tol, edge, 2);
 }
 
 KERNEL void friction_at(const struct lean *g, real theta, real *ln_G, real *u)
@@ -236,4 +237,25 @@ KERNEL enum dom_status friction_rate(const struct lean *g, struct tilt head, rea
     friction_at(g, theta, &ln_G, &u);
     *rate = -2 * law.C / (law.A * exp(ln_G));
     return status;
+}
+
+KERNEL enum dom_status friction_flow_spent(const struct lean *g, struct tilt from, real lo, real omegasq,
+                                           real *hi)
+{
+    real rate = 0, ln_G, u = -1;
+    enum dom_status status = friction_rate(g, from, lo, &rate);
+    if (status != DOM_OK || !(rate > 0))
+        return status;
+    for (real close = lo + 4 * omegasq / rate; close < *hi && close > lo; close = lo + 4 * (close - lo)) {
+        status = friction_flow_piece(g, g->flow->J0, lo, close);
+        if (status != DOM_OK)
+            return status;
+        friction_at(g, close, &ln_G, &u);
+        if (u >= omegasq) {
+            *hi = close;
+            return DOM_OK;
+        }
+    }
+    /* It goes on for long enough to be seen in the whole. */
+    return u < 0 ? DOM_OK : friction_flow_piece(g, g->flow->J0, lo, *hi);
 }

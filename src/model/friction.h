@@ -35,7 +35,7 @@ struct flow {
 };
 
 struct law {
-    real A, B, C, J; /* J: kinetic energy = J w */
+    real A, B, C;
 };
 
 KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);
@@ -53,8 +53,15 @@ KERNEL real friction_arm_b(const struct link *link);
 /* The flow of the lean over [0, theta_c], unless it is there already, with the edges between smooth parts. */
 KERNEL enum dom_status friction_flow(const struct lean *lean);
 
-/* The same over [lo, hi] alone, with u from lo, the tilt `from`, on, and J0 that of there. */
-KERNEL enum dom_status friction_flow_piece(const struct lean *lean, struct tilt from, real lo, real hi);
+/* The same over [lo, hi] alone, with u from lo on, and J there in the place of J(0). */
+KERNEL enum dom_status friction_flow_piece(const struct lean *lean, real J, real lo, real hi);
+
+/*
+ * A slight motion from lo, the tilt `from`, that is used up before *hi is lost in the rounding of the whole
+ * flow: then this one becomes that of the first part alone, and *hi its end.
+ */
+KERNEL enum dom_status friction_flow_spent(const struct lean *lean, struct tilt from, real lo, real omegasq,
+                                           real *hi);
 
 /* ln G and u at a tilt of the head. */
 KERNEL void friction_at(const struct lean *lean, real theta, real *ln_G, real *u);

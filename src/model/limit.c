@@ -29,6 +29,8 @@ static enum dom_status train_margin(const struct lean *g, enum dom_fuel fuel, re
     if (g->r == 1 && g->mu == 0 && energy_fuel_paper(g) <= 0)
         return DOM_NO_FUEL;
     enum dom_status status = collision_launch(g, fuel, &launch, error ? &launch_error : NULL);
+    if (status == DOM_OK && g->r == 1 && launch.fuel <= 0)
+        return DOM_NO_FUEL;
     if (status == DOM_OK)
         status = barrier_search(g, tilt_angle(g->c), &b);
     if (status == DOM_OK && error)
@@ -59,8 +61,6 @@ static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, rea
     /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation. */
     real omegasq_1c = u * sine * sine / (1 + cosine);
     real k = g->inertia, T = g->mu > 0 ? g->flow->T : k, share = T / (1 + T); /* (b11) */
-    if (T <= 0)
-        return DOM_LOCKS;
     real kinetic = (1 + k) * g->r * omegasq_1c * share * share;
     /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
     *margin = sine > 0 ? kinetic - b.height : -b.height;
@@ -84,7 +84,7 @@ static real margin_at(real r, void *context)
     if (c->status == DOM_OK)
         c->status = c->margin(&g, c->train->fuel, &margin, c->errors ? &c->error : NULL);
     c->locked = c->status == DOM_LOCKS;
-    if (c->locked) { /* no margin, but a verdict: it stops */
+    if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
         c->status = DOM_OK;
         return -1;
     }
@@ -136,11 +136,8 @@ static enum dom_status limit_scan(struct margin_context *c, int k, real margin, 
         }
         if (next < 0) {
             enum num_status solver = num_root(margin_at, c, r, r_next, tol, &limit->r_max);
-            enum dom_status status = model_status(c->status, solver);
-            if (c->train->mu > 0 && status == DOM_OK)
-                margin_at(limit->r_max * (1 + 2 * fmax(tol, 4 * REAL_EPSILON)), c);
-            limit->ends = c->locked ? DOM_END_LOCK : DOM_END_BARRIER;
-            return status;
+            limit->ends = DOM_END_BARRIER;
+            return model_status(c->status, solver);
         }
         before = margin;
         r_before = r;

@@ -288,7 +288,10 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
     theta = fmin(theta, m.end);
-    if (status == DOM_OK && error)
+    bool rubs = c->lean.mu > 0;
+    if (status == DOM_OK && error && rubs)
+        c->launch_error = (struct launch){REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN};
+    else if (status == DOM_OK && error)
         status = collision_launch(&c->lean, train->fuel, &c->launch, &c->launch_error);
     if (status == DOM_OK)
         status = chain_rise(&c->lean, head, &at, error ? &e : NULL);
@@ -308,9 +311,9 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     if (status != DOM_OK)
         return status;
     /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
-    bool rubs = c->lean.mu > 0;
-    real after = rubs ? friction_omegasq(&c->lean, c->launch.omegasq, tilt_angle(c->lean.c)) * flow.J_c
-                      : c->launch.kinetic + fuel.exact;
+    real keeps = c->launch.keeps;
+    real after =
+        rubs ? flow.J_c * c->launch.omegasq / (c->lean.r * keeps * keeps) : c->launch.kinetic + fuel.exact;
     real before = c->lean.weight * after, J0 = c->launch.J0;
     *state = (struct dom_state){
         .theta = theta,

@@ -22,15 +22,16 @@ struct row {
 
 /* Of one domino, in SI units. */
 struct block {
-    real height, d, mass, moment, tau; /* d = thickness / height; moment = m (h^2 + thickness^2) */
+    real height, d, mass, tau; /* d = thickness / height */
+    real unit;                 /* m g h / 2 */
 };
 
 static struct block block_of(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
-    real h = (real)domino->height, thickness = (real)domino->thickness, m = (real)domino->mass;
-    real sizes = h * h + thickness * thickness;
-    return (struct block){h, thickness / h, m, m * sizes, sqrt(sizes / (3 * (real)row->g * h))};
+    real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
+    real g = (real)row->g;
+    return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d)), m * g * h / 2};
 }
 
 /* The joint of domino k with k - 1, its follower, and how much of the row is behind it. */
@@ -47,7 +48,7 @@ static void joint_make(const struct dom_row *row, size_t k, const struct lean *f
     real v = g->leave_at / g->leave_by;
     g->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
     g->weight = behind.mass / own.mass / g->r;
-    g->inertia = behind.moment / own.moment;
+    g->inertia = g->weight / g->r * (1 + behind.d * behind.d) / (1 + own.d * own.d);
     g->behind = follower;
     /* All behind it, over what it has itself: a bound for what it leaves out to end a sum there. */
     real weights = g->weight * follower->reach / g->reach * (1 + follower->decay / (1 - follower->decay));
@@ -85,9 +86,10 @@ static void row_make(struct row *row)
     }
 }
 
+/* Also where it is rounded to the precision. */
 static bool positive(dom_real value)
 {
-    return value > 0 && isfinite((real)value) && (real)value > 0;
+    return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
 }
 
 static enum dom_status row_check(const struct dom_row *row)
@@ -99,7 +101,7 @@ static enum dom_status row_check(const struct dom_row *row)
     for (size_t k = 0; k < row->count; k++) {
         const struct dom_domino *d = &row->domino[k];
         if (!positive(d->height) || !positive(d->thickness) || !positive(d->mass) || !(d->gap >= 0) ||
-            !isfinite((real)d->gap))
+            !isfinite((real)d->gap) || !positive(block_of(row, k).unit) || !positive(block_of(row, k).d))
             return DOM_BAD_PARAMETER;
     }
     return DOM_OK;
@@ -131,9 +133,14 @@ static enum dom_status stretch_cut(struct stretch *st, size_t *stay)
         if (status != DOM_OK)
             return status;
         struct link k = link_head(g, head);
-        while (k.i + 1 < g->n && ((*stay < g->n && k.i < *stay) || k.tilt.v < k.lean->leave.v))
-            link_next(&k);
-        if (k.i + 1 >= g->n)
+        /* What moves less than rounding does not fall off now. */
+        bool last = false;
+        while (!last && ((*stay < g->n && k.i < *stay) || k.tilt.v < k.lean->leave.v)) {
+            last = k.i + 1 >= g->n || k.slope < REAL_EPSILON * REAL_EPSILON;
+            if (!last)
+                link_next(&k);
+        }
+        if (last || k.i + 1 >= g->n)
             return DOM_OK;
         struct tilt leave = k.lean->leave;
         *stay = k.i + 1;
@@ -169,8 +176,10 @@ static enum dom_status stretch_begin(struct stretch *st)
     struct sums at = {.J = 0};
     enum dom_status status = chain_sum(&st->g, st->from, &at);
     st->J = at.J;
+    if (st->g.n == 1) /* nothing rubs on it */
+        st->g.mu = 0;
     if (status == DOM_OK && st->g.mu > 0 && st->lo < st->hi)
-        status = friction_flow_piece(&st->g, st->from, st->lo, st->hi);
+        status = friction_flow_piece(&st->g, st->J, st->lo, st->hi);
     if (status == DOM_OK && st->lo < st->hi)
         status = barrier_piece(&st->g, st->from, st->lo, st->hi, &st->barrier);
     return status;
@@ -192,7 +201,12 @@ static real stretch_short(real theta, void *context)
 /* Where the motion is used up. */
 static enum dom_status stretch_rest(struct stretch *st, real *theta)
 {
-    enum num_status solver = num_root(stretch_short, st, st->lo, st->barrier.theta_m, st->g.tol / 8, theta);
+    real hi = st->barrier.theta_m;
+    enum dom_status status =
+        st->g.mu > 0 ? friction_flow_spent(&st->g, st->from, st->lo, st->omegasq, &hi) : DOM_OK;
+    if (status != DOM_OK)
+        return status;
+    enum num_status solver = num_root(stretch_short, st, st->lo, hi, st->g.tol / 8, theta);
     return model_status(st->status, solver);
 }
 
@@ -250,11 +264,11 @@ static bool contact_seen(const struct held *held, void *context)
     return true;
 }
 
-/* The smallest contact force at a few tilts, in weights of the dominoes that it is on. */
-static enum dom_status stretch_contact(struct stretch *st, real *least)
+/* The smallest contact force at a few tilts up to `to`, in weights of the dominoes that it is on. */
+static enum dom_status stretch_contact(struct stretch *st, real to, real *least)
 {
     for (int k = 0; k <= CONTACT_SAMPLES && st->g.n > 1; k++) {
-        real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2, theta = st->lo + u * (st->hi - st->lo);
+        real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2, theta = st->lo + u * (to - st->lo);
         struct tilt head;
         struct sums at;
         struct pace pace = {0};
@@ -310,16 +324,17 @@ static enum dom_status descent_stretch(struct descent *d, real end, bool times, 
         d->theta_m = st->barrier.theta_m;
     }
     d->stops = margin < 0;
-    if (d->stops) {
+    if (d->stops)
         status = stretch_rest(st, &d->stop);
-        struct floor_path to_stop = {&st->g, st->lo, d->stop, stretch_pace, st};
-        return status == DOM_OK && floor ? floor_over(&to_stop, &d->need) : status;
-    }
-    status = stretch_contact(st, &d->least_force);
-    struct floor_path path = {&st->g, st->lo, st->hi, stretch_pace, st};
+    real to = d->stops ? d->stop : st->hi;
+    struct floor_path path = {&st->g, st->lo, to, stretch_pace, st};
+    if (status == DOM_OK)
+        status = stretch_contact(st, to, &d->least_force);
     if (status == DOM_OK && floor)
         status = floor_over(&path, &d->need);
-    if (status == DOM_OK && times)
+    if (d->stops || status != DOM_OK)
+        return status;
+    if (times)
         status = stretch_time(st, &part);
     d->time += part;
     d->climbed += stretch_climbed(st, st->hi, &J);
@@ -336,7 +351,6 @@ static enum dom_status descent_stretch(struct descent *d, real end, bool times, 
 static enum dom_status head_run(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->row.asked, k);
-    const real unit = block.mass * (real)run->row.asked->g * block.height / 2;
     const real end = tilt_angle(run->row.lean[k].c);
     *d = (struct descent){
         .st = {.g = run->row.lean[k], .from = {0, 1, 0}, .omegasq = run->omegasq, .T = run->T},
@@ -348,20 +362,21 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     g.n = run->moving;
     enum dom_status status = chain_sum(&g, d->st.from, &at);
     real kinetic = at.J * run->omegasq;
+    d->st.J = at.J; /* all there is where the next one is touched already */
     while (status == DOM_OK && d->st.lo < end && !d->stops)
         status = descent_stretch(d, end, run->times, run->row.asked->floor);
     if (status != DOM_OK)
         return status;
     run->moving = d->stay;
-    run->carried = stretch_kinetic(&d->st) * unit;
+    run->carried = stretch_kinetic(&d->st) * block.unit;
     fall->omega = sqrt(run->omegasq) / block.tau;
-    fall->kinetic = kinetic * unit;
-    fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * unit : (real)fall->kinetic;
+    fall->kinetic = kinetic * block.unit;
+    fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * block.unit : (real)fall->kinetic;
     fall->barrier = fall->kinetic - fall->margin;
     fall->theta_m = d->theta_m;
     fall->theta = d->stops ? d->stop : end;
     fall->duration = run->times && !d->stops ? d->time * block.tau : REAL_NAN;
-    fall->rubbed = d->stops ? REAL_NAN : fall->kinetic - d->climbed * unit - run->carried;
+    fall->rubbed = d->stops ? REAL_NAN : fall->kinetic - d->climbed * block.unit - run->carried;
     return DOM_OK;
 }
 
@@ -369,10 +384,9 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
 static bool tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->row.asked, 0);
-    const real unit = block.mass * (real)run->row.asked->g * block.height / 2;
     const struct lean *g = &run->row.lean[0];
     real u = g->reach, sine = (g->c.x - g->d * g->c.y) / u, cosine = (g->c.y + g->d * g->c.x) / u;
-    real barrier = g->d * g->d / (1 + u) * unit;
+    real barrier = g->d * g->d / (1 + u) * block.unit;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,
@@ -383,7 +397,7 @@ static bool tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
                               .moving = 1};
     *d = (struct descent){
         .st = {.g = *g, .from = g->c, .J = 1, .omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0}};
-    run->carried = d->st.omegasq * unit;
+    run->carried = d->st.omegasq * block.unit;
     return sine > 0;
 }
 
@@ -403,6 +417,8 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
     struct link upright = link_head(g, (struct tilt){0, 1, 0});
     enum dom_status status = g->mu > 0 ? friction_law(&d->st.g, d->st.from, &law) : DOM_OK;
     real T = g->inertia * law.A * (g->mu > 0 ? friction_share(&upright) : 1), keeps = T / (1 + T);
+    if (!(T > 0) && g->mu == 0)
+        return DOM_UNDERFLOW;
     if (!(T > 0))
         *end = DOM_ROW_LOCKS;
     real slower = block_of(run->row.asked, k + 1).tau / block_of(run->row.asked, k).tau;
@@ -467,7 +483,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         if (!(k == 0 && tips)) {
             run->time += (real)fall.duration;
             if (d.stops || d.least_force < 0)
-                run->verdict.end = d.stops ? DOM_ROW_STOPS : DOM_ROW_PARTS;
+                run->verdict.end = d.least_force < 0 ? DOM_ROW_PARTS : DOM_ROW_STOPS;
         }
         fall_floor(run->row.asked, k, &d.need, &fall);
         verdict_add(&run->verdict, &fall, k == 0 && tips);

@@ -29,10 +29,8 @@ struct dom_scale dom_scale_default(void)
 
 const char *dom_end_text(enum dom_end end)
 {
-    static const char *const text[] = {[DOM_END_NONE] = "none",
-                                       [DOM_END_BARRIER] = "barrier",
-                                       [DOM_END_REACH] = "reach",
-                                       [DOM_END_LOCK] = "lock"};
+    static const char *const text[] = {
+        [DOM_END_NONE] = "none", [DOM_END_BARRIER] = "barrier", [DOM_END_REACH] = "reach"};
     return text[end];
 }
 

@@ -54,7 +54,7 @@ static enum dom_status limit_paper(const struct session *session, struct dom_tra
 static const struct column rmax_columns[] = {
     {"s", "h", "separation", 0},
     {"r_max", "", "largest growth at which the train goes on", 0},
-    {"ends_by", "", "barrier, reach (the next is missed), lock (friction), none", 0},
+    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 0},
     {"r_max_exact", "", "with the fuel from the energy balance", 0},
     {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
     {NULL, NULL, NULL, 0},

@@ -12,7 +12,7 @@ enum { CYCLES_MAX = 1000 };
         {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
         {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
         {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \
-        {"lost", "mgh/2", "of that in the collision, the share 1/J(0) (c4)", 0},                             \
+        {"lost", "mgh/2", "of that in the collision; without friction 1/J(0) (c4)", 0},                      \
         {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},                   \
         {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},                        \
         {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},                               \
@@ -25,7 +25,7 @@ static const struct column walk_columns[] = {WALK_COLUMNS, {NULL, NULL, NULL, 0}
 /* Where dominoes rub. */
 static const struct column rubbing_columns[] = {
     WALK_COLUMNS,
-    {"rubbed", "mgh/2", "taken by friction between dominoes since the launch", 0},
+    {"rubbed", "mgh/2", "what friction has taken of kinetic since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
 

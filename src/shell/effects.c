@@ -184,7 +184,9 @@ bool scene_weighed(const struct session *session)
 /* Masses of which only the ratios are known become such that m g h / 2 of the first is 1, or what is set. */
 static void row_weigh(const struct session *session, struct dom_domino *domino, size_t count)
 {
-    dom_real mass = session_mass(session);
+    dom_real mass = session->mass > 0
+                        ? session->mass
+                        : session->density * domino[0].height * domino[0].height * domino[0].thickness / 2;
     dom_real first = mass > 0 ? mass : 2 / (session->scale.g * domino[0].height), by = first / domino[0].mass;
     for (size_t k = 0; k < count; k++)
         domino[k].mass *= by;

@@ -47,9 +47,6 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
                    (double)t->mu);
     if (limit->ends == DOM_END_NONE)
         answer_say(a, "At s = %.6g no growth r >= 1 is possible.", (double)t->s);
-    else if (limit->ends == DOM_END_LOCK)
-        answer_say(a, "At s = %.6g growth ends at r = %.6g, where friction locks the collision.",
-                   (double)t->s, (double)limit->r_max);
     else if (limit->ends == DOM_END_REACH)
         answer_say(a,
                    "At s = %.6g growth ends by reach: beyond r = 1/s = %.6g the head falls past the next "

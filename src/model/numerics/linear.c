@@ -59,7 +59,7 @@ static bool series_died(const real *series, real tol)
     real size = 0, left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
     for (int k = 0; k < N; k++)
         size = fmax(size, fabs(series[k]));
-    return left <= fmax(tol, 2 * N * REAL_EPSILON) * size;
+    return left <= fmax(tol, 8 * N * REAL_EPSILON) * size;
 }
 
 /* One panel that begins with ln_G and v; false where it is too wide. */

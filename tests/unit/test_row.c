@@ -1,0 +1,658 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finite rows of any dominoes: against Newton's equations (direct.h), the endless train, and energy. */
+#include "direct.h"
+#include "support.h"
+#include <float.h>
+
+enum { MOST = 64 };
+
+static const double g = 9.81;
+
+/* A row, and what came of it. */
+struct run {
+    struct dom_domino domino[MOST];
+    struct dom_row row;
+    struct dom_fall fall[MOST];
+    size_t falls;
+    struct dom_verdict verdict;
+};
+
+static bool fall_seen(const struct dom_fall *fall, void *context)
+{
+    struct run *run = context;
+    assert_true(run->falls < MOST && fall->domino == run->falls + 1);
+    run->fall[run->falls++] = *fall;
+    return true;
+}
+
+static enum dom_status run_row(struct run *run)
+{
+    run->row.domino = run->domino;
+    run->falls = 0;
+    return dom_row_run(&run->row, true, fall_seen, run, &run->verdict);
+}
+
+/* What turns a single domino over its edge: half of I omega^2 lifts its middle. */
+static double push_over(const struct dom_domino *domino)
+{
+    double h = domino->height, d = domino->thickness;
+    return sqrt(3 * g * (hypot(h, d) - h) / (h * h + d * d));
+}
+
+/* count standard dominoes, each r times the one before. */
+static void make_row(struct run *run, size_t count, double s, double r, double mu)
+{
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
+    train.s = s;
+    train.r = r;
+    dom_row_of_train(&train, &scale, 0.01, run->domino, count);
+    run->row = (struct dom_row){.count = count,
+                                .g = g,
+                                .push = 3 * push_over(run->domino),
+                                .mu = mu,
+                                .tol = 1e-12,
+                                .precision = DOM_DOUBLE};
+}
+
+/* Equal, growing, shrinking or uneven; pushed from just below to far above what turns one over. */
+static void random_row(struct run *run, uint64_t *seed, int kind)
+{
+    static const double mus[] = {0, 0.1, 0.4}, pushes[] = {0.98, 1.02, 1.5, 4, 15};
+    size_t count = 1 + (size_t)(25 * random_unit(seed));
+    double s = 0.05 + 0.6 * random_unit(seed), r = 1;
+    if (kind == 1)
+        r = 1 + (fmin(0.98 / s, 1.9) - 1) * random_unit(seed);
+    if (kind == 2)
+        r = 1 - (1 - 1 / sqrt(1 + s * s)) * random_unit(seed);
+    make_row(run, count, s, r, mus[(int)(3 * random_unit(seed))]);
+    for (size_t k = 0; k < count; k++) {
+        struct dom_domino *d = &run->domino[k];
+        double few = kind == 3 ? 0.03 : 0;
+        d->height *= 1 + few * (2 * random_unit(seed) - 1);
+        if (kind == 3) {
+            d->thickness *= 0.5 + random_unit(seed);
+            d->gap *= 0.7 + 0.6 * random_unit(seed);
+            d->mass *= 0.5 + random_unit(seed);
+        }
+    }
+    run->row.push = pushes[(int)(5 * random_unit(seed))] * push_over(run->domino);
+}
+
+/* ---- Against Newton's equations ---- */
+
+struct newton {
+    double height[MOST], thickness[MOST], gap[MOST], mass[MOST];
+    struct direct_hit hit[MOST];
+    struct direct_result result;
+    const char *wrong;
+};
+
+static void newton_run(const struct run *run, struct newton *n)
+{
+    for (size_t k = 0; k < run->row.count; k++) {
+        n->height[k] = run->domino[k].height;
+        n->thickness[k] = run->domino[k].thickness;
+        n->gap[k] = run->domino[k].gap;
+        n->mass[k] = run->domino[k].mass;
+    }
+    struct direct_row row = {run->row.count, n->height,   n->thickness, n->gap,
+                             n->mass,        run->row.mu, run->row.g,   run->row.push};
+    n->wrong = direct_run(&row, n->hit, &n->result);
+}
+
+static void near_here(const char *what, const struct run *run, size_t k, double got, double expected,
+                      double size, double bound)
+{
+    if (fabs(got - expected) <= bound * size)
+        return;
+    fail_msg("%s of domino %zu of %zu: %.17g, by Newton %.17g, off by %g of it (mu %g, r %.17g, s %.17g)",
+             what, k + 1, run->row.count, got, expected, fabs(got - expected) / size, (double)run->row.mu,
+             (double)(run->domino[run->row.count - 1].height / run->domino[0].height),
+             (double)(run->row.count > 1 ? run->domino[1].gap / run->domino[1].height : 0));
+}
+
+/*
+ * The integrator keeps 1e-13 of a step, and the row 1e-12; what is left of a small margin carries that of
+ * the whole kinetic energy, so the bound grows as it shrinks.
+ */
+static void compare(const struct run *run, const struct newton *n, size_t hits)
+{
+    double rubbed = 0, spare = INFINITY;
+    for (size_t k = 0; k < hits; k++) {
+        const struct dom_fall *f = &run->fall[k];
+        const struct direct_hit *h = &n->hit[k];
+        double bound = 1e-10 * (1 + 1 / spare);
+        near_here("time", run, k, f->time, h->time, h->time, bound);
+        near_here("omega", run, k, f->omega, h->omega, h->omega, bound);
+        near_here("kinetic", run, k, f->kinetic, h->kinetic, h->kinetic, bound);
+        near_here("lost", run, k, f->lost, h->kinetic_before - h->kinetic, h->kinetic_before, bound);
+        near_here("rubbed", run, k, rubbed, h->rubbed, h->kinetic_before + rubbed, bound);
+        rubbed += (double)f->rubbed;
+        if (f->kinetic > 0)
+            spare = fmin(spare, fabs((double)(f->margin / f->kinetic)));
+    }
+}
+
+static void newton_agrees(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct newton n;
+    uint64_t seed = 61;
+    int met[8] = {0}, falling = 0, dropped = 0, near = 0;
+    for (int i = 0; i < 300; i++) {
+        random_row(&run, &seed, i % 4);
+        assert_status(run_row(&run), DOM_OK);
+        newton_run(&run, &n);
+        const struct dom_verdict *v = &run.verdict;
+        size_t last = run.falls - 1, hits = run.falls;
+        const struct dom_fall *f = &run.fall[last];
+        met[v->end]++;
+        assert_int_equal(v->domino, run.falls);
+        for (size_t k = 1; k < run.falls; k++)
+            dropped += run.fall[k].moving <= run.fall[k - 1].moving;
+        bool close = false;
+        for (size_t k = 0; k < run.falls; k++)
+            close |= fabs((double)run.fall[k].margin) < 1e-6 * (double)run.fall[k].kinetic;
+        near += close;
+        if (close)
+            continue;
+        double least = n.result.least_force;
+        if (v->end == DOM_ROW_PARTS) { /* Newton's contacts pull from there on */
+            assert_true(least < 0);
+        } else if (least < 0) { /* the model looks at a few tilts only */
+            size_t at = n.result.least_at - 1;
+            double weight = n.mass[at] * g;
+            if (least < -0.02 * weight)
+                fail_msg("force %g of the weight between %zu and %zu, head %zu, end %d", least / weight,
+                         at + 1, at + 2, n.result.least_head, v->end);
+        }
+        if (v->end == DOM_ROW_FALLS || v->end == DOM_ROW_STOPS || v->end == DOM_ROW_MISSES) {
+            if (n.wrong)
+                fail_msg("Newton: %s (end %d)", n.wrong, v->end);
+            assert_int_equal(n.result.hit, run.falls);
+            assert_int_equal(n.result.all_fall, v->end == DOM_ROW_FALLS);
+        } else if (v->end == DOM_ROW_PASSES) {
+            assert_non_null(n.wrong);
+            assert_int_equal(n.result.hit, run.falls);
+        }
+        compare(&run, &n, hits);
+        double spare = fmin(1, fabs((double)(f->margin / f->kinetic)));
+        if (v->end == DOM_ROW_FALLS)
+            near_here("the end", &run, last, v->seconds, n.result.end_time, n.result.end_time, 1e-10 / spare);
+        if (v->end == DOM_ROW_STOPS) {
+            near_here("rest", &run, last, f->theta, n.result.stop_theta, 1, 1e-10 / spare);
+            assert_true(v->short_by > 0 && v->short_by == -f->margin);
+            assert_true(isnan((double)f->duration));
+        } else
+            assert_true(v->short_by == 0);
+        falling += v->end == DOM_ROW_FALLS;
+    }
+    print_message("# %d fall, %d stop, %d miss, %d pass, %d part, %d lock; %d near, %d drops\n",
+                  met[DOM_ROW_FALLS], met[DOM_ROW_STOPS], met[DOM_ROW_MISSES], met[DOM_ROW_PASSES],
+                  met[DOM_ROW_PARTS], met[DOM_ROW_LOCKS], near, dropped);
+    assert_true(falling > 50 && met[DOM_ROW_STOPS] > 50 && dropped > 5);
+}
+
+/*
+ * Contact may open before a head comes to rest: Newton's equations have -0.019 weights between 1 and 2 before
+ * head 2 rests.
+ */
+static void contact_opens_before_a_stop(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct newton n;
+    make_row(&run, 3, 0.05, 1, 0.1);
+    run.domino[0] = (struct dom_domino){0.048317859861228038, 0.010258092568206215, 0, 0.010892503715404608};
+    run.domino[1] = (struct dom_domino){0.048540430767252056, 0.0041368158171714905, 0.0022002872943727263,
+                                        0.010089518443481642};
+    run.domino[2] = (struct dom_domino){0.047007677169910882, 0.010265213047027532, 0.0025876182207859107,
+                                        0.0052379886908987747};
+    run.row.push = 3.5320872193384942;
+    assert_status(run_row(&run), DOM_OK);
+    newton_run(&run, &n);
+    assert_true(n.result.least_force < -0.018 * n.mass[0] * g && n.result.least_head == 2);
+    assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_PARTS));
+}
+
+/* ---- Against the endless train ---- */
+
+/*
+ * Domino k, in its own units, tends to a cycle of the train.  An error of omega^2 keeps the share (J(0) - 1)
+ * / (J(0) r^q) from one to the next (c4), and what the missing rest of the train would do keeps r^-q
+ * theta_1'(theta_inf): the larger of the two is the rate (without friction; friction only makes it smaller).
+ * At the end what 50 dominoes of that rate leave is left, or 1e-11, which the tolerance of margins explains.
+ */
+static void uniform_rows_become_the_train(void **state)
+{
+    (void)state;
+    static const double some[][4] = {/* s, r, q, mu */
+                                     {0.4, 1.5, 4, 0}, {0.3, 1, 3, 0},     {0.2, 1.2, 3, 0},
+                                     {0.6, 1.5, 4, 0}, {0.4, 1.5, 4, 0.1}, {0.3, 1, 3, 0.3}};
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
+        static struct run run;
+        struct dom_train train = dom_train_default();
+        struct dom_scale scale = dom_scale_default();
+        struct dom_launch launch;
+        struct dom_barrier barrier;
+        dom_real duration;
+        train.s = some[i][0];
+        train.r = some[i][1];
+        train.q = some[i][2];
+        train.mu = some[i][3];
+        assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
+        assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
+        make_row(&run, MOST, some[i][0], some[i][1], some[i][3]);
+        dom_row_of_train(&train, &scale, 0.01, run.domino, MOST);
+        run.row.push = 5 * push_over(run.domino);
+        assert_status(run_row(&run), DOM_OK);
+        assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_FALLS));
+        double s = train.s, d = train.d, r = train.r, x_inf = sqrt(s * (s + 2 * d)),
+               before = (double)INFINITY;
+        double rate = pow(r, -(double)train.q) * fmax((double)(1 - 1 / launch.J0), fmax(0, 1 - r * x_inf));
+        for (size_t k = 10; k + 1 < MOST; k++) {
+            const struct dom_fall *f = &run.fall[k];
+            const struct dom_domino *own = &run.domino[k];
+            double unit = (double)(own->mass * own->height) * g / 2;
+            scale.h = own->height;
+            double tau = dom_scale_tau(&scale, train.d);
+            double off = fabs((double)f->kinetic / unit / (double)launch.kinetic - 1);
+            if (isfinite(before) && off > 1e-12 && !(off < 1.1 * rate * before))
+                fail_msg("train %zu, domino %zu: off by %g, before by %g, rate %g", i, k + 1, off, before,
+                         rate);
+            before = off;
+            if (k < MOST - 4)
+                continue;
+            double bound = 1e-11 + 10 * pow(rate, 50);
+            assert_near("omega", (double)f->omega * tau, sqrt((double)launch.omegasq), bound);
+            assert_near("kinetic", (double)f->kinetic / unit, launch.kinetic, bound);
+            assert_near("margin", (double)f->margin / unit, barrier.margin, 10 * bound);
+            assert_near("duration", (double)f->duration / tau, duration, 10 * bound);
+        }
+    }
+}
+
+/* ---- Energy ---- */
+
+/* Of `moving` dominoes up to the head k at a tilt. */
+static double potential(const struct run *run, size_t k, size_t moving, double theta)
+{
+    double sum = 0;
+    for (size_t j = k;; j--) {
+        const struct dom_domino *own = &run->domino[j];
+        double h = own->height, d = own->thickness, gap = own->gap;
+        sum += (double)own->mass * g * (h * cos(theta) + d * sin(theta)) / 2;
+        if (j + moving == k + 1)
+            return sum;
+        theta += asin(((gap + d) * cos(theta) - d) / (double)run->domino[j - 1].height);
+    }
+}
+
+/* What a head has, less friction and what the dominoes rise, is what the next hit finds; where none drops. */
+static void energy_is_kept(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 62;
+    int checked = 0;
+    for (int i = 0; i < 400; i++) {
+        random_row(&run, &seed, i % 4);
+        assert_status(run_row(&run), DOM_OK);
+        for (size_t k = 0; k + 1 < run.falls; k++) {
+            const struct dom_fall *f = &run.fall[k], *next = f + 1;
+            if (next->moving != f->moving + 1)
+                continue;
+            double rises = potential(&run, k, f->moving, f->theta) - potential(&run, k, f->moving, 0);
+            double open = (double)(f->kinetic - f->rubbed - next->kinetic - next->lost) - rises;
+            double size = (double)f->kinetic + fabs(rises);
+            if (!(fabs(open) <= 1e-12 * size) || next->lost < 0 || f->rubbed < -1e-12 * size)
+                fail_msg("domino %zu: open %g of %g, lost %g, rubbed %g", k + 1, open, size,
+                         (double)next->lost, (double)f->rubbed);
+            assert_near("the margin", f->kinetic - f->barrier, f->margin, 1e-9);
+            if (run.row.mu == 0)
+                assert_true(fabs((double)f->rubbed) <= 1e-12 * size);
+            checked++;
+        }
+    }
+    assert_true(checked > 1000);
+}
+
+/* ---- Verdicts ---- */
+
+static void check_end(struct run *run, enum dom_row_end end, size_t domino)
+{
+    assert_status(run_row(run), DOM_OK);
+    assert_string_equal(dom_row_end_text(run->verdict.end), dom_row_end_text(end));
+    assert_int_equal(run->verdict.domino, domino);
+    assert_int_equal(run->falls, domino);
+    assert_true((run->verdict.short_by > 0) == (end == DOM_ROW_STOPS));
+}
+
+static void ends(void **state)
+{
+    (void)state;
+    static struct run run;
+    make_row(&run, 5, 0.4, 1, 0);
+    check_end(&run, DOM_ROW_FALLS, 5);
+    run.domino[3].gap = run.domino[2].height * (1 + 1e-9);
+    check_end(&run, DOM_ROW_MISSES, 3);
+    make_row(&run, 5, 0.4, 1, 0);
+    run.domino[3].height *= sqrt(1 - 0.16) * (1 - 1e-9); /* the tip comes in at h cos theta_c */
+    check_end(&run, DOM_ROW_PASSES, 3);
+    make_row(&run, 5, 0.4, 1, 0);
+    run.domino[3].height *= sqrt(1 - 0.16) * (1 + 1e-9);
+    assert_status(run_row(&run), DOM_OK);
+    assert_true(run.verdict.domino > 3);
+    make_row(&run, 5, 0.4, 2, 0);
+    run.row.push = 1.01 * push_over(run.domino);
+    check_end(&run, DOM_ROW_STOPS, 2);
+    /* A tip leans where it touches before its edge: sin theta_c <= sin theta_u = d / sqrt(1 + d^2). */
+    double d = 7.0 / 48, touches = d / hypot(1, d);
+    for (int side = -1; side <= 1; side += 2) {
+        make_row(&run, 2, touches * (1 + side * 1e-9), 1, 0);
+        run.row.push = DOM_NAN;
+        assert_status(run_row(&run), DOM_OK);
+        assert_int_equal(run.verdict.end, side < 0 ? DOM_ROW_LEANS : DOM_ROW_STOPS);
+    }
+    /* It locks where mu d is more than the height of the blow, h cos theta_c. */
+    for (int side = -1; side <= 1; side += 2) {
+        make_row(&run, 3, 0.4, 1, sqrt(1 - 0.16) / d * (1 + side * 1e-6));
+        run.row.push = 30 * push_over(run.domino);
+        assert_status(run_row(&run), DOM_OK);
+        assert_int_equal(run.verdict.end == DOM_ROW_LOCKS, side > 0);
+        assert_int_equal(run.verdict.domino, side > 0 ? 1 : 2);
+    }
+    make_row(&run, 1, 0.4, 1, 0);
+    check_end(&run, DOM_ROW_FALLS, 1);
+    assert_true(run.verdict.weakest == 1 && run.verdict.seconds == run.fall[0].duration);
+    run.row.push = DOM_NAN;
+    check_end(&run, DOM_ROW_FALLS, 1);
+}
+
+/* One domino turns over by (1/2) I omega^2 = m g (sqrt(h^2 + d^2) - h) / 2; twenty bits are bisected. */
+static void push_just_enough(void **state)
+{
+    (void)state;
+    static struct run run;
+    make_row(&run, 1, 0.4, 1, 0);
+    double edge = push_over(run.domino), lo = 0, hi = 10 * edge;
+    while (hi - lo > 4e-16 * hi) {
+        double middle = (lo + hi) / 2;
+        if (middle <= lo || middle >= hi)
+            break;
+        run.row.push = middle;
+        assert_status(run_row(&run), DOM_OK);
+        *(run.verdict.end == DOM_ROW_FALLS ? &hi : &lo) = middle;
+    }
+    assert_near("push", hi, edge, 1e-13); /* kinetic and barrier are some ten roundings each */
+    run.row.push = 0;
+    check_end(&run, DOM_ROW_STOPS, 1);
+    assert_near("short by", run.verdict.short_by,
+                (double)run.domino[0].mass * g * (hypot(0.048, 0.007) - 0.048) / 2, 1e-13);
+}
+
+/*
+ * With friction, which a single domino does not feel, and without: a push that soon ends,
+ * (1/2) I omega^2 = m g d theta / 2.
+ */
+static void rests_after_a_slight_push(void **state)
+{
+    (void)state;
+    static struct run run;
+    for (int mu = 0; mu < 2; mu++)
+        for (double push = 1e-4; push > 1e-9; push /= 10) {
+            make_row(&run, 1, 0.4, 1, mu);
+            run.row.push = push;
+            check_end(&run, DOM_ROW_STOPS, 1);
+            double h = run.domino[0].height, d = run.domino[0].thickness;
+            assert_near("rest", run.fall[0].theta, push * push * (h * h + d * d) / (3 * g * d), 1e-8);
+        }
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    static struct run run;
+    static const double wrong[] = {0, -1, NAN, INFINITY};
+    for (size_t i = 0; i < 4; i++)
+        for (int member = 0; member < 9; member++) {
+            make_row(&run, 4, 0.4, 1, 0);
+            dom_real *of[] = {
+                &run.domino[2].height, &run.domino[2].thickness, &run.domino[2].mass, &run.row.g,
+                &run.row.tol,          &run.domino[2].gap,       &run.row.push,       &run.row.mu,
+                &run.domino[0].height};
+            bool zero_is_fine = member >= 5 && member <= 7, tips = member == 6 && isnan(wrong[i]);
+            *of[member] = wrong[i];
+            assert_status(run_row(&run),
+                          (wrong[i] == 0 && zero_is_fine) || tips ? DOM_OK : DOM_BAD_PARAMETER);
+        }
+    make_row(&run, 4, 0.4, 1, 100.5);
+    assert_status(run_row(&run), DOM_BAD_PARAMETER);
+    make_row(&run, 4, 0.4, 1, 0);
+    run.row.count = 0;
+    assert_status(run_row(&run), DOM_BAD_PARAMETER);
+    make_row(&run, 4, 0.4, 1, 0);
+    run.row.precision = (enum dom_precision)7;
+    assert_status(run_row(&run), DOM_BAD_PARAMETER);
+    volatile sig_atomic_t stop = 1;
+    make_row(&run, 4, 0.4, 1, 0);
+    run.row.interrupt = &stop;
+    assert_status(run_row(&run), DOM_INTERRUPTED);
+}
+
+static bool twice(const struct dom_fall *fall, void *context)
+{
+    (void)fall;
+    return ++*(int *)context < 2;
+}
+
+static void visits_end_early(void **state)
+{
+    (void)state;
+    static struct run run;
+    int visits = 0;
+    make_row(&run, 20, 0.4, 1, 0);
+    run.row.domino = run.domino;
+    assert_status(dom_row_run(&run.row, true, twice, &visits, &run.verdict), DOM_OK);
+    assert_int_equal(visits, 2);
+    assert_true(run.verdict.domino == 2 && run.verdict.end == DOM_ROW_FALLS);
+    assert_status(dom_row_run(&run.row, true, NULL, NULL, &run.verdict), DOM_OK);
+    assert_int_equal(run.verdict.domino, 20);
+}
+
+static bool is_finite(const struct dom_fall *f, void *context)
+{
+    double sum = 1 / ((double)f->omega + 1) + (double)f->theta + (double)f->theta_m;
+    *(bool *)context &= isfinite(sum) && !isnan((double)(f->kinetic + f->margin + f->barrier + f->lost));
+    return true;
+}
+
+/* Whatever the sizes: answered without NaN, and then as quad does; or refused. */
+static void sizes(enum dom_precision precision, double s, double r, double h, double mass, size_t count,
+                  bool answered)
+{
+    struct dom_domino *domino = calloc(count, sizeof *domino);
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
+    struct dom_verdict v, wide;
+    bool fine = true;
+    assert_non_null(domino);
+    train.s = s;
+    train.r = r;
+    scale.h = h;
+    dom_row_of_train(&train, &scale, mass, domino, count);
+    struct dom_row row = {.domino = domino, .count = count, .g = g, .tol = 1e-5, .precision = precision};
+    row.push = 3 * sqrt(3 * g * (hypot(1, 7.0 / 48) - 1) / (1 + pow(7.0 / 48, 2)) / h);
+    enum dom_status status = dom_row_run(&row, true, is_finite, &fine, &v);
+    row.precision = DOM_QUAD;
+    enum dom_status of_wide = dom_row_run(&row, true, NULL, NULL, &wide);
+    free(domino);
+    if (answered || status == DOM_OK) {
+        assert_status(status, DOM_OK);
+        assert_status(of_wide, DOM_OK);
+        assert_true(fine);
+        assert_string_equal(dom_row_end_text(v.end), dom_row_end_text(wide.end));
+        assert_int_equal(v.domino, wide.domino);
+    }
+}
+
+static void long_and_tall(void **state)
+{
+    (void)state;
+    enum { LONG = 10000 };
+    static struct dom_domino domino[LONG];
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
+    struct dom_verdict v;
+    train.s = 0.3;
+    train.r = 1;
+    dom_row_of_train(&train, &scale, 0.01, domino, LONG);
+    struct dom_row row = {
+        .domino = domino, .count = LONG, .g = g, .push = 3, .tol = 1e-9, .precision = DOM_DOUBLE};
+    assert_status(dom_row_run(&row, false, NULL, NULL, &v), DOM_OK);
+    assert_true(v.end == DOM_ROW_FALLS && v.domino == LONG && v.short_by == 0);
+    sizes(DOM_DOUBLE, 0.3, 2, 0.048, 0.01, 100, true);
+    sizes(DOM_DOUBLE, 0.4, 1.5, 0.048, 0.01, 100, true); /* the last is taller than the Earth */
+    sizes(DOM_DOUBLE, 5e-4, 1e3, 0.048, 0.01, 2000, false);
+    sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 40, true);
+}
+
+/* Where m h^2 or h^2 is beyond the range of the precision: an answer that is right, or none. */
+static void beyond_the_range(void **state)
+{
+    (void)state;
+    sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 52, false); /* only 45000 km */
+    sizes(DOM_DOUBLE, 0.3, 1, 1e160, 1, 20, false);
+    sizes(DOM_DOUBLE, 0.3, 1, 1e-170, 1, 20, false);
+    sizes(DOM_DOUBLE, 0.3, 1, 1e100, 1e300, 20, false);
+    sizes(DOM_DOUBLE, 0.3, 1, 1e-100, 1e-250, 20, false);
+}
+
+/* The weakest has the least margin over barrier; without times the verdict has the same bits. */
+static void verdict_sums_up(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 63;
+    for (int i = 0; i < 200; i++) {
+        struct dom_verdict v;
+        struct dom_work work = {0};
+        random_row(&run, &seed, i % 4);
+        run.row.work = &work;
+        assert_status(run_row(&run), DOM_OK);
+        dom_real least = INFINITY;
+        size_t weakest = 0;
+        for (size_t k = 0; k < run.falls; k++) {
+            const struct dom_fall *f = &run.fall[k];
+            dom_real spare = f->barrier > 0 ? f->margin / f->barrier : (dom_real)INFINITY;
+            if (f->margin >= 0 && (weakest == 0 || spare < least)) {
+                least = spare;
+                weakest = k + 1;
+            }
+            assert_true(isnan((double)f->floor_motion) && f->floor_domino == 0);
+        }
+        assert_int_equal(run.verdict.weakest, weakest);
+        assert_true(run.verdict.spare == least);
+        assert_true(work.entered[DOM_EFFECT_row] == 1 && work.entered[DOM_EFFECT_push] == 1);
+        assert_true(work.entered[DOM_EFFECT_floor] == 0 && work.entered[DOM_EFFECT_placement] == 0);
+        if (run.row.mu == 0)
+            assert_int_equal(work.entered[DOM_EFFECT_friction], 0);
+        else if (run.falls > 1)
+            assert_true(work.entered[DOM_EFFECT_friction] > 0);
+        run.row.work = NULL;
+        assert_status(dom_row_run(&run.row, false, NULL, NULL, &v), DOM_OK);
+        assert_true(v.end == run.verdict.end && v.domino == run.verdict.domino &&
+                    v.short_by == run.verdict.short_by && v.weakest == weakest && v.spare == least &&
+                    isnan((double)v.seconds));
+    }
+}
+
+/* As many units as the tolerance asks for, over what is left of the smallest margin. */
+static void precisions_agree(void **state)
+{
+    (void)state;
+    static struct run run[3];
+    uint64_t seed = 64;
+    for (int i = 0; i < 12; i++) {
+        random_row(&run[0], &seed, i % 4);
+        run[0].row.count = run[0].row.count < 8 ? run[0].row.count : 8;
+        for (size_t k = 0; k < run[0].row.count; k++) { /* what a float has exactly */
+            struct dom_domino *d = &run[0].domino[k];
+            *d = (struct dom_domino){(float)d->height, (float)d->thickness, (float)d->gap, (float)d->mass};
+        }
+        run[0].row.push = (float)run[0].row.push;
+        run[0].row.mu = (float)run[0].row.mu;
+        run[0].row.g = 9.8125;
+        for (int p = DOM_QUAD; p >= DOM_FLOAT; p--) {
+            run[p] = run[0];
+            run[p].row.precision = (enum dom_precision)p;
+            run[p].row.tol =
+                p == DOM_QUAD ? 1e-16 : (double)dom_arithmetic(run[p].row.precision)->tol_default;
+            assert_status(run_row(&run[p]), DOM_OK);
+            assert_int_equal(run[p].verdict.end, run[DOM_QUAD].verdict.end);
+            assert_int_equal(run[p].verdict.domino, run[DOM_QUAD].verdict.domino);
+            double bound = p == DOM_FLOAT ? 1e-4 : 1e-11, spare = 1;
+            for (size_t k = 0; k < run[p].falls; k++) {
+                const struct dom_fall *f = &run[p].fall[k], *wide = &run[DOM_QUAD].fall[k];
+                assert_near("kinetic", f->kinetic, wide->kinetic, bound / spare);
+                assert_near("omega", f->omega, wide->omega, bound / spare);
+                assert_near("theta", f->theta, wide->theta, bound / spare);
+                spare = fmin(spare, fabs((double)(wide->margin / wide->kinetic)));
+                if (!isnan((double)wide->duration))
+                    assert_near("duration", f->duration, wide->duration, bound / spare);
+            }
+        }
+    }
+}
+
+/* Of a long uniform row the floor needs what it needs of the train; the struck domino by its formula. */
+static void floor_of_the_train(void **state)
+{
+    (void)state;
+    static struct run run;
+    for (int i = 0; i < 3; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_floor floor;
+        struct dom_work work = {0};
+        train.s = 0.4;
+        train.r = 1.3;
+        train.mu = 0.1 * i;
+        make_row(&run, 40, 0.4, 1.3, train.mu);
+        run.row.floor = true;
+        run.row.work = &work;
+        assert_status(run_row(&run), DOM_OK);
+        assert_status(dom_cycle_floor(&train, &floor), DOM_OK);
+        const struct dom_fall *f = &run.fall[36];
+        assert_near("motion", f->floor_motion, floor.motion, 1e-6);
+        assert_near("hit", f->floor_hit, floor.hit, 1e-6);
+        assert_int_equal(f->floor_domino, f->domino - floor.domino);
+        assert_int_equal(f->floor_hit_domino, f->domino - floor.hit_domino);
+        assert_int_equal(work.entered[DOM_EFFECT_floor], 40);
+        assert_int_equal(run.fall[0].floor_domino, 1);
+        assert_true(run.fall[0].floor_hit == 0); /* it was not hit */
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(newton_agrees),
+        cmocka_unit_test(contact_opens_before_a_stop),
+        cmocka_unit_test(uniform_rows_become_the_train),
+        cmocka_unit_test(energy_is_kept),
+        cmocka_unit_test(ends),
+        cmocka_unit_test(push_just_enough),
+        cmocka_unit_test(rests_after_a_slight_push),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(visits_end_early),
+        cmocka_unit_test(long_and_tall),
+        cmocka_unit_test(beyond_the_range),
+        cmocka_unit_test(verdict_sums_up),
+        cmocka_unit_test(precisions_agree),
+        cmocka_unit_test(floor_of_the_train),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
