@@ -16,6 +16,13 @@ struct cell cell_bound(dom_real value, dom_real error)
     return cell;
 }
 
+struct cell cell_unbounded(dom_real value)
+{
+    struct cell cell = cell_real(value);
+    cell.error = DOM_NAN;
+    return cell;
+}
+
 struct cell cell_brief(double value)
 {
     struct cell cell = cell_real((dom_real)value);

@@ -31,7 +31,8 @@ struct cell {
 /* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
 struct cell cell_real(dom_real value);
 struct cell cell_bound(dom_real value, dom_real error);
-struct cell cell_brief(double value); /* three digits in a table: for what is not known better */
+struct cell cell_unbounded(dom_real value); /* nobody has followed its errors */
+struct cell cell_brief(double value);       /* three digits in a table: for what is not known better */
 struct cell cell_count(dom_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);

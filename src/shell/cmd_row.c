@@ -11,7 +11,7 @@
 /* A number that a narrow column shows with so many digits. */
 static struct cell cell_narrow(dom_real value, int digits)
 {
-    struct cell cell = cell_real(value);
+    struct cell cell = cell_bound(value, DOM_NAN);
     cell.digits = digits;
     return cell;
 }
@@ -246,11 +246,12 @@ static bool run_verdict(struct session *session, const struct call *call)
         columns_in_joules(verdict_columns, room);
         a->columns = room;
     }
-    answer_row(a,
-               ROW(cell_word(end_word(v.end)), cell_count((dom_real)v.domino), cell_real(v.short_by),
-                   cell_real(v.end == DOM_ROW_FALLS ? v.seconds : DOM_NAN),
-                   v.weakest ? cell_count((dom_real)v.weakest) : cell_real(DOM_NAN), cell_real(v.spare)),
-               v.end == DOM_ROW_FALLS ? NULL : dom_row_end_text(v.end));
+    answer_row(
+        a,
+        ROW(cell_word(end_word(v.end)), cell_count((dom_real)v.domino), cell_bound(v.short_by, DOM_NAN),
+            cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOM_NAN, DOM_NAN),
+            v.weakest ? cell_count((dom_real)v.weakest) : cell_real(DOM_NAN), cell_bound(v.spare, DOM_NAN)),
+        v.end == DOM_ROW_FALLS ? NULL : dom_row_end_text(v.end));
     a->columns = verdict_columns;
     return true;
 }
@@ -458,7 +459,7 @@ static bool run_rowmax(struct session *session, const struct call *call)
         return session_status(session, status);
     answer_row(call->answer,
                ROW(cell_real(session->train.s), cell_count(session->effect[DOM_EFFECT_row].value[0]),
-                   cell_real(r_max), cell_real(limit.r_max)),
+                   cell_bound(r_max, DOM_NAN), cell_bound(limit.r_max, DOM_NAN)),
                isnan(r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why" : NULL);
     return true;
 }

@@ -129,14 +129,6 @@ static const struct column print_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Nobody has followed the errors through an expression. */
-static struct cell cell_unbounded(dom_real value)
-{
-    struct cell cell = cell_real(value);
-    cell.error = DOM_NAN;
-    return cell;
-}
-
 static bool run_print(struct session *session, const struct call *call)
 {
     struct quantity q = call->quantity[0];

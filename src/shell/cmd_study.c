@@ -93,8 +93,9 @@ static bool run_placement(struct session *session, const struct call *call)
         answer_row(call->answer,
                    ROW(cell_real(p.sigma), cell_real(p.heights), cell_count((dom_real)study.rows),
                        cell_count((dom_real)study.fall),
-                       cell_real((dom_real)study.fall / (dom_real)study.rows), cell_real((dom_real)study.low),
-                       cell_real((dom_real)study.high), cell_count((dom_real)study.unknown),
+                       cell_bound((dom_real)study.fall / (dom_real)study.rows, DOM_NAN),
+                       cell_bound((dom_real)study.low, DOM_NAN), cell_bound((dom_real)study.high, DOM_NAN),
+                       cell_count((dom_real)study.unknown),
                        most ? cell_count((dom_real)most) : cell_real(DOM_NAN)),
                    NULL);
     }
@@ -138,8 +139,9 @@ static bool run_budget(struct session *session, const struct call *call)
         return session_status(session, status);
     bool free_of_it = !isfinite(budget.sigma);
     answer_row(call->answer,
-               ROW(cell_real(share), cell_real((dom_real)budget.sigma), cell_real((dom_real)budget.low),
-                   cell_real((dom_real)budget.high), cell_count(rows)),
+               ROW(cell_real(share), cell_bound((dom_real)budget.sigma, DOM_NAN),
+                   cell_bound((dom_real)budget.low, DOM_NAN), cell_bound((dom_real)budget.high, DOM_NAN),
+                   cell_count(rows)),
                free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
     return true;
 }
@@ -164,11 +166,12 @@ static bool run_slip(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     bool slips = f.motion > floor->value[0] || f.hit > floor->value[0];
-    struct cell motion = cell_real(f.motion);
+    struct cell motion = cell_bound(f.motion, DOM_NAN);
     motion.digits = 6;
     answer_row(call->answer,
-               ROW(motion, cell_real(f.theta), cell_count((dom_real)f.domino), cell_real(f.hit),
-                   cell_count((dom_real)f.hit_domino), floor->on ? cell_flag(slips) : cell_real(DOM_NAN)),
+               ROW(motion, cell_bound(f.theta, DOM_NAN), cell_count((dom_real)f.domino),
+                   cell_bound(f.hit, DOM_NAN), cell_count((dom_real)f.hit_domino),
+                   floor->on ? cell_flag(slips) : cell_real(DOM_NAN)),
                !isfinite(f.motion) ? "a domino is lifted off the floor: no friction holds it" : NULL);
     if (floor->on && !slips)
         answer_say(call->answer, "A floor with %.4g holds every hinge.", (double)floor->value[0]);

@@ -12,7 +12,7 @@ enum { CYCLES_MAX = 1000 };
         {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
         {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
         {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \
-        {"lost", "mgh/2", "of that in the collision; without friction 1/J(0) (c4)", 0},                      \
+        {"lost", "mgh/2", "of that in the collision (c4)", 0},                                               \
         {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},                   \
         {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},                        \
         {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},                               \
@@ -25,7 +25,7 @@ static const struct column walk_columns[] = {WALK_COLUMNS, {NULL, NULL, NULL, 0}
 /* Where dominoes rub. */
 static const struct column rubbing_columns[] = {
     WALK_COLUMNS,
-    {"rubbed", "mgh/2", "what friction has taken of kinetic since the launch", 0},
+    {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -59,9 +59,11 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     struct column room[COLUMNS_ROOM];
     struct answer *a = call->answer;
     struct dom_state s, e = {0};
+    a->columns = w->train.mu > 0 ? rubbing_columns : walk_columns;
     if (w->verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOM_NAN);
-        answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none), walk_no_start);
+        answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none, none),
+                   walk_no_start);
         return true;
     }
     enum dom_status status = dom_cycle_state(&w->train, w->theta, &s, ERROR_OF(session, e));
@@ -70,8 +72,6 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     struct walk_units u = walk_units(session, w->cycle);
     if (words)
         walk_say(session, w, &s, a);
-    bool rubs = w->train.mu > 0;
-    a->columns = rubs ? rubbing_columns : walk_columns;
     walk_columns_in(session, a, room);
     struct cell energies[] = {
         cell_bound(s.before * u.energy, e.before * u.energy),
@@ -88,7 +88,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
                    cell_omega(s.omegasq, e.omegasq, u.tau), energies[0], energies[1], energies[2],
                    energies[3], energies[4], energies[5], energies[6]),
                NULL);
-    a->columns = walk_columns;
+    a->columns = rubbing_columns;
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     dom_real open = s.before - s.lost - s.climbed - s.rubbed - s.kinetic;
@@ -240,7 +240,7 @@ const struct command walk_commands[] = {
              "begins. The ledger: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
-     .columns = walk_columns,
+     .columns = rubbing_columns,
      .principal = -1,
      .run = run_step},
     {.name = "back",
@@ -248,7 +248,7 @@ const struct command walk_commands[] = {
      .summary = "back to the event before",
      .example = "step 3; back",
      .see = "step goto",
-     .columns = walk_columns,
+     .columns = rubbing_columns,
      .principal = -1,
      .run = run_back},
     {.name = "goto",
@@ -256,14 +256,14 @@ const struct command walk_commands[] = {
      .summary = "to a tilt, or to the launch, top, fall, stop or hit",
      .example = "goto 0.3",
      .see = "step where",
-     .columns = walk_columns,
+     .columns = rubbing_columns,
      .principal = -1,
      .run = run_goto},
     {.name = "where",
      .summary = "where the walk stands",
      .example = "goto top; where",
      .see = "step goto",
-     .columns = walk_columns,
+     .columns = rubbing_columns,
      .principal = 2,
      .run = run_where},
     {.name = "why",

@@ -110,7 +110,7 @@ static void ask_fuel(const struct dom_train *train, struct answers *answers)
 
 static void ask_launch(const struct dom_train *train, struct answers *answers)
 {
-    struct dom_launch launch = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, launch_error = launch;
+    struct dom_launch launch = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, launch_error = launch;
     enum dom_status status = dom_launch_find(train, &launch, &launch_error);
     NOTE(LAUNCH_OMEGASQ, launch, omegasq);
     NOTE(KINETIC, launch, kinetic);

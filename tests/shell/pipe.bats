@@ -42,7 +42,8 @@ answers_in() { # WAY
 @test "help lists every command, and explains each with its keys" {
     list=$("$DOMINO" -e help)
     while IFS='|' read -r call expected; do
-        name=${call%% *}
+        name=${call##*; }
+        name=${name%% *}
         grep -q "^  $name " <<<"$list" || same help "$name" "$list"
         text=$("$DOMINO" -e "help $name")
         for key in ${expected% reason}; do
