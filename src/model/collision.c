@@ -9,7 +9,7 @@ static enum dom_status collision_rubbing(const struct lean *g, enum dom_fuel fue
                                          struct launch *error)
 {
     real ln_G, u;
-    if (fuel == DOM_FUEL_PAPER)
+    if (fuel == DOM_FUEL_PAPER || !g->flow) /* no room: who compares with us knows no friction */
         return DOM_NO_METHOD;
     enum dom_status status = friction_flow(g);
     if (status != DOM_OK)

@@ -183,6 +183,7 @@ static enum dom_status workers_run(struct worker *worker, unsigned n)
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *p,
                                     struct dom_study *study, size_t *stops)
 {
+    *study = (struct dom_study){.rows = p->rows};
     if (!(p->sigma >= 0 && (double)p->sigma < HUGE_VAL && p->heights >= 0 && p->heights <= 1) ||
         p->rows == 0 || row->count == 0)
         return DOM_BAD_PARAMETER;
@@ -194,7 +195,6 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
     for (unsigned i = 0; made && i < n; i++)
         made = worker_make(&worker[i], &shared, i == 0, stops != NULL);
     enum dom_status status = made ? workers_run(worker, n) : DOM_NO_MEMORY;
-    *study = (struct dom_study){.rows = p->rows};
     if (stops)
         memset(stops, 0, row->count * sizeof *stops);
     for (unsigned i = 0; worker && i < n; i++) {

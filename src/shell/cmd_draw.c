@@ -312,6 +312,7 @@ static bool run_draw(struct session *session, const struct call *call)
 
 const struct command draw_commands[] = {
     {.name = "draw",
+     .train = true,
      .argument = {{.name = "T", .kind = ARGUMENT_PLACE, .optional = true, .choices = forces_names},
                   {.name = "forces",
                    .kind = ARGUMENT_CHOICE,
@@ -331,6 +332,7 @@ const struct command draw_commands[] = {
      .rows = true,
      .run = run_draw},
     {.name = "animate",
+     .train = true,
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
                   {.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "N cycles as they run in time, animated, into FILE.gif",

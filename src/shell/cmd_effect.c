@@ -84,12 +84,18 @@ static double scene_price(struct session *scene)
     return least > 0 ? least : (double)NAN;
 }
 
-/* The scene with an effect, and what it says nothing without, on, or with it off; its price. */
+/*
+ * The scene with an effect, and what it says nothing without, on, or with it off; its price.  Random rows
+ * stop early, and have no floor: the price of the others is that of the row itself.
+ */
 static double price_with(const struct session *session, enum dom_effect_name name, bool on)
 {
     struct session scene = *session; /* its row is shared: nothing in here changes it */
     const struct dom_effect *e = dom_effect(name);
-    scene.style.errors = 0;
+    if (name != DOM_EFFECT_placement)
+        scene.effect[DOM_EFFECT_placement].on = false;
+    else
+        scene.effect[DOM_EFFECT_floor].on = false;
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct dom_effect *other = dom_effect((enum dom_effect_name)k);
         bool wanted = k == (int)name ? on : (e->needs >> k & 1) != 0;
@@ -142,6 +148,10 @@ static bool run_effects(struct session *session, const struct call *call)
     if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
         return false;
     enum dom_status status = scene_answer(session, &row, &work);
+    struct session core = *session; /* random rows are counted as such, not for what each enters */
+    core.effect[DOM_EFFECT_placement].on = false;
+    if (status == DOM_OK && session->effect[DOM_EFFECT_placement].on)
+        status = scene_answer(&core, &row, &work);
     free(row.domino);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -171,7 +181,7 @@ static bool run_effects(struct session *session, const struct call *call)
 static const struct column scene_columns[] = {
     {"part", "", "of the computation", 9},
     {"dominoes", "", "followed at once, at most", 8},
-    {"why", "", "it is in the plan", 14},
+    {"why", "", "it is in the plan", 15},
     {"solved", "", "which equations, by which method", 40},
     {NULL, NULL, NULL, 0},
 };

@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A finite row: what it is, how it falls, and what to change where it does not. */
 #include "command.h"
-#include "effects.h"
+#include "falling.h"
 #include "terminal.h"
 #include "walk.h"
 #include "wide.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* A number that a narrow column shows with so many digits. */
-static struct cell cell_narrow(dom_real value, int digits)
+struct cell cell_narrow(dom_real value, int digits)
 {
     struct cell cell = cell_bound(value, DOM_NAN);
     cell.digits = digits;
@@ -63,10 +62,10 @@ static bool run_row(struct session *session, const struct call *call)
 /* ---- fall ---- */
 
 #define FALL_COLUMNS                                                                                         \
-    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 7},                                         \
-        {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 8},       \
-        {"falls", "s", "when it hits the next, or lies on the floor", 8},                                    \
-        {"omega", "rad/s", "angular velocity just after it was hit", 7},                                     \
+    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 6},                                         \
+        {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 7},       \
+        {"falls", "s", "when it hits the next, or lies on the floor", 7},                                    \
+        {"omega", "rad/s", "angular velocity just after it was hit", 6},                                     \
         {"kinetic", "mgh/2", "energy of all that move, then; in J where a mass is known", 9},                \
         {"barrier", "mgh/2", "what of that it takes to go on", 9},                                           \
     {                                                                                                        \
@@ -127,27 +126,28 @@ static bool fall_row(const struct dom_fall *f, void *context)
     size_t domino;
     floor_seen(c, f);
     answer_row(c->answer,
-               ROW(cell_count((dom_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 5),
-                   cell_narrow(f->time, 5), cell_narrow(f->time + f->duration, 5), cell_narrow(f->omega, 5),
+               ROW(cell_count((dom_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 4),
+                   cell_narrow(f->time, 4), cell_narrow(f->time + f->duration, 4), cell_narrow(f->omega, 4),
                    cell_narrow(f->kinetic, 4), cell_narrow(f->barrier, 4), cell_narrow(f->margin, 4),
                    cell_narrow(c->scene->row.floor ? fall_needs(f, &hit, &domino) : DOM_NAN, 4)),
                NULL);
     return !answer_lost(c->answer);
 }
 
-/* How a row ends, as a sentence. */
-static void verdict_say(struct session *session, struct answer *a, const struct scene_row *scene,
-                        const struct dom_verdict *v, bool timed)
+void verdict_say(struct session *session, struct answer *a, const struct scene_row *scene,
+                 const struct dom_verdict *v, bool timed)
 {
     size_t count = scene->row.count;
     if (v->end == DOM_ROW_FALLS && !timed)
         answer_say(a, "All %zu fall: nothing has to be mended.", count);
+    else if (v->end == DOM_ROW_FALLS && count == 1)
+        answer_say(a, isnan(scene->row.push) ? "It falls." : "It falls, and lies %.4g s after the push.",
+                   (double)v->seconds);
     else if (v->end == DOM_ROW_FALLS && isfinite(v->seconds))
         answer_say(a, "All %zu fall; the last lies %.4g s after the %s.", count, (double)v->seconds,
                    isnan(scene->row.push) ? "first hit" : "push");
     else if (v->end == DOM_ROW_FALLS)
-        answer_say(a, count == 1 ? "It falls."
-                                 : "All fall; one comes so close to a stop that its time has no value.");
+        answer_say(a, "All fall; one comes so close to a stop that its time has no value.");
     else if (v->end == DOM_ROW_STOPS)
         answer_say(a, "It stops at domino %zu of %zu, short by %.4g %s: %s. 'mend' looks for what saves it.",
                    v->domino, count, (double)v->short_by, energy_unit(session), dom_row_end_text(v->end));
@@ -160,18 +160,19 @@ static void verdict_say(struct session *session, struct answer *a, const struct 
 
 static void floor_say(const struct session *session, struct answer *a, const struct falling *c)
 {
-    answer_say(a, "The floor needs a friction of %.4g, under domino %zu %s domino %zu%s.", (double)c->needs,
-               c->slips, c->hit ? "when" : "while", c->head, c->hit ? " is hit" : " falls");
+    double floor = (double)session->effect[DOM_EFFECT_floor].value[0];
     if (isnan(c->first_slip))
-        answer_say(a, "With %.4g none slips.", (double)session->effect[DOM_EFFECT_floor].value[0]);
+        answer_say(a, "A floor with %.4g holds every hinge, as far as the row goes.", floor);
     else
         answer_say(a,
-                   "With %.4g domino %zu is the first to slip, %s domino %zu%s: it needs %.4g. The answer "
-                   "holds up to "
-                   "there.",
-                   (double)session->effect[DOM_EFFECT_floor].value[0], c->first_domino,
-                   c->first_hit ? "when" : "while", c->first_head, c->first_hit ? " is hit" : " falls",
-                   (double)c->first_slip);
+                   "On a floor with %.4g domino %zu is the first to slip, %s domino %zu%s: it needs %.4g. "
+                   "The answer "
+                   "holds up to there.",
+                   floor, c->first_domino, c->first_hit ? "when" : "while", c->first_head,
+                   c->first_hit ? " is hit" : " falls", (double)c->first_slip);
+    if (c->slips > 0)
+        answer_say(a, "The most that is needed: %.4g, under domino %zu %s domino %zu%s.", (double)c->needs,
+                   c->slips, c->hit ? "when" : "while", c->head, c->hit ? " is hit" : " falls");
 }
 
 /* Has the model an answer?  PASSES and PARTS are none. */
@@ -263,137 +264,6 @@ static bool run_place(struct session *session, const struct call *call)
     return scene_row_place(session, (size_t)call->number[0], call->number[1]);
 }
 
-/* ---- mend: the smallest change of one gap that lets all fall ---- */
-
-static const struct column mend_columns[] = {
-    {"domino", "", "before which the gap is changed", 6},
-    {"gap", "m", "as it is", 0},
-    {"to", "m", "the nearest one with which all fall", 0},
-    {"change", "m", "by how much", 0},
-    {"relative", "", "change over gap", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-struct mend {
-    struct scene_row *scene;
-    size_t k; /* from 0 */
-    enum dom_status status;
-};
-
-static bool falls_with(struct mend *m, dom_real gap)
-{
-    struct dom_verdict v = {.end = DOM_ROW_STOPS};
-    dom_real kept = m->scene->domino[m->k].gap;
-    m->scene->domino[m->k].gap = gap;
-    if (m->status == DOM_OK)
-        m->status = dom_row_run(&m->scene->row, false, NULL, NULL, &v);
-    m->scene->domino[m->k].gap = kept;
-    return m->status == DOM_OK && v.end == DOM_ROW_FALLS;
-}
-
-enum { MEND_STEPS = 40 };
-
-/* The nearest gap on the way to `end` with which all fall; NaN where none was found. */
-static dom_real mend_towards(struct mend *m, dom_real end)
-{
-    dom_real gap = m->scene->domino[m->k].gap, bad = gap;
-    for (int i = 1; i <= MEND_STEPS; i++) {
-        /* First close by, then farther and farther: what is small should be found. */
-        dom_real part = (dom_real)i / MEND_STEPS, good = gap + (end - gap) * part * part * part;
-        if (!falls_with(m, good)) {
-            bad = good;
-            continue;
-        }
-        while (fabs(good - bad) > (dom_real)1e-7 * fmax(fabs(gap), fabs(good))) {
-            dom_real middle = (good + bad) / 2;
-            *(falls_with(m, middle) ? &good : &bad) = middle;
-        }
-        return good;
-    }
-    return DOM_NAN;
-}
-
-struct mended {
-    size_t k;
-    dom_real gap, to;
-};
-
-static int by_change(const void *a, const void *b)
-{
-    const struct mended *x = a, *y = b;
-    dom_real dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
-    return dx < dy ? -1 : dx > dy;
-}
-
-/* Gaps up to the one behind the domino where it ends: what lies farther does not matter to that. */
-static enum dom_status mend_search(struct scene_row *scene, size_t last, struct mended *list, size_t *found)
-{
-    struct progress progress = {0, 0};
-    *found = 0;
-    for (size_t k = 1; k <= last && k < scene->row.count; k++) {
-        struct mend m = {.scene = scene, .k = k};
-        dom_real gap = scene->domino[k].gap;
-        dom_real closer = mend_towards(&m, 0), wider = mend_towards(&m, scene->domino[k - 1].height);
-        if (m.status != DOM_OK) {
-            progress_show(&progress, 1);
-            return m.status;
-        }
-        dom_real to = isnan(closer) || (isfinite(wider) && wider - gap < gap - closer) ? wider : closer;
-        if (isfinite(to))
-            list[(*found)++] = (struct mended){k, gap, to};
-        progress_show(&progress, (double)k / (double)last);
-    }
-    progress_show(&progress, 1);
-    qsort(list, *found, sizeof *list, by_change);
-    return DOM_OK;
-}
-
-static void mend_say(struct answer *a, const struct mended *list, size_t found)
-{
-    if (found == 0) {
-        answer_say(a, "No change of a single gap lets all fall: change several, the push, or the dominoes.");
-        return;
-    }
-    answer_say(
-        a,
-        "The smallest change: %s the gap before domino %zu by %.3g mm, from %.5g mm to %.5g mm; 'place %zu "
-        "%.7g' does it.",
-        list->to < list->gap ? "narrow" : "widen", list->k + 1, (double)(1000 * fabs(list->to - list->gap)),
-        (double)(1000 * list->gap), (double)(1000 * list->to), list->k + 1, (double)list->to);
-    answer_say(
-        a,
-        "That is where it just falls: what is placed by hand needs more; 'budget' tells how precise it must "
-        "be.");
-}
-
-static bool run_mend(struct session *session, const struct call *call)
-{
-    struct scene_row scene;
-    struct dom_verdict v;
-    struct answer *a = call->answer;
-    size_t found = 0;
-    if (!scene_row_make(session, &scene))
-        return false;
-    struct mended *list = calloc(scene.row.count, sizeof *list);
-    enum dom_status status = list ? dom_row_run(&scene.row, false, NULL, NULL, &v) : DOM_NO_MEMORY;
-    bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
-    if (status == DOM_OK && !falls)
-        status = mend_search(&scene, v.domino, list, &found);
-    for (size_t i = 0; status == DOM_OK && i < found; i++)
-        answer_row(a,
-                   ROW(cell_count((dom_real)list[i].k + 1), cell_narrow(list[i].gap, 7),
-                       cell_narrow(list[i].to, 7), cell_narrow(list[i].to - list[i].gap, 4),
-                       cell_narrow(list[i].gap > 0 ? (list[i].to - list[i].gap) / list[i].gap : DOM_NAN, 4)),
-                   NULL);
-    if (falls)
-        verdict_say(session, a, &scene, &v, false);
-    else if (status == DOM_OK)
-        mend_say(a, list, found);
-    free(list);
-    free(scene.domino);
-    return status == DOM_OK || session_status(session, status);
-}
-
 /* ---- rowmax: the largest growth of a finite row ---- */
 
 static const struct column rowmax_columns[] = {
@@ -410,6 +280,7 @@ static enum dom_status falls_at(struct session *session, dom_real r, bool *falls
     struct scene_row row;
     struct dom_verdict v;
     scene.train.r = r;
+    *falls = false;
     if (!scene_row_make(&scene, &row))
         return DOM_NO_MEMORY;
     enum dom_status status = dom_row_run(&row.row, false, NULL, NULL, &v);
@@ -449,6 +320,10 @@ static bool run_rowmax(struct session *session, const struct call *call)
 {
     dom_real r_max;
     struct dom_limit limit = {.r_max = DOM_NAN};
+    struct scene_row row;
+    if (!scene_row_make(session, &row))
+        return false;
+    free(row.domino);
     if (session->listed.domino)
         return session_error(session,
                              "the row is from a file: it has no growth r; 'effect row N' is a row with one");
@@ -493,7 +368,7 @@ const struct command row_commands[] = {
      .columns = mend_columns,
      .principal = -1,
      .rows = true,
-     .run = run_mend},
+     .run = mend_run},
     {.name = "place",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",

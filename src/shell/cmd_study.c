@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, and the floor that hinges need. */
 #include "command.h"
-#include "effects.h"
+#include "falling.h"
 #include "terminal.h"
 #include "wide.h"
 #include <stdlib.h>
@@ -20,7 +20,8 @@ static bool study_make(struct session *session, dom_real rows, struct progress *
         return false;
     if (!errors->on) {
         free(scene->domino);
-        return session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
+        session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
+        return false;
     }
     *p = (struct dom_placement){
         .sigma = errors->value[0],
@@ -149,7 +150,8 @@ static bool run_budget(struct session *session, const struct call *call)
 /* ---- slip ---- */
 
 static const struct column slip_columns[] = {
-    {"motion", "", "friction that the floor needs in motion, |R_x| / R_z", 0},
+    {"needs", "", "friction that the floor needs: the larger of the two below", 0},
+    {"motion", "", "in motion, |R_x| / R_z", 0},
     {"theta", "rad", "tilt of the head then", 0},
     {"domino", "", "whose hinge: 0 = head, 1, 2, ... behind it", 0},
     {"hit", "", "the same in the collision, of impulses", 0},
@@ -166,12 +168,11 @@ static bool run_slip(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     bool slips = f.motion > floor->value[0] || f.hit > floor->value[0];
-    struct cell motion = cell_bound(f.motion, DOM_NAN);
-    motion.digits = 6;
+    struct cell motion = cell_narrow(f.motion, 6);
     answer_row(call->answer,
-               ROW(motion, cell_bound(f.theta, DOM_NAN), cell_count((dom_real)f.domino),
-                   cell_bound(f.hit, DOM_NAN), cell_count((dom_real)f.hit_domino),
-                   floor->on ? cell_flag(slips) : cell_real(DOM_NAN)),
+               ROW(f.hit > f.motion ? cell_bound(f.hit, DOM_NAN) : motion, motion,
+                   cell_bound(f.theta, DOM_NAN), cell_count((dom_real)f.domino), cell_bound(f.hit, DOM_NAN),
+                   cell_count((dom_real)f.hit_domino), floor->on ? cell_flag(slips) : cell_real(DOM_NAN)),
                !isfinite(f.motion) ? "a domino is lifted off the floor: no friction holds it" : NULL);
     if (floor->on && !slips)
         answer_say(call->answer, "A floor with %.4g holds every hinge.", (double)floor->value[0]);
@@ -207,6 +208,7 @@ const struct command study_commands[] = {
      .principal = 1,
      .run = run_budget},
     {.name = "slip",
+     .train = true,
      .summary = "the floor friction that the train's hinges need",
      .help = "In motion, over the whole cycle and all dominoes that move, and in the collision.",
      .example = "effect floor 0.5; slip",

@@ -63,6 +63,7 @@ struct command {
     const struct column *columns; /* of the answer, or NULL */
     int principal;                /* the column that it stands for in an expression; -1 for none */
     bool rows;
+    bool train;                                                    /* is about the endless train */
     bool files;                                                    /* touches files: not in a safe session */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "complete.h"
 #include "command.h"
+#include "effects.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,6 +48,25 @@ static void offer_list(struct offer *offer, names_list *list, const void *contex
     offer->context[offer->lists++] = context;
 }
 
+static const char *switch_names(const void *context, int k)
+{
+    static const char *const names[] = {"off", "on", NULL};
+    (void)context;
+    return names[k];
+}
+
+/* What may stand behind 'effect NAME': its switch; values; a file where it takes one. */
+static struct offer offer_effect(const char *name, bool first)
+{
+    char message[NAMES_MESSAGE];
+    int k = names_find(effect_names, NULL, "effect", name, message);
+    struct offer offer = {.lists = 0};
+    offer.files = first && k >= 0 && dom_effect((enum dom_effect_name)k)->argument[0].or_file;
+    if (first)
+        offer_list(&offer, switch_names, NULL);
+    return offer;
+}
+
 static struct offer offer_for(const struct argument *a, const struct parameter *p)
 {
     struct offer offer = {.files = a->kind == ARGUMENT_FILE};
@@ -72,7 +92,7 @@ static struct offer offer_at(const char *line, size_t length)
     struct offer offer = {.lists = 0};
     const struct command *c = NULL;
     const struct parameter *p = NULL;
-    char word[64], message[NAMES_MESSAGE];
+    char word[64], message[NAMES_MESSAGE], effect[64] = "";
     int words = 0;
     for (size_t i = 0; i < length;) {
         size_t n = strcspn(line + i, " \t");
@@ -89,11 +109,14 @@ static struct offer offer_at(const char *line, size_t length)
         } else if (words == 1 && c && c->argument[0].kind == ARGUMENT_PARAMETER) {
             int k = names_find(parameter_names, NULL, "parameter", word, message);
             p = k < 0 ? NULL : &session_parameters[k];
-        }
+        } else if (words == 1)
+            memcpy(effect, word, sizeof effect);
         words++;
     }
     if (words == 0)
         offer_list(&offer, command_names, NULL);
+    else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_EFFECT)
+        offer = offer_effect(effect, words == 2);
     else if (c && words <= ARGUMENTS_MAX)
         offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL);
     return offer;

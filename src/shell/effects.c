@@ -13,6 +13,16 @@ const char *effect_names(const void *context, int k)
     return k < DOM_EFFECT_COUNT ? dom_effect((enum dom_effect_name)k)->name : NULL;
 }
 
+bool effect_hint(const char *word, char message[NAMES_MESSAGE])
+{
+    char usage[EFFECT_USAGE];
+    int k = names_exact(effect_names, NULL, word);
+    if (k >= 0)
+        snprintf(message, NAMES_MESSAGE, "'%s' is an effect: 'effect %s'", word,
+                 effect_usage((enum dom_effect_name)k, usage));
+    return k >= 0;
+}
+
 const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE])
 {
     const struct dom_effect *e = dom_effect(name);
@@ -33,15 +43,17 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
     const struct dom_effect *e = dom_effect(name);
     setting[0] = '\0';
     if (name == DOM_EFFECT_row && state->on && session->listed.domino) {
-        snprintf(setting, EFFECT_SETTING, "%s", session->listed.path);
+        const char *slash = strrchr(session->listed.path, '/');
+        snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : session->listed.path);
         return setting;
     }
     for (int i = 0, n = 0; state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
+        const struct dom_effect_argument *of = &e->argument[i];
         char number[WIDE_TEXT];
-        if (i > 0 && e->argument[i].optional && state->value[i] == e->argument[i].usual)
+        if (i > 0 && of->optional && state->value[i] == of->usual)
             break;
-        n += snprintf(setting + n, (size_t)(EFFECT_SETTING - n), "%s%s", n ? " " : "",
-                      wide_text(state->value[i], 10, number));
+        n += snprintf(setting + n, (size_t)(EFFECT_SETTING - n), "%s%s%s%s", n ? ", " : "",
+                      wide_text(state->value[i], 10, number), *of->unit ? " " : "", of->unit);
     }
     return setting;
 }
@@ -64,7 +76,7 @@ static char *path_beside(const struct session *session, const char *path)
     char *beside = malloc(length + strlen(path) + 1);
     if (beside) {
         memcpy(beside, session->source, length);
-        strcpy(beside + length, path);
+        memcpy(beside + length, path, strlen(path) + 1);
     }
     return beside;
 }
@@ -76,10 +88,10 @@ static bool row_from_file(struct session *session, const char *name)
         return session_error(session, "'row %s' reads a file, which a safe session does not", name);
     char *path = path_beside(session, name);
     bool read = path ? rowfile_read(session, path, &file) : session_status(session, DOM_NO_MEMORY);
+    char *kept = read ? realpath(path, NULL) : NULL; /* what is saved is found from anywhere */
     free(path);
     if (!read)
         return false;
-    char *kept = strdup(name);
     if (!kept) {
         rowfile_free(&file);
         return session_status(session, DOM_NO_MEMORY);
@@ -196,13 +208,16 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
 {
     const struct listed_row *listed = &session->listed;
     const struct effect_state *effect = session->effect;
-    if (!effect[DOM_EFFECT_row].on)
-        return session_error(session,
-                             "there is no row here: 'effect row N', or 'effect row FILE' with a csv file");
+    if (!effect[DOM_EFFECT_row].on) {
+        session_error(session, "there is no row here: 'effect row N', or 'effect row FILE' with a csv file");
+        return false;
+    }
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
     scene->domino = malloc(count * sizeof *scene->domino);
-    if (!scene->domino)
-        return session_status(session, DOM_NO_MEMORY);
+    if (!scene->domino) {
+        session_status(session, DOM_NO_MEMORY);
+        return false;
+    }
     if (listed->domino)
         memcpy(scene->domino, listed->domino, count * sizeof *scene->domino);
     else

@@ -3,10 +3,14 @@
 #ifndef SHELL_EFFECTS_H
 #define SHELL_EFFECTS_H
 
+#include "names.h"
 #include "session.h"
 
 /* For names.h. */
 const char *effect_names(const void *context, int k);
+
+/* Where the word is an effect, says so in the message of what it is not. */
+bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 
 /* "friction MU". */
 enum { EFFECT_USAGE = 64 };

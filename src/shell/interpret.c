@@ -310,7 +310,9 @@ static bool read_effect(struct reader *r, struct call *call, int i)
     if (i > DOM_EFFECT_ARGUMENTS || (!of->name && !turned) || call->word[1])
         return session_error(r->session, "'%s' is one argument too many; usage: effect %s",
                              names_shown(word, shown), effect_usage(effect, usage));
-    bool named = isalpha((unsigned char)*word) && !is_value_name(word) && !strchr(word, '(');
+    size_t length = strlen(word);
+    bool named = (isalpha((unsigned char)*word) && !is_value_name(word) && !strchr(word, '(')) ||
+                 (length > 4 && strcmp(word + length - 4, ".csv") == 0);
     if ((turned && i == 1) || (of->or_file && (named || strchr("\"./~", *word)))) {
         call->word[i] = read_file(r);
         return call->word[i] || session_error(r->session, unclosed);
@@ -347,6 +349,8 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         char *equals = k < 0 && call->word[i] ? strchr(call->word[i], '=') : NULL;
         if (equals)
             return session_error(session, "a blank stands between a name and its value, and no '='");
+        if (k < 0 && call->word[i])
+            effect_hint(call->word[i], message);
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);
@@ -415,9 +419,11 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     ticker_start();
     bool done = c->run(session, call);
     ticker_stop();
-    call->answer = NULL;
-    session->fresh = session->fresh && done && !c->columns;
     double seconds = terminal_clock() - begun;
+    session->fresh = session->fresh && done && !c->columns;
+    if (done && c->train && session->effect[DOM_EFFECT_row].on && answer_for_people(&answer))
+        answer_say(&answer,
+                   "(This is the endless train at these parameters, not the row: 'fall' runs that.)");
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
     if (done && c->principal >= 0) {
@@ -489,6 +495,7 @@ static void run_command(struct reader *r)
         bool known = name && strstr(message, "did you mean");
         if (name && strcspn(name, "0123456789(+-*/^=") == 0)
             snprintf(message, sizeof message, "an expression is no command; 'print' evaluates it");
+        known = (name && effect_hint(name, message)) || known;
         session_error(session, known || !strstr(message, "unknown") ? "%s" : "%s; 'help' lists the commands",
                       message);
     } else {

@@ -16,6 +16,18 @@ const struct column why_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* The same where dominoes rub. */
+static const struct column why_rubbing_columns[] = {
+    {"verdict", "", "goes on, stops, or no fuel", 0},
+    {"fuel", "mgh/2", "P, set free by one cycle (c7), less what friction takes of it", 0},
+    {"J0", "", "J(0), inertia of the train (d8, corrected)", 0},
+    {"kinetic", "mgh/2", "K after the collision, of cycles that are alike", 0},
+    {"barrier", "mgh/2", "B, the kinetic energy that it takes to come over theta_m", 0},
+    {"margin", "mgh/2", "K - B", 0},
+    {"r_max", "", "largest growth at this s: there K = B", 0},
+    {NULL, NULL, NULL, 0},
+};
+
 static void why_say(const struct session *session, struct answer *a, enum dom_status verdict,
                     const struct dom_barrier *b, const struct dom_limit *limit)
 {
@@ -102,6 +114,8 @@ bool why_run(struct session *session, const struct call *call)
     dom_cycle_events(&session->train, events, &count);
     if (answer_for_people(a) && count > 0 && walk_contact(&session->train, &contact) == DOM_OK)
         contact_say(session, a, &contact);
+    if (session->train.mu > 0)
+        a->columns = why_rubbing_columns;
     walk_columns_in(session, a, room);
     answer_row(a,
                ROW(cell_word(verdict == DOM_OK      ? "goes on"
