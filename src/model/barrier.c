@@ -204,7 +204,8 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
     struct launch l, l_error;
     struct flow flow;
     enum dom_status status = lean_make(train, &g);
-    lean_flow(&g, &flow);
+    if (status == DOM_OK)
+        lean_flow(&g, &flow);
     if (status == DOM_OK)
         status = barrier_balance(&g, train->fuel, tilt_angle(g.c), &l, error ? &l_error : NULL, &b);
     if (status == DOM_OK && error)

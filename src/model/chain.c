@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "bound.h"
+#include "friction.h"
 
 /* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 has more.
  */
@@ -316,13 +317,15 @@ KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct ti
     if (!g->falls_off)
         return DOM_OK;
     struct link b = link_head(g, (struct tilt){0, 1, 0});
+    real passed = 1; /* S_i: where dominoes rub it need not vanish with the slope */
     while (b.leads) {
         enum dom_status status = chain_watch(g, b.i);
         if (status != DOM_OK)
             return status;
         /* Whether a domino falls off that carries less than rounding changes nothing. */
-        if (b.i + 1 >= g->n || b.weight * b.slope < REAL_EPSILON * REAL_EPSILON)
+        if (b.i + 1 >= g->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
+        passed = g->mu > 0 ? passed * fabs(friction_share(&b)) : 0;
         link_next(&b);
     }
     /* Domino b.i has no follower at 0: it falls off when domino b.i - 1 comes to theta_leave. */

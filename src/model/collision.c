@@ -68,7 +68,8 @@ KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_lau
     struct flow flow;
     struct launch l, e;
     enum dom_status status = lean_make(train, &g);
-    lean_flow(&g, &flow);
+    if (status == DOM_OK)
+        lean_flow(&g, &flow);
     if (status == DOM_OK)
         status = collision_launch(&g, train->fuel, &l, error ? &e : NULL);
     if (status != DOM_OK)

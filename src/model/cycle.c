@@ -14,7 +14,8 @@ static enum dom_status cycle_begin(const struct dom_train *train, struct flow *f
                                    bool errors)
 {
     enum dom_status status = lean_make(train, &cycle->lean);
-    lean_flow(&cycle->lean, flow);
+    if (status == DOM_OK)
+        lean_flow(&cycle->lean, flow);
     if (status == DOM_OK)
         status =
             collision_launch(&cycle->lean, train->fuel, &cycle->launch, errors ? &cycle->launch_error : NULL);
@@ -34,7 +35,8 @@ static enum dom_status cycle_whole(const struct dom_train *train, struct flow *f
     struct lean *g = &cycle->lean;
     cycle->status = DOM_OK;
     enum dom_status status = lean_make(train, g);
-    lean_flow(g, flow);
+    if (status == DOM_OK)
+        lean_flow(g, flow);
     if (status == DOM_OK)
         status = barrier_balance(g, train->fuel, tilt_angle(g->c), &cycle->launch,
                                  errors ? &cycle->launch_error : NULL, &cycle->barrier);

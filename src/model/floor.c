@@ -79,7 +79,7 @@ KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_flo
     enum dom_status status = motion_begin(train, &flow, &m);
     for (int i = 1; status == DOM_OK && i < m.cycle.barrier.edges; i++) {
         const real *edge = m.cycle.barrier.edge, inside = 16 * REAL_EPSILON;
-        real lo = edge[i - 1] * (1 + inside), hi = fmin(edge[i] * (1 - inside), m.end);
+        real lo = i == 1 ? 0 : edge[i - 1] * (1 + inside), hi = fmin(edge[i] * (1 - inside), m.end);
         struct floor_path path = {&m.cycle.lean, lo, hi, train_pace, &m};
         if (lo < hi)
             status = floor_over(&path, &need);

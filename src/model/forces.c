@@ -84,6 +84,8 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     onto = leader ? push_on(leader, leader->impulse) : none;
     held->blow_x = momentum * up * change - from.x + onto.x;
     held->blow_z = -momentum * across * change - from.z + onto.z;
+    if (isnan(held->blow_x)) /* at r s = 1 no impulse, however large, does: no floor holds that */
+        held->blow_x = (real)INFINITY;
 }
 
 KERNEL enum dom_status forces_walk(const struct lean *g, struct tilt head, const struct pace *pace,
@@ -115,6 +117,8 @@ KERNEL enum dom_status forces_walk(const struct lean *g, struct tilt head, const
 
 KERNEL real forces_needed(real x, real z)
 {
+    if (x == (real)INFINITY)
+        return x;
     return z > 0 ? fabs(x) / z : isnan(x) || isnan(z) ? REAL_NAN : (real)INFINITY;
 }
 

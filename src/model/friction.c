@@ -88,7 +88,7 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
         rubbing_next(&k);
     }
     friction_count(g, k.link.i + 1);
-    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost};
+    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost, B.size, C.size};
     return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -117,7 +117,7 @@ struct flow_context {
 };
 
 /* dw/dtheta = -2 B / A w + 2 C / A. */
-static bool flow_rate(real theta, void *context, real *p, real *c)
+static bool flow_rate(real theta, void *context, struct num_rate *rate)
 {
     struct flow_context *f = context;
     struct tilt head;
@@ -130,8 +130,8 @@ static bool flow_rate(real theta, void *context, real *p, real *c)
         f->status = DOM_LOCKS;
     if (f->status != DOM_OK)
         return false;
-    *p = -2 * law.B / law.A;
-    *c = 2 * law.C / law.A;
+    const real units = 32 * UNIT / law.A;
+    *rate = (struct num_rate){-2 * law.B / law.A, 2 * law.C / law.A, units * law.B_size, units * law.C_size};
     return true;
 }
 
@@ -154,13 +154,33 @@ static enum dom_status flow_collision(const struct lean *g, struct flow *flow)
     return flow->T > 0 ? DOM_OK : DOM_LOCKS;
 }
 
+/*
+ * From upright on, u moves by d^2 up to theta ~ d, and by much more behind: it is told apart there on panels
+ * of its own, and so it is near the tilt sqrt(1 - r s), where followers come down.
+ */
+static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
+{
+    const struct lean *g = c->lean;
+    real finest = g->short_of > 0 ? fmin(g->d, sqrt(g->short_of)) : g->d;
+    for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
+        enum num_status solver = num_linear_solve(flow_rate, c, *lo, to, tol / 8, &g->flow->solution);
+        if (solver != NUM_OK)
+            return model_status(c->status, solver);
+        *lo = to;
+    }
+    return DOM_OK;
+}
+
 /* Over the smooth parts between the edges. */
 static enum dom_status flow_solve(const struct lean *fine, real tol, const real *edge, int edges)
 {
     struct flow_context c = {.lean = fine};
     for (int i = 1; i < edges; i++) {
-        enum num_status solver =
-            num_linear_solve(flow_rate, &c, edge[i - 1], edge[i], tol / 8, &fine->flow->solution);
+        real lo = edge[i - 1];
+        enum dom_status status = lo <= REAL_MIN ? flow_finely(&c, tol, &lo, edge[i]) : DOM_OK;
+        if (status != DOM_OK)
+            return status;
+        enum num_status solver = num_linear_solve(flow_rate, &c, lo, edge[i], tol / 8, &fine->flow->solution);
         if (solver != NUM_OK)
             return model_status(c.status, solver);
     }

@@ -36,6 +36,7 @@ struct flow {
 
 struct law {
     real A, B, C;
+    real B_size, C_size; /* of all terms, whatever their signs: what their roundings are relative to */
 };
 
 KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);

@@ -80,7 +80,8 @@ static real margin_at(real r, void *context)
     struct flow flow;
     real margin = REAL_NAN;
     c->status = lean_make_at(c->train, c->s, r, &g);
-    lean_flow(&g, &flow);
+    if (c->status == DOM_OK)
+        lean_flow(&g, &flow);
     if (c->status == DOM_OK)
         c->status = c->margin(&g, c->train->fuel, &margin, c->errors ? &c->error : NULL);
     c->locked = c->status == DOM_LOCKS;

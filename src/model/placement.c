@@ -6,6 +6,7 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <gsl/gsl_roots.h>
+#include <limits.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -38,23 +39,35 @@ struct shared {
 struct worker {
     struct shared *shared;
     bool reports;
-    gsl_rng *random;
+    gsl_rng *random[2];
     struct dom_domino *domino;
     size_t fall, unknown;
     size_t *stops; /* its own counts, or NULL */
     pthread_t thread;
 };
 
+/*
+ * A standard normal: of two independent ones, since a generator of GSL takes 32 bits as its seed, of which a
+ * million rows would share some.
+ */
+static double normal(const struct worker *w)
+{
+    return (gsl_ran_gaussian_ziggurat(w->random[0], 1) + gsl_ran_gaussian_ziggurat(w->random[1], 1)) *
+           M_SQRT1_2;
+}
+
 /* Row number i. */
 static void row_draw(const struct worker *w, size_t i)
 {
     const struct dom_row *row = w->shared->row;
     const struct dom_placement *p = w->shared->placement;
-    gsl_rng_set(w->random, row_seed(p->seed, i));
+    unsigned long seed = row_seed(p->seed, i);
+    gsl_rng_set(w->random[0], seed & 0xffffffffUL);
+    gsl_rng_set(w->random[1], seed >> 32);
     for (size_t k = 0; k < row->count; k++) {
         struct dom_domino d = row->domino[k];
-        double gap = (double)d.gap + (double)p->sigma * gsl_ran_gaussian_ziggurat(w->random, 1);
-        double grown = p->heights > 0 ? 1 + (double)p->heights * gsl_ran_gaussian_ziggurat(w->random, 1) : 1;
+        double gap = (double)d.gap + (double)p->sigma * normal(w);
+        double grown = p->heights > 0 ? 1 + (double)p->heights * normal(w) : 1;
         d.gap = k > 0 && p->sigma > 0 ? (dom_real)(gap > 0 ? gap : 0) : d.gap;
         grown = grown > 0.01 ? grown : 0.01; /* a domino has some height */
         d.height *= (dom_real)grown;
@@ -116,16 +129,18 @@ static bool worker_make(struct worker *w, struct shared *shared, bool reports, b
 {
     size_t n = shared->row->count;
     *w = (struct worker){.shared = shared, .reports = reports};
-    w->random = gsl_rng_alloc(gsl_rng_taus2);
+    w->random[0] = gsl_rng_alloc(gsl_rng_taus2);
+    w->random[1] = gsl_rng_alloc(gsl_rng_mrg);
     w->domino = malloc(n * sizeof *w->domino);
     w->stops = counts ? calloc(n, sizeof *w->stops) : NULL;
-    return w->random && w->domino && (!counts || w->stops);
+    return w->random[0] && w->random[1] && w->domino && (!counts || w->stops);
 }
 
 static void worker_free(struct worker *w)
 {
-    if (w->random)
-        gsl_rng_free(w->random);
+    for (int i = 0; i < 2; i++)
+        if (w->random[i])
+            gsl_rng_free(w->random[i]);
     free(w->domino);
     free(w->stops);
 }
@@ -230,7 +245,8 @@ static enum dom_status fall_share(const struct dom_row *row, struct dom_placemen
 static enum dom_status sigma_between(const struct dom_row *row, const struct dom_placement *p, double share,
                                      double lo, double hi, double *sigma)
 {
-    while (hi - lo > 1e-3 * hi) {
+    const double none = 1e-9 * hi; /* what nobody can place */
+    while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
         enum dom_status status = fall_share(row, *p, at, &falls);
         if (status != DOM_OK)
@@ -259,21 +275,44 @@ static enum dom_status sigma_at(const struct dom_row *row, const struct dom_plac
     }
 }
 
+/*
+ * How many of the rows may fall by chance where the share is the true one: fewer than `few` would be a chance
+ * of 2.5 %, and so would more than `many`.
+ */
+static void chance(double share, size_t rows, double *few, double *many)
+{
+    double N = (double)rows, spread = 8 * sqrt(share * (1 - share) * N) + 8;
+    double k = fmax(floor(share * N - spread), 0), end = fmin(share * N + spread, N);
+    *few = 0;
+    *many = N + 1;
+    for (; k <= end; k++) {
+        if (gsl_cdf_binomial_P((unsigned)k, share, (unsigned)rows) < 0.025)
+            *few = k;
+        if (k > 0 && gsl_cdf_binomial_Q((unsigned)k - 1, share, (unsigned)rows) < 0.025) {
+            *many = k;
+            return;
+        }
+    }
+}
+
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *p, double share,
                                      struct dom_budget *budget)
 {
-    double falls, widest = 0, spread = 1.96 * sqrt(share * (1 - share) / (double)(p->rows ? p->rows : 1));
-    if (!(share > 0 && share < 1))
+    double falls, widest = 0, few, many;
+    if (!(share > 0 && share < 1) || p->rows == 0 || p->rows > UINT_MAX)
         return DOM_BAD_PARAMETER;
     enum dom_status status = fall_share(row, *p, 0, &falls);
     if (status != DOM_OK || falls < share)
         return status != DOM_OK ? status : DOM_STOPS;
     for (size_t k = 1; k < row->count; k++)
         widest = fmax(widest, (double)row->domino[k].gap);
+    chance(share, p->rows, &few, &many);
+    double N = (double)p->rows;
+    budget->low = 0;
     status = sigma_at(row, p, share, widest, &budget->sigma);
+    if (status == DOM_OK && many <= N)
+        status = sigma_at(row, p, many / N, widest, &budget->low);
     if (status == DOM_OK)
-        status = sigma_at(row, p, fmin(share + spread, 1), widest, &budget->low);
-    if (status == DOM_OK)
-        status = sigma_at(row, p, fmax(share - spread, 0), widest, &budget->high);
+        status = sigma_at(row, p, few / N, widest, &budget->high);
     return status;
 }

@@ -53,8 +53,9 @@ static void joint_make(const struct dom_row *row, size_t k, const struct lean *f
     /* All behind it, over what it has itself: a bound for what it leaves out to end a sum there. */
     real weights = g->weight * follower->reach / g->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = g->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
-    g->decay = weights / (1 + weights);
-    g->decay_J = moments / (1 + moments);
+    /* 1 where nothing can be left out. */
+    g->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
+    g->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
 
 /* Where domino k ends as a head: at the next one, or on the floor. */
@@ -95,7 +96,7 @@ static bool positive(dom_real value)
 static enum dom_status row_check(const struct dom_row *row)
 {
     if (row->count == 0 || !positive(row->g) || !(row->mu >= 0 && row->mu <= DOM_MU_HIGHEST) ||
-        !(row->tol > 0 && row->tol < 1) ||
+        !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ||
         (!isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))))
         return DOM_BAD_PARAMETER;
     for (size_t k = 0; k < row->count; k++) {
@@ -114,6 +115,7 @@ struct stretch {
     struct tilt from;
     real lo, hi;
     real J, omegasq; /* at lo */
+    real gain;       /* d omegasq / d omegasq at the launch */
     real T;          /* of the collision that it begins with; 0 for none */
     struct barrier barrier;
     enum dom_status status; /* of what is being searched or integrated */
@@ -175,6 +177,10 @@ static enum dom_status stretch_begin(struct stretch *st)
 {
     struct sums at = {.J = 0};
     enum dom_status status = chain_sum(&st->g, st->from, &at);
+    /* Whoever falls off takes no energy along; where that is at once (r s = 1), J falls with him. */
+    real kept = at.J > 0 && st->J > 0 ? st->J / at.J : 1;
+    st->omegasq *= kept;
+    st->gain *= kept;
     st->J = at.J;
     if (st->g.n == 1) /* nothing rubs on it */
         st->g.mu = 0;
@@ -300,7 +306,7 @@ struct run {
 struct descent {
     struct stretch st;
     size_t stay;
-    real least_margin, theta_m, time, climbed, least_force, stop;
+    real J0, least_margin, theta_m, time, climbed, least_force, stop;
     bool stops;
     struct need need; /* of the floor */
 };
@@ -318,7 +324,8 @@ static enum dom_status descent_stretch(struct descent *d, real end, bool times, 
         status = stretch_begin(st);
     if (status != DOM_OK || !(st->lo < st->hi))
         return status;
-    real margin = stretch_kinetic(st) - st->barrier.height;
+    /* In energy at the launch: with friction not all of it comes as far as here. */
+    real margin = (st->omegasq - st->barrier.height / st->J) / st->gain * d->J0;
     if (margin < d->least_margin) {
         d->least_margin = margin;
         d->theta_m = st->barrier.theta_m;
@@ -343,7 +350,12 @@ static enum dom_status descent_stretch(struct descent *d, real end, bool times, 
         status = lean_tilt(&st->g, st->hi, &there);
     if (status != DOM_OK || st->status != DOM_OK)
         return status != DOM_OK ? status : st->status;
-    *st = (struct stretch){.g = st->g, .from = there, .lo = st->hi, .J = J, .omegasq = omegasq};
+    real gain = st->gain * st->J / J, ln_G, u;
+    if (st->g.mu > 0) {
+        friction_at(&st->g, st->hi, &ln_G, &u);
+        gain = st->gain * exp(ln_G);
+    }
+    *st = (struct stretch){.g = st->g, .from = there, .lo = st->hi, .J = J, .omegasq = omegasq, .gain = gain};
     return DOM_OK;
 }
 
@@ -362,7 +374,8 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     g.n = run->moving;
     enum dom_status status = chain_sum(&g, d->st.from, &at);
     real kinetic = at.J * run->omegasq;
-    d->st.J = at.J; /* all there is where the next one is touched already */
+    d->J0 = d->st.J = at.J; /* all there is where the next one is touched already */
+    d->st.gain = 1;
     while (status == DOM_OK && d->st.lo < end && !d->stops)
         status = descent_stretch(d, end, run->times, run->row.asked->floor);
     if (status != DOM_OK)
@@ -376,7 +389,9 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     fall->theta_m = d->theta_m;
     fall->theta = d->stops ? d->stop : end;
     fall->duration = run->times && !d->stops ? d->time * block.tau : REAL_NAN;
-    fall->rubbed = d->stops ? REAL_NAN : fall->kinetic - d->climbed * block.unit - run->carried;
+    fall->rubbed = d->stops ? REAL_NAN : 0;
+    if (!d->stops && run->row.asked->mu > 0)
+        fall->rubbed = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
     return DOM_OK;
 }
 
@@ -396,7 +411,8 @@ static bool tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
                               .theta = tilt_angle(g->c),
                               .moving = 1};
     *d = (struct descent){
-        .st = {.g = *g, .from = g->c, .J = 1, .omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0}};
+        .st = {.g = *g, .from = g->c, .J = 1, .omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0},
+        .need = {.motion = REAL_NAN, .hit = REAL_NAN}};
     run->carried = d->st.omegasq * block.unit;
     return sine > 0;
 }
@@ -435,7 +451,7 @@ static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool
     v->domino = fall->domino;
     if (v->end == DOM_ROW_STOPS)
         v->short_by = -fall->margin;
-    else if (!tipped && (v->weakest == 0 || spare < v->spare)) {
+    else if (!tipped && fall->margin >= 0 && (v->weakest == 0 || spare < v->spare)) {
         v->weakest = fall->domino;
         v->spare = spare;
     }
@@ -481,7 +497,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         if (k > 0)
             fall.lost = before - (real)fall.kinetic;
         if (!(k == 0 && tips)) {
-            run->time += (real)fall.duration;
+            run->time += d.stops ? 0 : (real)fall.duration;
             if (d.stops || d.least_force < 0)
                 run->verdict.end = d.least_force < 0 ? DOM_ROW_PARTS : DOM_ROW_STOPS;
         }
@@ -513,7 +529,7 @@ KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall
         return DOM_NO_MEMORY;
     row_make(&run.row);
     status = row_falls(&run, visit, context);
-    run.verdict.seconds = run.time;
+    run.verdict.seconds = times ? run.time : REAL_NAN;
     if (status == DOM_OK)
         *verdict = run.verdict;
     free(run.row.lean);

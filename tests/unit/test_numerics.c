@@ -241,23 +241,23 @@ static double linear_v(const struct linear *l, double x)
                           : (atan((x - 0.3) / l->a) + atan(0.3 / l->a)) / l->a;
 }
 
-static bool linear_rate(double x, void *context, double *p, double *c)
+static bool linear_rate(double x, void *context, struct num_rate *rate)
 {
     struct linear *l = context;
     l->calls++;
-    *p = l->kind == 0 ? -2 * x / (1 + x * x) : l->kind == 1 ? 0.5 / (x + l->a) : -1;
+    rate->p = l->kind == 0 ? -2 * x / (1 + x * x) : l->kind == 1 ? 0.5 / (x + l->a) : -1;
     double slope = l->kind == 0   ? cos(3 * x)
                    : l->kind == 1 ? 1 / (x + l->a)
                                   : 1 / (l->a * l->a + square(x - 0.3));
-    *c = slope * linear_G(l, x);
+    rate->c = slope * linear_G(l, x);
     return true;
 }
 
 static int linear_step(double x, const double *w, double *slope, void *context)
 {
-    double p, c;
-    linear_rate(x, context, &p, &c);
-    slope[0] = p * w[0] + c;
+    struct num_rate rate;
+    linear_rate(x, context, &rate);
+    slope[0] = rate.p * w[0] + rate.c;
     return GSL_SUCCESS;
 }
 
@@ -312,19 +312,19 @@ static void linear_against_gsl(void **state)
     assert_true(ours <= theirs);
 }
 
-static bool linear_nan(double x, void *context, double *p, double *c)
+static bool linear_nan(double x, void *context, struct num_rate *rate)
 {
     (void)context;
-    *p = *c = x > 0.5 ? DOM_NAN : 1;
+    rate->p = rate->c = x > 0.5 ? DOM_NAN : 1;
     return true;
 }
 
 /* Not smooth: a jump takes panels until there are no more. */
-static bool linear_jump(double x, void *context, double *p, double *c)
+static bool linear_jump(double x, void *context, struct num_rate *rate)
 {
     (void)context;
-    *p = 0;
-    *c = x > 1.0 / 3 ? 1 : 2;
+    rate->p = 0;
+    rate->c = x > 1.0 / 3 ? 1 : 2;
     return true;
 }
 

@@ -51,39 +51,63 @@ static void series_integral(const real *series, real half, real start, real *int
 }
 
 /*
- * What the series leaves out, by its last terms.  They never die below what rounding leaves in sums of N
- * values, which have a few units each.
+ * What the series leaves out, by its last terms; they never die below the noise of the values, or a few units
+ * each.
  */
-static bool series_died(const real *series, real tol)
+static bool series_died(const real *series, real tol, real noise)
 {
     real size = 0, left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
     for (int k = 0; k < N; k++)
         size = fmax(size, fabs(series[k]));
-    return left <= fmax(tol, 8 * N * REAL_EPSILON) * size;
+    return left <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
+}
+
+/* The values of p and c at the nodes, and the most noise of each. */
+struct values {
+    real p[N], c[N], p_noise, c_noise;
+};
+
+static bool values_find(num_linear_function *f, void *context, const real *node,
+                        const struct num_panel *panel, struct values *v)
+{
+    real half = (panel->hi - panel->lo) / 2, middle = panel->lo + half;
+    v->p_noise = v->c_noise = 0;
+    for (int j = 0; j < N; j++) {
+        struct num_rate rate = {0};
+        if (!f(middle + half * node[j], context, &rate) || !isfinite(rate.p) || !isfinite(rate.c))
+            return false;
+        v->p[j] = rate.p;
+        v->c[j] = rate.c;
+        v->p_noise = fmax(v->p_noise, rate.p_noise);
+        v->c_noise = fmax(v->c_noise, rate.c_noise);
+    }
+    return true;
 }
 
 /* One panel that begins with ln_G and v; false where it is too wide. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, enum num_status *status)
 {
-    real p[N], c[N], series[N], half = (panel->hi - panel->lo) / 2, middle = panel->lo + half;
-    for (int j = 0; j < N; j++)
-        if (!f(middle + half * node[j], context, &p[j], &c[j]) || !isfinite(p[j]) || !isfinite(c[j])) {
-            *status = NUM_NOT_FINITE;
-            return false;
-        }
-    series_of(node, p, series);
+    struct values at;
+    real series[N], half = (panel->hi - panel->lo) / 2, largest = 0, shrunk = 0;
+    if (!values_find(f, context, node, panel, &at)) {
+        *status = NUM_NOT_FINITE;
+        return false;
+    }
+    series_of(node, at.p, series);
     /* ln G is an exponent: what counts of p is absolute. */
-    real largest = 0;
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
-    if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol))
+    if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise))
         return false;
     series_integral(series, half, ln_G, panel->ln_G);
-    for (int j = 0; j < N; j++)
-        c[j] *= exp(-series_at(panel->ln_G, N + 1, node[j]));
-    series_of(node, c, series);
-    if (!series_died(series, tol))
+    for (int j = 0; j < N; j++) {
+        real by = exp(-series_at(panel->ln_G, N + 1, node[j]));
+        at.c[j] *= by;
+        shrunk = fmax(shrunk, by);
+    }
+    series_of(node, at.c, series);
+    if (!series_died(series, tol, at.c_noise * shrunk))
         return false;
     series_integral(series, half, v, panel->v);
     return true;

@@ -25,8 +25,13 @@
 #endif
 enum { LINEAR_PANELS = 128 };
 
+struct num_rate {
+    real p, c;
+    real p_noise, c_noise; /* what rounding leaves in them; 0 for a few units */
+};
+
 /* p and c at x; false where they cannot be computed. */
-typedef bool num_linear_function(real x, void *context, real *p, real *c);
+typedef bool num_linear_function(real x, void *context, struct num_rate *rate);
 
 struct num_panel {
     real lo, hi;

@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Friction, rows and studies where they are hardest: thin dominoes, r s = 1, falls on the way, few rows. */
+#include "support.h"
+
+static struct dom_train rubbing(double s, double r, double d, double q, double mu)
+{
+    struct dom_train t = dom_train_default();
+    t.s = s;
+    t.r = r;
+    t.d = d;
+    t.q = q;
+    t.mu = mu;
+    return t;
+}
+
+/*
+ * The barrier of a thin domino is d^2 high at theta ~ d, and u moves by 1 behind it: in double as in quad,
+ * whose digits are enough to see it in any case.
+ */
+static void thin_dominoes_rub(void **state)
+{
+    (void)state;
+    for (double d = 1e-8; d < 1e-4; d *= 10) {
+        struct dom_train t = rubbing(0.01, 1, d, 4, 0.2);
+        struct dom_limit here, finer;
+        assert_status(dom_limit_rmax(&t, &here, NULL, NULL), DOM_OK);
+        t.precision = DOM_QUAD;
+        t.tol = 1e-18;
+        assert_status(dom_limit_rmax(&t, &finer, NULL, NULL), DOM_OK);
+        assert_near("r_max", here.r_max, (double)finer.r_max, 1e-10);
+    }
+    static const struct {
+        double d, r, duration;
+    } lasts[] = {{1e-5, 15.332157616499686, 18.2693826177},
+                 {1e-8, 18.099999466532033, 17.8721020258},
+                 {1e-5, 8.9623097869442692, 13.3383189996}};
+    for (size_t i = 0; i < sizeof lasts / sizeof *lasts; i++) {
+        struct dom_train t = rubbing(0.05, lasts[i].r, lasts[i].d, 4, 0.2);
+        dom_real duration;
+        assert_status(dom_cycle_duration(&t, &duration, NULL), DOM_OK);
+        assert_near("duration", duration, lasts[i].duration, 1e-10);
+    }
+    /* Next to nothing of friction changes no verdict. */
+    struct dom_train t =
+        rubbing(0.0037017997688205753, 220.24133472332022, 3.0897702704938297e-09, 4, 1e-300);
+    struct dom_barrier barrier;
+    assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_STOPS);
+}
+
+/* Where a follower that has hardly any motion still rubs, and where little is left of C: every tolerance. */
+static void small_tolerances(void **state)
+{
+    (void)state;
+    struct dom_train t =
+        rubbing(0.67106465029064566, 1.0144483424738877, 0.40982392700389025, 3, 0.081970815071836109);
+    struct dom_barrier finest, barrier;
+    t.tol = 1e-15;
+    assert_status(dom_barrier_find(&t, &finest, NULL), DOM_OK);
+    for (double tol = 1e-14; tol < 0.01; tol *= 10) {
+        t.tol = tol;
+        assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_OK);
+        assert_near("margin", barrier.margin, (double)finest.margin, fmax(tol, 1e-13));
+    }
+}
+
+enum { ROOM = 40 };
+
+struct seen {
+    struct dom_domino domino[ROOM];
+    struct dom_fall fall[ROOM];
+    struct dom_row row;
+    struct dom_verdict verdict;
+};
+
+static bool keep(const struct dom_fall *fall, void *context)
+{
+    ((struct seen *)context)->fall[fall->domino - 1] = *fall;
+    return true;
+}
+
+static enum dom_status run(struct seen *seen)
+{
+    return dom_row_run(&seen->row, true, keep, seen, &seen->verdict);
+}
+
+static void alike(struct seen *seen, size_t count)
+{
+    for (size_t k = 0; k < count; k++)
+        seen->domino[k] =
+            (struct dom_domino){.height = 0.048, .thickness = 0.007, .gap = 0.013, .mass = 0.01};
+    seen->row = (struct dom_row){
+        .domino = seen->domino, .count = count, .g = 9.81, .push = 5, .tol = 1e-12, .precision = DOM_DOUBLE};
+}
+
+/*
+ * At r s = 1 the followers leave with the hit, and take no energy along: as just before, up to what they do
+ * within sqrt(1 - r s) = 1e-7 of the way, over a barrier of 1e-2.
+ */
+static void reached_with_the_last_tip(void **state)
+{
+    (void)state;
+    static struct seen at, before;
+    alike(&at, 6);
+    alike(&before, 6);
+    at.domino[3].gap = 0.048L;
+    at.domino[3].height = 0.048L;
+    before.domino[3].gap = 0.048L * (1 - 1e-14L);
+    at.domino[2].height = at.domino[3].gap;
+    assert_status(run(&at), DOM_OK);
+    assert_status(run(&before), DOM_OK);
+    for (int k = 0; k < 6; k++) {
+        assert_near("barrier", at.fall[k].barrier, (double)before.fall[k].barrier, 1e-4);
+        assert_near("duration", at.fall[k].duration, (double)before.fall[k].duration, 1e-4);
+        assert_true(at.fall[k].rubbed == 0);
+    }
+}
+
+/* Touching dominoes hit at once; nothing locks that does not rub. */
+static void touching(void **state)
+{
+    (void)state;
+    static struct seen at, near;
+    for (int mu = 0; mu < 2; mu++) {
+        alike(&at, 8);
+        alike(&near, 8);
+        at.row.mu = near.row.mu = (dom_real)mu / 5;
+        at.domino[4].gap = 0;
+        near.domino[4].gap = 1e-12;
+        assert_status(run(&at), DOM_OK);
+        assert_status(run(&near), DOM_OK);
+        assert_int_equal(at.verdict.end, DOM_ROW_FALLS);
+        assert_near("seconds", at.verdict.seconds, (double)near.verdict.seconds, 1e-8);
+        assert_near("spare", at.verdict.spare, (double)near.verdict.spare, 1e-8);
+    }
+}
+
+/*
+ * A row of a train tends to the train where followers fall off on the way, too, and then with friction the
+ * least margin is one of energy at the launch.
+ */
+static void falls_on_the_way(void **state)
+{
+    (void)state;
+    struct dom_train t = rubbing(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
+    struct dom_scale scale = dom_scale_default();
+    struct dom_barrier barrier;
+    static struct seen seen;
+    dom_row_of_train(&t, &scale, 1, seen.domino, ROOM);
+    seen.row = (struct dom_row){.domino = seen.domino,
+                                .count = ROOM,
+                                .g = scale.g,
+                                .push = 30,
+                                .mu = t.mu,
+                                .tol = 1e-12,
+                                .precision = DOM_DOUBLE};
+    assert_status(run(&seen), DOM_OK);
+    assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_OK);
+    const struct dom_fall *f = &seen.fall[ROOM - 2];
+    dom_real unit = seen.domino[ROOM - 2].mass * scale.g * seen.domino[ROOM - 2].height / 2;
+    assert_near("kinetic", f->kinetic / unit, (double)barrier.kinetic, 1e-9);
+    assert_near("barrier", f->barrier / unit, (double)barrier.barrier, 1e-8);
+    assert_near("theta_m", f->theta_m, (double)barrier.theta_m, 1e-8);
+}
+
+/* What a verdict says where there is little to say. */
+static void ends(void **state)
+{
+    (void)state;
+    static struct seen seen;
+    alike(&seen, 6);
+    seen.domino[3] = (struct dom_domino){.height = 0.2, .thickness = 0.05, .gap = 0.013, .mass = 1};
+    assert_status(run(&seen), DOM_OK);
+    assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
+    assert_true(seen.verdict.seconds == seen.fall[3].time);
+    /* Without a push nothing is known of the floor under the first, which stood on its edge. */
+    alike(&seen, 2);
+    seen.row.push = DOM_NAN;
+    seen.row.floor = true;
+    seen.domino[1].gap = 0.02;
+    assert_status(run(&seen), DOM_OK);
+    assert_true(isnan((double)seen.fall[0].floor_motion) && (double)seen.fall[1].floor_hit > 0);
+    /* Parts: the weakest of those that go on has no negative margin. */
+    alike(&seen, 6);
+    seen.domino[1].gap = 0;
+    seen.domino[3].gap = 0.048;
+    assert_status(run(&seen), DOM_OK);
+    assert_true(!(seen.verdict.spare < 0));
+    seen.row.tol = 1e-30;
+    assert_status(run(&seen), DOM_BAD_PARAMETER);
+}
+
+/* Hit at its own hinge no domino can stay on the floor. */
+static void floor_at_the_reach(void **state)
+{
+    (void)state;
+    struct dom_train t = rubbing(0.5, 2, 0.1, 3, 0);
+    struct dom_floor floor;
+    assert_status(dom_cycle_floor(&t, &floor), DOM_OK);
+    assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
+}
+
+/* Chances of a budget from as few rows as do not tell, and where nobody can place well enough. */
+static void budgets(void **state)
+{
+    (void)state;
+    static struct seen seen;
+    struct dom_budget budget;
+    struct dom_placement p = {.seed = 3, .rows = 200};
+    alike(&seen, 10);
+    assert_status(dom_placement_budget(&seen.row, &p, 0.9999, &budget), DOM_OK);
+    assert_true(budget.low == 0 && budget.sigma < budget.high);
+    assert_status(dom_placement_budget(&seen.row, &p, 0.8, &budget), DOM_OK);
+    assert_true(0 < budget.low && budget.low < budget.sigma && budget.sigma < budget.high);
+    /* The same rows at that sigma. */
+    struct dom_study study;
+    p.sigma = budget.sigma;
+    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_true(study.fall >= 160 && study.fall <= 161);
+    assert_status(dom_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PARAMETER);
+    seen.row.push = 2; /* not over its edge */
+    assert_status(dom_placement_budget(&seen.row, &p, 0.5, &budget), DOM_STOPS);
+}
+
+/* Gaps are normal with the sigma that was asked for: rows of which a gap is just so wide are a known share.
+ */
+static void errors_are_normal(void **state)
+{
+    (void)state;
+    static struct seen seen;
+    struct dom_study study;
+    struct dom_placement p = {.sigma = 0.001, .seed = 9, .rows = 20000};
+    alike(&seen, 2);
+    /* It falls short where the gap is more than the height: one standard deviation away. */
+    seen.domino[1].gap = 0.047;
+    seen.row.push = 12;
+    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    double share = (double)study.fall / 20000, expected = 0.5 * erfc(-1 / sqrt(2));
+    /* Four standard deviations of the share. */
+    assert_true(fabs(share - expected) < 4 * sqrt(expected * (1 - expected) / 20000));
+    assert_true(study.low < share && share < study.high);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(thin_dominoes_rub),         cmocka_unit_test(small_tolerances),
+        cmocka_unit_test(reached_with_the_last_tip), cmocka_unit_test(touching),
+        cmocka_unit_test(falls_on_the_way),          cmocka_unit_test(ends),
+        cmocka_unit_test(floor_at_the_reach),        cmocka_unit_test(budgets),
+        cmocka_unit_test(errors_are_normal),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
