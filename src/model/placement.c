@@ -282,16 +282,14 @@ static enum dom_status sigma_at(const struct dom_row *row, const struct dom_plac
 static void chance(double share, size_t rows, double *few, double *many)
 {
     double N = (double)rows, spread = 8 * sqrt(share * (1 - share) * N) + 8;
-    double k = fmax(floor(share * N - spread), 0), end = fmin(share * N + spread, N);
+    unsigned k = (unsigned)fmax(share * N - spread, 0), end = (unsigned)fmin(share * N + spread, N);
     *few = 0;
     *many = N + 1;
-    for (; k <= end; k++) {
-        if (gsl_cdf_binomial_P((unsigned)k, share, (unsigned)rows) < 0.025)
+    for (; k <= end && *many > N; k++) {
+        if (gsl_cdf_binomial_P(k, share, (unsigned)rows) < 0.025)
             *few = k;
-        if (k > 0 && gsl_cdf_binomial_Q((unsigned)k - 1, share, (unsigned)rows) < 0.025) {
+        if (k > 0 && gsl_cdf_binomial_Q(k - 1, share, (unsigned)rows) < 0.025)
             *many = k;
-            return;
-        }
     }
 }
 

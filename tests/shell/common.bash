@@ -28,7 +28,7 @@ curve 0.3 0.5 3|s exact paper pair reach
 count 112|height r dominoes exact first_height last_height feasible
 count 112 2|height r dominoes exact first_height last_height feasible reason
 scene|part dominoes why solved
-slip|motion theta domino hit hit_domino slips
+slip|needs motion theta domino hit hit_domino slips
 effect row 5; fall|domino height hit falls omega kinetic barrier margin
 effect row 5; effect floor 0.5; fall|domino height hit falls omega kinetic barrier margin floor
 effect row 5; verdict|verdict domino short_by seconds weakest spare

@@ -33,7 +33,7 @@ effect friction 0.2|x 0 0 0 0
 effect floor 0.2|0 0 0 0 x
 effect row 4|0 x 0 0 0
 effect row 4; effect push 5|0 x x 0 0
-effect row 4; effect placement 1 mm|0 0 0 x 0
+effect row 4; effect placement 1 mm|0 x 0 x 0
 effect row 4; effect friction 0.1; effect floor 1|x x 0 0 x
 END
 }
