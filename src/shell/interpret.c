@@ -419,6 +419,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     ticker_start();
     bool done = c->run(session, call);
     ticker_stop();
+    call->answer = NULL;
     double seconds = terminal_clock() - begun;
     session->fresh = session->fresh && done && !c->columns;
     if (done && c->train && session->effect[DOM_EFFECT_row].on && answer_for_people(&answer))
