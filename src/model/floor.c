@@ -24,7 +24,7 @@ static bool need_seen(const struct held *held, void *context)
 static enum dom_status need_at(const struct floor_path *path, real theta, struct need *need)
 {
     struct tilt head;
-    struct sums at;
+    struct sums at = {0};
     struct pace pace = {.floor = true};
     enum dom_status status = path->pace(theta, &head, &pace, path->context);
     if (status == DOM_OK)

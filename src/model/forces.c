@@ -160,8 +160,8 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
 {
     struct motion m;
     struct flow flow;
-    struct tilt head;
-    struct sums at;
+    struct tilt head = {0, 1, 0};
+    struct sums at = {0};
     struct pace pace = {0};
     real theta = (real)theta_;
     enum dom_status status = motion_begin(train, &flow, &m);

@@ -276,7 +276,7 @@ static enum dom_status stretch_contact(struct stretch *st, real to, real *least)
     for (int k = 0; k <= CONTACT_SAMPLES && st->g.n > 1; k++) {
         real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2, theta = st->lo + u * (to - st->lo);
         struct tilt head;
-        struct sums at;
+        struct sums at = {0};
         struct pace pace = {0};
         enum dom_status status = stretch_pace(theta, &head, &pace, st);
         if (status == DOM_OK)
