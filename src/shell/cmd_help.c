@@ -209,8 +209,8 @@ static void mdoc_text(FILE *out, const char *text)
         at += fprintf(out, at > 0 ? " " : "");
         for (size_t i = 0; i < length; i++)
             at += text[i] == '\'' ? fprintf(out, "\\(aq") : fprintf(out, "%c", text[i]);
-        bool ends = length > 1 && text[length - 1] == '.' && isupper((unsigned char)text[length + 1]) &&
-                    !isupper((unsigned char)text[length - 2]);
+        bool ends = length > 1 && text[length] != '\0' && text[length - 1] == '.' &&
+                    isupper((unsigned char)text[length + 1]) && !isupper((unsigned char)text[length - 2]);
         if (ends)
             at = (putc('\n', out), 0);
         text += length + (text[length] == ' ');
