@@ -76,7 +76,7 @@ static const struct column fall_columns[] = {FALL_COLUMNS, {NULL, NULL, NULL, 0}
 
 static const struct column fall_floor_columns[] = {
     FALL_COLUMNS,
-    {"floor", "", "friction that the floor needs; with 'effect floor'", 6},
+    {"floor", "", "friction that the floor needs; with 'effect floor'", 5},
     {NULL, NULL, NULL, 0},
 };
 
@@ -129,7 +129,7 @@ static bool fall_row(const struct dom_fall *f, void *context)
                ROW(cell_count((dom_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 4),
                    cell_narrow(f->time, 4), cell_narrow(f->time + f->duration, 4), cell_narrow(f->omega, 4),
                    cell_narrow(f->kinetic, 4), cell_narrow(f->barrier, 4), cell_narrow(f->margin, 4),
-                   cell_narrow(c->scene->row.floor ? fall_needs(f, &hit, &domino) : DOM_NAN, 4)),
+                   cell_narrow(c->scene->row.floor ? fall_needs(f, &hit, &domino) : DOM_NAN, 3)),
                NULL);
     return !answer_lost(c->answer);
 }
