@@ -214,7 +214,7 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
 }
 
 /* The first one, tipped over its edge and let go: it has what it falls from there (b5). */
-static bool tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
+static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->row.asked, 0);
     const struct lean *g = &run->row.lean[0];
@@ -228,11 +228,17 @@ static bool tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
                               .theta_m = atan(g->d),
                               .theta = tilt_angle(g->c),
                               .moving = 1};
-    *d = (struct descent){
-        .st = {.g = *g, .from = g->c, .J = 1, .omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0},
-        .need = {.motion = REAL_NAN, .hit = REAL_NAN}};
+    *d = (struct descent){.st = {.g = *g, .from = {g->d / u, 1 / u, 1 - 1 / u}, .J = 1, .gain = 1}};
+    d->st.g.mu = 0; /* nothing rubs on it */
+    d->st.lo = atan(g->d);
+    d->st.hi = tilt_angle(g->c);
+    struct floor_path path = {&d->st.g, d->st.lo, d->st.hi, stretch_pace, &d->st};
+    enum dom_status status = run->row.asked->floor && sine > 0 ? floor_over(&path, &d->need) : DOM_OK;
+    d->st.from = g->c;
+    d->st.omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0;
     run->carried = d->st.omegasq * block.unit;
-    return sine > 0;
+    run->verdict.end = sine > 0 ? DOM_ROW_FALLS : DOM_ROW_LEANS;
+    return status;
 }
 
 /* Head k hits k + 1, which takes over; the row ends there if it cannot. */
@@ -303,13 +309,10 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         struct descent d;
         struct dom_fall fall = {.domino = k + 1, .time = run->time, .moving = run->moving};
         real before = run->carried;
-        enum dom_status status = DOM_OK;
+        enum dom_status status;
         if (run->row.asked->interrupt && *run->row.asked->interrupt)
             return DOM_INTERRUPTED;
-        if (k == 0 && tips)
-            run->verdict.end = tip_run(run, &d, &fall) ? DOM_ROW_FALLS : DOM_ROW_LEANS;
-        else
-            status = head_run(run, k, &d, &fall);
+        status = k == 0 && tips ? tip_run(run, &d, &fall) : head_run(run, k, &d, &fall);
         if (status != DOM_OK)
             return status;
         if (k > 0)

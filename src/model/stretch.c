@@ -12,10 +12,11 @@ KERNEL enum dom_status stretch_cut(struct stretch *st, size_t *stay)
         if (status != DOM_OK)
             return status;
         struct link k = link_head(g, head);
-        /* What moves less than rounding does not fall off now. */
-        bool last = false;
+        /* What moves less than rounding does not fall off now; behind one that does, nothing moves just then.
+         */
+        bool last = false, all = *stay < g->n;
         while (!last && ((*stay < g->n && k.i < *stay) || k.tilt.v < k.lean->leave.v)) {
-            last = k.i + 1 >= g->n || k.slope < REAL_EPSILON * REAL_EPSILON;
+            last = k.i + 1 >= g->n || (!all && k.slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
                 link_next(&k);
         }

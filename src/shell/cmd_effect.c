@@ -132,7 +132,9 @@ static const struct column price_columns[] = {PRICE_COLUMNS, {NULL, NULL, NULL, 
 static void effects_say(const struct session *session, struct answer *a)
 {
     bool row = session->effect[DOM_EFFECT_row].on;
-    answer_say(a, "The answer that is timed: %s. What is off is not computed: its code is entered 0 times.\n",
+    answer_say(a,
+               "The answer that is timed: %s. What is off is not computed: its code is entered 0 times. "
+               "placement is timed for one random row, which may stop early.\n",
                row ? "does the whole row fall" : "does the train go on ('barrier')");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct dom_effect *e = dom_effect((enum dom_effect_name)k);

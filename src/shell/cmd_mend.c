@@ -127,21 +127,23 @@ static enum dom_status mend_search(struct scene_row *scene, const struct dom_ver
     return DOM_OK;
 }
 
+static const char no_single_gap[] =
+    "no change of a single gap lets all fall: change several, the push, or the dominoes";
+
 static void mend_say(struct answer *a, const struct mended *m, size_t found)
 {
     if (found == 0) {
-        answer_say(a, "No change of a single gap lets all fall: change several, the push, or the dominoes.");
+        answer_say(a, "There is %s.", no_single_gap);
         return;
     }
     answer_say(a, "The smallest change: %s the gap before domino %zu by %.3g mm, from %.5g mm to %.7g mm.",
                m->to < m->gap ? "narrow" : "widen", m->k + 1, (double)(1000 * fabs(m->to - m->gap)),
                (double)(1000 * m->gap), (double)(1000 * m->to));
-    answer_say(
-        a,
-        "'place %zu %.7g' does it, just so; all fall up to %.7g mm, and 'place %zu %.4g' leaves room for "
-        "errors.",
-        m->k + 1, (double)m->to, (double)(1000 * m->until), m->k + 1,
-        (double)(m->to + (m->until - m->to) / 3));
+    answer_say(a, "'place %zu %.7g' does it, just so.", m->k + 1, (double)m->to);
+    double room = (double)(m->to + (m->until - m->to) / 3);
+    if (fabs(m->until - m->to) > (dom_real)1e-4 * m->to)
+        answer_say(a, "All fall up to %.7g mm: 'place %zu %.6g' leaves room for errors.",
+                   (double)(1000 * m->until), m->k + 1, room);
 }
 
 bool mend_run(struct session *session, const struct call *call)
@@ -165,11 +167,14 @@ bool mend_run(struct session *session, const struct call *call)
                        cell_narrow(list[i].to - list[i].gap, 5),
                        cell_narrow(list[i].gap > 0 ? (list[i].to - list[i].gap) / list[i].gap : DOM_NAN, 4)),
                    NULL);
-    if (falls)
+    const struct cell none = cell_real(DOM_NAN);
+    if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs want to know which */
+        answer_row(a, ROW(none, none, none, none, none, none), falls ? "all fall" : no_single_gap);
+    else if (falls)
         verdict_say(session, a, &scene, &v, false);
     else if (status == DOM_OK)
         mend_say(a, list, found);
     free(list);
     free(scene.domino);
-    return status == DOM_OK || session_status(session, status);
+    return status == DOM_OK || row_status(session, status);
 }

@@ -59,6 +59,17 @@ static bool run_row(struct session *session, const struct call *call)
     return true;
 }
 
+bool row_status(struct session *session, enum dom_status status)
+{
+    if (status != DOM_BAD_PARAMETER)
+        return session_status(session, status);
+    return session_error(
+        session,
+        "the dominoes of this row become larger or smaller than %s precision can hold; fewer of "
+        "them, a smaller r, or a wider precision",
+        dom_arithmetic(session->train.precision)->name);
+}
+
 /* ---- fall ---- */
 
 #define FALL_COLUMNS                                                                                         \
@@ -119,6 +130,12 @@ static void floor_seen(struct falling *c, const struct dom_fall *f)
     }
 }
 
+static bool floor_visit(const struct dom_fall *f, void *context)
+{
+    floor_seen(context, f);
+    return true;
+}
+
 static bool fall_row(const struct dom_fall *f, void *context)
 {
     struct falling *c = context;
@@ -149,8 +166,9 @@ void verdict_say(struct session *session, struct answer *a, const struct scene_r
     else if (v->end == DOM_ROW_FALLS)
         answer_say(a, "All fall; one comes so close to a stop that its time has no value.");
     else if (v->end == DOM_ROW_STOPS)
-        answer_say(a, "It stops at domino %zu of %zu, short by %.4g %s: %s. 'mend' looks for what saves it.",
-                   v->domino, count, (double)v->short_by, energy_unit(session), dom_row_end_text(v->end));
+        answer_say(a, "It stops at domino %zu of %zu, short by %.4g %s: %s.%s", v->domino, count,
+                   (double)v->short_by, energy_unit(session), dom_row_end_text(v->end),
+                   count > 1 ? " 'mend' looks for what saves it." : "");
     else
         answer_say(a, "It ends at domino %zu of %zu: %s.", v->domino, count, dom_row_end_text(v->end));
     if (v->weakest > 0 && isfinite(v->spare))
@@ -205,7 +223,7 @@ static bool run_fall(struct session *session, const struct call *call)
             floor_say(session, a, &c);
     }
     free(scene.domino);
-    return status == DOM_OK ? verdict_known(session, &verdict) : session_status(session, status);
+    return status == DOM_OK ? verdict_known(session, &verdict) : row_status(session, status);
 }
 
 /* ---- verdict ---- */
@@ -237,10 +255,11 @@ static bool run_verdict(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
-    enum dom_status status = dom_row_run(&scene.row, true, NULL, NULL, &v);
+    struct falling c = {.session = session, .first_slip = DOM_NAN};
+    enum dom_status status = dom_row_run(&scene.row, true, floor_visit, &c, &v);
     free(scene.domino);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return row_status(session, status);
     if (!verdict_known(session, &v))
         return false;
     if (scene_weighed(session)) {
@@ -254,6 +273,8 @@ static bool run_verdict(struct session *session, const struct call *call)
             v.weakest ? cell_count((dom_real)v.weakest) : cell_real(DOM_NAN), cell_bound(v.spare, DOM_NAN)),
         v.end == DOM_ROW_FALLS ? NULL : dom_row_end_text(v.end));
     a->columns = verdict_columns;
+    if (session->effect[DOM_EFFECT_floor].on)
+        floor_say(session, a, &c);
     return true;
 }
 
@@ -388,9 +409,11 @@ const struct command row_commands[] = {
      .run = run_row},
     {.name = "rowmax",
      .summary = "the largest growth r at which the whole row falls",
-     .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. In a long "
-             "row it is "
-             "that of the endless train, 'rmax'; a strong push carries a short one farther.",
+     .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. A first "
+             "domino that "
+             "just tips over, or a weak push, may end it at the second; where that is not so, a long row "
+             "tends to the "
+             "endless train, 'rmax'.",
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
      .columns = rowmax_columns,

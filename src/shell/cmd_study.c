@@ -102,7 +102,7 @@ static bool run_placement(struct session *session, const struct call *call)
     }
     free(stops);
     free(scene.domino);
-    return status == DOM_OK || session_status(session, status);
+    return status == DOM_OK || row_status(session, status);
 }
 
 /* ---- budget ---- */

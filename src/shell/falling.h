@@ -13,6 +13,9 @@ struct cell cell_narrow(dom_real value, int digits);
 void verdict_say(struct session *session, struct answer *answer, const struct scene_row *scene,
                  const struct dom_verdict *verdict, bool timed);
 
+/* Also for a status of a row that is not DOM_OK. */
+bool row_status(struct session *session, enum dom_status status);
+
 /* The command mend. */
 extern const struct column mend_columns[];
 bool mend_run(struct session *session, const struct call *call);
