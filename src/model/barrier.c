@@ -120,21 +120,12 @@ KERNEL enum dom_status barrier_piece(const struct lean *g, struct tilt from, rea
 
 KERNEL enum dom_status barrier_search(const struct lean *g, real end, struct barrier *barrier)
 {
-    struct barrier b = {.theta_m = 0, .height = 0, .edge = {0}, .edges = 1};
-    /* At r s = 1 the follower is gone for every theta > 0: H' jumps at 0, and its right limit counts. */
-    if (g->short_of == 0)
-        b.edge[0] = fmin(REAL_MIN, end);
-    bool leaves;
-    struct tilt leave;
-    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
+    struct barrier b = {.theta_m = 0, .height = 0};
+    enum dom_status status = chain_edges(g, end, b.edge, &b.edges);
     if (status == DOM_OK && g->mu > 0)
         status = friction_flow(g);
     if (status != DOM_OK)
         return status;
-    real theta_leave = leaves ? tilt_angle(leave) : 0;
-    if (theta_leave > b.edge[0] && theta_leave < end)
-        b.edge[b.edges++] = theta_leave;
-    b.edge[b.edges++] = end;
     struct slope_context c = {.lean = g};
     for (int i = 1; status == DOM_OK && i < b.edges; i++)
         status = barrier_scan(&c, b.edge[i - 1], b.edge[i], i == 1, &b);

@@ -12,7 +12,7 @@
  */
 struct barrier {
     real theta_m, height;
-    real edge[3];
+    real edge[CHAIN_EDGES];
     int edges;
 };
 

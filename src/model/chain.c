@@ -338,6 +338,23 @@ KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct ti
     return DOM_OK;
 }
 
+KERNEL enum dom_status chain_edges(const struct lean *g, real end, real edge[CHAIN_EDGES], int *edges)
+{
+    bool leaves;
+    struct tilt leave;
+    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
+    if (status != DOM_OK)
+        return status;
+    /* At r s = 1 the follower is gone for every theta > 0: H' jumps at 0, and its right limit counts. */
+    edge[0] = g->short_of == 0 ? fmin(REAL_MIN, end) : 0;
+    *edges = 1;
+    real theta_leave = leaves ? tilt_angle(leave) : 0;
+    if (theta_leave > edge[0] && theta_leave < end)
+        edge[(*edges)++] = theta_leave;
+    edge[(*edges)++] = end;
+    return DOM_OK;
+}
+
 /* ---- Public ---- */
 
 static struct dom_link link_public(const struct lean *g, const struct link *k)

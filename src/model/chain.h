@@ -57,6 +57,13 @@ KERNEL enum dom_status chain_rise_from(const struct lean *lean, struct tilt from
  */
 KERNEL enum dom_status chain_leave(const struct lean *lean, bool *leaves, struct tilt *head, size_t *domino);
 
+/*
+ * The tilts between which a train moves smoothly: edge[0] = 0, where a domino falls off before end, if one
+ * does, and end; returns how many in *edges.
+ */
+enum { CHAIN_EDGES = 3 };
+KERNEL enum dom_status chain_edges(const struct lean *lean, real end, real edge[CHAIN_EDGES], int *edges);
+
 /* What a search ends with: the model's own status, if its function failed, else the solver's. */
 static inline enum dom_status model_status(enum dom_status own, enum num_status solver)
 {

@@ -24,13 +24,10 @@ static bool need_seen(const struct held *held, void *context)
 static enum dom_status need_at(const struct floor_path *path, real theta, struct need *need)
 {
     struct tilt head;
-    struct sums at = {0};
     struct pace pace = {.floor = true};
     enum dom_status status = path->pace(theta, &head, &pace, path->context);
-    if (status == DOM_OK)
-        status = chain_sum(path->lean, head, &at);
     need->theta = theta;
-    return status == DOM_OK ? forces_walk(path->lean, head, &pace, at.n, need_seen, need) : status;
+    return status == DOM_OK ? forces_walk(path->lean, head, &pace, pace.n, need_seen, need) : status;
 }
 
 KERNEL enum dom_status floor_over(const struct floor_path *path, struct need *need)

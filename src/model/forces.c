@@ -131,7 +131,7 @@ static enum dom_status motion_pace(struct motion *m, real theta, struct tilt hea
     enum dom_status status = cycle_speed(&m->cycle, theta, &pace->omegasq, NULL);
     pace->omegasq = fmax(pace->omegasq, 0);
     if (status == DOM_OK)
-        status = motion_acceleration(g, head, pace->omegasq, &pace->acceleration);
+        status = motion_acceleration(g, head, pace->omegasq, &pace->acceleration, &pace->n);
     pace->hit = theta == 0;
     pace->omega = sqrt(m->cycle.launch.omegasq);
     pace->omega_lost = pace->omega / (g->mu > 0 ? g->flow->T : m->cycle.launch.J0 - 1);
@@ -161,7 +161,6 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     struct motion m;
     struct flow flow;
     struct tilt head = {0, 1, 0};
-    struct sums at = {0};
     struct pace pace = {0};
     real theta = (real)theta_;
     enum dom_status status = motion_begin(train, &flow, &m);
@@ -170,9 +169,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
         status = DOM_STOPS;
     if (status == DOM_OK)
-        status = chain_sum(&m.cycle.lean, head, &at);
-    if (status == DOM_OK)
         status = motion_pace(&m, fmin(theta, m.end), head, &pace);
     struct force_context c = {visit, context};
-    return status == DOM_OK ? forces_walk(&m.cycle.lean, head, &pace, at.n, force_visit, &c) : status;
+    return status == DOM_OK ? forces_walk(&m.cycle.lean, head, &pace, pace.n, force_visit, &c) : status;
 }

@@ -12,6 +12,7 @@
 /* How a chain moves: tau^2 omega^2 and tau^2 times the acceleration of its head; g.n dominoes at most. */
 struct pace {
     real omegasq, acceleration;
+    size_t n; /* dominoes that matter */
     /* Of a collision, at theta = 0: tau omega of the head behind it, and what is lost of it by followers. */
     bool hit;
     real omega, omega_lost;

@@ -203,20 +203,11 @@ KERNEL enum dom_status friction_flow(const struct lean *g)
     if (flow->solution.panels > 0 && flow->tol <= g->tol)
         return DOM_OK;
     struct lean fine = flow_begin(g);
-    bool leaves;
-    struct tilt leave;
-    real edge[3] = {0}, end = tilt_angle(g->c);
-    int edges = 1;
-    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
+    real edge[CHAIN_EDGES];
+    int edges;
+    enum dom_status status = chain_edges(g, tilt_angle(g->c), edge, &edges);
     if (status != DOM_OK)
         return status;
-    /* As in barrier_search: at r s = 1 nobody leans on the head from the first moment on. */
-    if (g->short_of == 0)
-        edge[0] = fmin(REAL_MIN, end);
-    real theta_leave = leaves ? tilt_angle(leave) : 0;
-    if (theta_leave > edge[0] && theta_leave < end)
-        edge[edges++] = theta_leave;
-    edge[edges++] = end;
     status = flow_collision(&fine, flow);
     return status == DOM_OK ? flow_solve(&fine, g->tol, edge, edges) : status;
 }

@@ -215,13 +215,18 @@ KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_,
 /* ---- Accelerations ---- */
 
 /* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w. */
-static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration)
+static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration,
+                                           size_t *n)
 {
     struct sums at;
     struct law law;
-    enum dom_status status = g->mu > 0 ? friction_law(g, head, &law) : chain_sum(g, head, &at);
-    if (status == DOM_OK && g->mu > 0)
+    enum dom_status status = chain_sum(g, head, &at);
+    if (status == DOM_OK)
+        *n = at.n;
+    if (status == DOM_OK && g->mu > 0) {
+        status = friction_law(g, head, &law);
         *acceleration = (law.C - law.B * w) / law.A;
+    }
     if (status != DOM_OK || g->mu > 0)
         return status;
     struct link k = link_head(g, head);
@@ -280,6 +285,7 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     struct sums at, e = {0};
     struct fuel fuel, fuel_error = {0};
     real theta = (real)theta_, omegasq = 0, omegasq_error = 0, time = 0, acceleration = 0;
+    size_t matter;
     enum dom_status status = motion_begin(train, &flow, &m);
     if (status != DOM_OK)
         return status;
@@ -305,7 +311,7 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     if (status == DOM_OK)
         status = motion_time(&m, 0, theta, &time);
     if (status == DOM_OK)
-        status = motion_acceleration(&c->lean, head, omegasq, &acceleration);
+        status = motion_acceleration(&c->lean, head, omegasq, &acceleration, &matter);
     if (status == DOM_OK)
         status = energy_fuel(&c->lean, &fuel, error ? &fuel_error : NULL);
     if (status != DOM_OK)

@@ -16,7 +16,6 @@ struct row {
     const struct dom_row *asked;
     struct lean *lean; /* of domino k as a head, and as a follower of k + 1 */
     struct flow *flow;
-    size_t count;
 };
 
 /* Of one domino, in SI units. */
@@ -69,7 +68,7 @@ static struct tilt row_end(const struct dom_row *row, size_t k)
 static void row_make(struct row *row)
 {
     const struct dom_row *asked = row->asked;
-    for (size_t k = 0; k < row->count; k++) {
+    for (size_t k = 0; k < asked->count; k++) {
         struct lean *g = &row->lean[k];
         *g = (struct lean){.tol = (real)asked->tol,
                            .mu = (real)asked->mu,
@@ -305,7 +304,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
     real tau = block_of(run->row.asked, 0).tau;
     run->omegasq = tips ? 0 : (real)run->row.asked->push * tau * (real)run->row.asked->push * tau;
     run->moving = 1;
-    for (size_t k = 0; k < run->row.count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
+    for (size_t k = 0; k < run->row.asked->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
         struct dom_fall fall = {.domino = k + 1, .time = run->time, .moving = run->moving};
         real before = run->carried;
@@ -325,7 +324,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         fall_floor(run->row.asked, k, &d.need, &fall);
         verdict_add(&run->verdict, &fall, k == 0 && tips);
         more = !visit || visit(&fall, context);
-        if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->row.count)
+        if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->row.asked->count)
             status = row_hit(run, k, &d);
         if (status != DOM_OK)
             return status;
@@ -342,7 +341,7 @@ KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall
     enum dom_status status = row_check(asked);
     if (status != DOM_OK)
         return status;
-    struct run run = {.row = {.asked = asked, .flow = &flow, .count = asked->count},
+    struct run run = {.row = {.asked = asked, .flow = &flow},
                       .times = times,
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     run.row.lean = malloc(asked->count * sizeof *run.row.lean);

@@ -132,7 +132,8 @@ KERNEL enum dom_status stretch_pace(real theta, struct tilt *head, struct pace *
     pace->omega = sqrt(st->omegasq);
     pace->omega_lost = pace->hit ? pace->omega / st->T : 0;
     enum dom_status status = lean_tilt(&st->g, theta, head);
-    return status == DOM_OK ? motion_acceleration(&st->g, *head, pace->omegasq, &pace->acceleration) : status;
+    return status == DOM_OK ? motion_acceleration(&st->g, *head, pace->omegasq, &pace->acceleration, &pace->n)
+                            : status;
 }
 
 enum { CONTACT_SAMPLES = 3 };
@@ -150,13 +151,10 @@ KERNEL enum dom_status stretch_contact(struct stretch *st, real to, real *least)
     for (int k = 0; k <= CONTACT_SAMPLES && st->g.n > 1; k++) {
         real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2, theta = st->lo + u * (to - st->lo);
         struct tilt head;
-        struct sums at = {0};
         struct pace pace = {0};
         enum dom_status status = stretch_pace(theta, &head, &pace, st);
         if (status == DOM_OK)
-            status = chain_sum(&st->g, head, &at);
-        if (status == DOM_OK)
-            status = forces_walk(&st->g, head, &pace, at.n, contact_seen, least);
+            status = forces_walk(&st->g, head, &pace, pace.n, contact_seen, least);
         if (status != DOM_OK)
             return status;
     }
