@@ -107,7 +107,7 @@ static double price_with(const struct session *session, enum dom_effect_name nam
         } else if (without)
             scene.effect[k].on = false;
     }
-    scene.train.mu = scene.effect[DOM_EFFECT_friction].on ? scene.effect[DOM_EFFECT_friction].value[0] : 0;
+    effects_apply(&scene);
     return scene_price(&scene);
 }
 

@@ -91,43 +91,40 @@ static const struct column fall_floor_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* A hinge that needs the floor's friction: whose, in the collision of which domino or while that falls. */
+struct slip {
+    dom_real needs;
+    size_t domino, head;
+    bool hit;
+};
+
 struct falling {
     struct session *session;
     struct answer *answer;
     const struct scene_row *scene;
-    dom_real needs; /* the most of the floor */
-    size_t slips, head;
-    bool hit;
-    dom_real first_slip; /* the first need that the floor's friction does not meet, else NaN */
-    size_t first_domino, first_head;
-    bool first_hit;
+    struct slip most, first; /* first: that the floor's friction does not meet; head = 0: none yet */
 };
 
-/* The larger of what a domino's motion and its collision need of the floor. */
-static dom_real fall_needs(const struct dom_fall *f, bool *hit, size_t *domino)
+static struct slip slip_of(const struct dom_fall *f, bool hit)
 {
-    *hit = f->floor_hit > f->floor_motion;
-    *domino = *hit ? f->floor_hit_domino : f->floor_domino;
-    return *hit ? f->floor_hit : f->floor_motion;
+    return hit ? (struct slip){f->floor_hit, f->floor_hit_domino, f->domino, true}
+               : (struct slip){f->floor_motion, f->floor_domino, f->domino, false};
+}
+
+/* The larger of what a domino's motion and its collision need of the floor. */
+static struct slip slip_most(const struct dom_fall *f)
+{
+    return slip_of(f, f->floor_hit > f->floor_motion);
 }
 
 static void floor_seen(struct falling *c, const struct dom_fall *f)
 {
-    bool hit;
-    size_t domino;
-    dom_real needs = fall_needs(f, &hit, &domino);
-    if (needs > c->needs) {
-        c->needs = needs;
-        c->slips = domino;
-        c->head = f->domino;
-        c->hit = hit;
-    }
-    if (isnan(c->first_slip) && needs > c->session->effect[DOM_EFFECT_floor].value[0]) {
-        c->first_hit = f->floor_hit > c->session->effect[DOM_EFFECT_floor].value[0]; /* that comes first */
-        c->first_slip = c->first_hit ? f->floor_hit : f->floor_motion;
-        c->first_domino = c->first_hit ? f->floor_hit_domino : f->floor_domino;
-        c->first_head = f->domino;
-    }
+    dom_real floor = c->session->effect[DOM_EFFECT_floor].value[0];
+    struct slip most = slip_most(f);
+    if (most.needs > c->most.needs)
+        c->most = most;
+    if (c->first.head == 0 && most.needs > floor)
+        c->first = slip_of(f, f->floor_hit > floor); /* that comes first */
 }
 
 static bool floor_visit(const struct dom_fall *f, void *context)
@@ -139,14 +136,12 @@ static bool floor_visit(const struct dom_fall *f, void *context)
 static bool fall_row(const struct dom_fall *f, void *context)
 {
     struct falling *c = context;
-    bool hit;
-    size_t domino;
     floor_seen(c, f);
     answer_row(c->answer,
                ROW(cell_count((dom_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 4),
                    cell_narrow(f->time, 4), cell_narrow(f->time + f->duration, 4), cell_narrow(f->omega, 4),
                    cell_narrow(f->kinetic, 4), cell_narrow(f->barrier, 4), cell_narrow(f->margin, 4),
-                   cell_narrow(c->scene->row.floor ? fall_needs(f, &hit, &domino) : DOM_NAN, 3)),
+                   cell_narrow(c->scene->row.floor ? slip_most(f).needs : DOM_NAN, 3)),
                NULL);
     return !answer_lost(c->answer);
 }
@@ -176,21 +171,28 @@ void verdict_say(struct session *session, struct answer *a, const struct scene_r
                    v->weakest, (double)v->spare + 1);
 }
 
+/* "when domino 3 is hit". */
+static const char *slip_when(const struct slip *slip, char text[64])
+{
+    snprintf(text, 64, slip->hit ? "when domino %zu is hit" : "while domino %zu falls", slip->head);
+    return text;
+}
+
 static void floor_say(const struct session *session, struct answer *a, const struct falling *c)
 {
+    char when[64];
     double floor = (double)session->effect[DOM_EFFECT_floor].value[0];
-    if (isnan(c->first_slip))
+    if (c->first.head == 0)
         answer_say(a, "A floor with %.4g holds every hinge, as far as the row goes.", floor);
     else
-        answer_say(a,
-                   "On a floor with %.4g domino %zu is the first to slip, %s domino %zu%s: it needs %.4g. "
-                   "The answer "
-                   "holds up to there.",
-                   floor, c->first_domino, c->first_hit ? "when" : "while", c->first_head,
-                   c->first_hit ? " is hit" : " falls", (double)c->first_slip);
-    if (c->slips > 0)
-        answer_say(a, "The most that is needed: %.4g, under domino %zu %s domino %zu%s.", (double)c->needs,
-                   c->slips, c->hit ? "when" : "while", c->head, c->hit ? " is hit" : " falls");
+        answer_say(
+            a,
+            "On a floor with %.4g domino %zu is the first to slip, %s: it needs %.4g. The answer holds up to "
+            "there.",
+            floor, c->first.domino, slip_when(&c->first, when), (double)c->first.needs);
+    if (c->most.head > 0)
+        answer_say(a, "The most that is needed: %.4g, under domino %zu %s.", (double)c->most.needs,
+                   c->most.domino, slip_when(&c->most, when));
 }
 
 /* Has the model an answer?  PASSES and PARTS are none. */
@@ -209,7 +211,7 @@ static bool run_fall(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
-    struct falling c = {.session = session, .answer = a, .scene = &scene, .first_slip = DOM_NAN};
+    struct falling c = {.session = session, .answer = a, .scene = &scene};
     a->columns = scene.row.floor ? fall_floor_columns : fall_columns;
     if (scene_weighed(session)) {
         columns_in_joules(a->columns, room);
@@ -255,7 +257,7 @@ static bool run_verdict(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
-    struct falling c = {.session = session, .first_slip = DOM_NAN};
+    struct falling c = {.session = session};
     enum dom_status status = dom_row_run(&scene.row, true, floor_visit, &c, &v);
     free(scene.domino);
     if (status != DOM_OK)

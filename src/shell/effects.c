@@ -118,6 +118,12 @@ static bool effect_needs(struct session *session, enum dom_effect_name name)
     return true;
 }
 
+void effects_apply(struct session *session)
+{
+    const struct effect_state *friction = &session->effect[DOM_EFFECT_friction];
+    session->train.mu = friction->on ? friction->value[0] : 0;
+}
+
 bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
                     const char *path)
 {
@@ -134,9 +140,8 @@ bool effect_turn_on(struct session *session, enum dom_effect_name name, const do
         return false;
     if (name == DOM_EFFECT_row && !path)
         listed_free(&session->listed);
-    if (name == DOM_EFFECT_friction)
-        session->train.mu = state.value[0];
     session->effect[name] = state;
+    effects_apply(session);
     return true;
 }
 
@@ -149,9 +154,8 @@ bool effect_turn_off(struct session *session, enum dom_effect_name name)
                                  dom_effect((enum dom_effect_name)k)->name);
     if (name == DOM_EFFECT_row)
         listed_free(&session->listed);
-    if (name == DOM_EFFECT_friction)
-        session->train.mu = 0;
     session->effect[name] = (struct effect_state){.on = false};
+    effects_apply(session);
     return true;
 }
 
@@ -160,7 +164,7 @@ void effects_reset(struct session *session)
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         session->effect[k] = (struct effect_state){.on = false};
     listed_free(&session->listed);
-    session->train.mu = 0;
+    effects_apply(session);
 }
 
 void effects_save(const struct session *session, FILE *out)
@@ -196,9 +200,7 @@ bool scene_weighed(const struct session *session)
 /* Masses of which only the ratios are known become such that m g h / 2 of the first is 1, or what is set. */
 static void row_weigh(const struct session *session, struct dom_domino *domino, size_t count)
 {
-    dom_real mass = session->mass > 0
-                        ? session->mass
-                        : session->density * domino[0].height * domino[0].height * domino[0].thickness / 2;
+    dom_real mass = session_block_mass(session, domino[0].height, domino[0].thickness);
     dom_real first = mass > 0 ? mass : 2 / (session->scale.g * domino[0].height), by = first / domino[0].mass;
     for (size_t k = 0; k < count; k++)
         domino[k].mass *= by;

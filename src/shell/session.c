@@ -146,10 +146,15 @@ void session_close(struct session *session)
     effects_reset(session);
 }
 
+dom_real session_block_mass(const struct session *session, dom_real height, dom_real thickness)
+{
+    return session->mass > 0 ? session->mass : session->density * height * height * thickness / 2;
+}
+
 dom_real session_mass(const struct session *session)
 {
     dom_real h = session->scale.h;
-    return session->mass > 0 ? session->mass : session->density * h * h * session->train.d * h / 2;
+    return session_block_mass(session, h, session->train.d * h);
 }
 
 /*

@@ -73,7 +73,9 @@ void session_init(struct session *session, FILE *out);
 /* Gives back what the session holds. */
 void session_close(struct session *session);
 
-/* The mass of the first domino in kg; 0 where it is not known. */
+/* The mass of the first domino in kg; 0 where it is not known.  As a block of these sizes in m, or as h and d
+ * say. */
+dom_real session_block_mass(const struct session *session, dom_real height, dom_real thickness);
 dom_real session_mass(const struct session *session);
 
 /* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
