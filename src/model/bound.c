@@ -37,7 +37,7 @@ KERNEL void bound_next(const struct lean *g, const struct link *leader, const st
     /* X and Y each carry 4 units of the positive terms that they are made of. */
     real made_of = g->r * (g->s + g->L * leader->tilt.v);
     real turn = 4 * UNIT * leader->turn.Y * (made_of + fabs(leader->turn.X));
-    b->angle = leader->step * b->angle + turn + 3 * UNIT * follower->tilt.x;
+    b->angle = leader->step * b->angle + turn + 5 * UNIT * follower->tilt.x;
     b->slope = leader->step * b->slope + leader->slope * b->step + UNIT * follower->slope;
     b->weight += 3 * UNIT;
     b->inertia += 4 * UNIT;

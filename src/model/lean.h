@@ -102,14 +102,14 @@ KERNEL struct turn lean_turn(const struct lean *g, struct tilt leader)
     return (struct turn){X, Y, arm, arm / Y};
 }
 
-/* The follower's tilt (A6, corrected: y' = Y y - X x). */
+/*
+ * The follower's tilt (A6, corrected: y' = Y y - X x), as its v' = 1 - y' alone: terms of one sign, of which
+ * x' and y' follow, so that neither drifts along a long train.
+ */
 KERNEL struct tilt tilt_turn(struct tilt t, struct turn turn)
 {
-    real x = turn.Y * t.x + turn.X * t.y;
-    real y = turn.Y * t.y - turn.X * t.x;
-    /* Rounding lets x^2 + y^2 drift along a long train; one Newton step holds it at 1. */
-    real norm = (3 - (x * x + y * y)) / 2;
-    return tilt_make(norm * x, norm * y);
+    real v = turn.X * turn.X / (1 + turn.Y) + turn.Y * t.v + turn.X * t.x;
+    return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
 #endif
