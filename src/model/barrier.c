@@ -10,11 +10,16 @@
  * Over 50,000 random trains (s, d, q, r log-uniform) 16 samples a piece found the barrier that 600 found;
  * tests/unit/test_barrier.c repeats the comparison.
  */
-#define BARRIER_SAMPLES 16
+#define BARRIER_SAMPLES 8
+
+/* sin^2(pi k / 16): where they are, of the width of a piece. */
+static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30866f, 0.50000f,
+                                                        0.69134f, 0.85355f, 0.96194f};
 
 struct slope_context {
     const struct lean *lean;
     struct tilt from; /* heights are over that of the train there */
+    real known;       /* a top that is not climbed again, tan(theta / 2); negative for none */
     enum dom_status status;
 };
 
@@ -26,85 +31,160 @@ static enum dom_status rubbing_slope(const struct lean *g, struct tilt head, rea
     return status;
 }
 
-static real slope_of_H(real theta, void *context)
+/* H1, or with friction what is in its place, at p = tan(theta / 2): searches move in p. */
+static real slope_of_H(real p, void *context)
 {
     struct slope_context *c = context;
-    struct tilt head;
+    const struct lean *g = c->lean;
     struct sums sums = {0};
-    c->status = lean_tilt(c->lean, theta, &head);
-    if (c->status == DOM_OK && c->lean->mu > 0)
-        c->status = rubbing_slope(c->lean, head, c->lean->tol, &sums.H1);
-    else if (c->status == DOM_OK)
-        c->status = chain_sum(c->lean, head, &sums);
+    c->status =
+        g->mu > 0 ? rubbing_slope(g, tilt_half(p), g->tol, &sums.H1) : chain_sum(g, tilt_half(p), &sums);
     return c->status == DOM_OK ? sums.H1 : REAL_NAN;
 }
 
 /* Its sign, from as short a train as shows it. */
-static real rises(real theta, struct slope_context *c)
+static real rises(real p, struct slope_context *c)
 {
-    struct tilt head;
     real H1 = 0;
-    c->status = lean_tilt(c->lean, theta, &head);
-    if (c->status == DOM_OK)
-        c->status = c->lean->mu > 0 ? rubbing_slope(c->lean, head, 1, &H1) : chain_sign(c->lean, head, &H1);
+    c->status = c->lean->mu > 0 ? rubbing_slope(c->lean, tilt_half(p), 1, &H1)
+                                : chain_sign(c->lean, tilt_half(p), &H1);
     return H1;
 }
 
-/* Keeps theta as theta_m if H is higher there. */
-static enum dom_status barrier_try(const struct slope_context *c, real theta, struct barrier *b)
+/* Keeps p as the top if it is higher. */
+static void barrier_keep(struct barrier *b, real p, real height)
 {
-    struct tilt head;
-    struct sums sums = {0};
-    enum dom_status status = lean_tilt(c->lean, theta, &head);
-    if (status == DOM_OK && c->lean->mu > 0)
-        sums.dH = friction_climb(c->lean, theta);
-    else if (status == DOM_OK)
-        status = c->from.x > 0 ? chain_rise_from(c->lean, c->from, head, &sums)
-                               : chain_rise(c->lean, head, &sums, NULL);
-    if (status == DOM_OK && sums.dH > b->height) {
-        b->height = sums.dH;
-        b->theta_m = theta;
+    if (height > b->height) {
+        b->height = height;
+        b->half = p;
     }
+}
+
+static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
+{
+    struct sums sums = {0};
+    enum dom_status status = DOM_OK;
+    if (c->lean->mu > 0)
+        sums.dH = friction_climb(c->lean, 2 * atan(p));
+    else
+        status = chain_rise_from(c->lean, c->from, tilt_half(p), &sums);
+    if (status == DOM_OK)
+        barrier_keep(b, p, sums.dH);
     return status;
+}
+
+/* Where a top is looked for. */
+struct top {
+    real lo, hi;
+    bool rises, falls; /* H does, at lo and hi: else the top may be at an end */
+    real p;            /* where to look next */
+    real height;       /* of the top, right to the third order of the step to it */
+    real moved;        /* by the last step, relative */
+};
+
+/* One step of Newton's method to H1 = 0; where that leads out of the bracket, or not to a top, to an end, or
+ * half of it. */
+static enum dom_status top_step(const struct slope_context *c, struct top *top)
+{
+    struct sums at;
+    real p = top->p;
+    enum dom_status status = chain_bend_from(c->lean, c->from, tilt_half(p), &at);
+    if (status != DOM_OK)
+        return status;
+    bool up = at.H1 > 0;
+    top->rises = top->rises || up;
+    top->falls = top->falls || !up;
+    real turn = -at.H1 / at.H2, next = p + turn * (1 + p * p) / 2;
+    if (p == (up ? top->hi : top->lo)) { /* the end is the top */
+        next = p;
+        turn = 0;
+    }
+    *(up ? &top->lo : &top->hi) = p;
+    bool newton = turn == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi);
+    if (!newton)
+        next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
+    top->height = newton ? at.dH + at.H1 * turn / 2 : at.dH;
+    top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / next;
+    top->p = next;
+    return DOM_OK;
+}
+
+#define TOP_STEPS 200
+
+static enum dom_status barrier_climb(const struct slope_context *c, struct top *top, real tol)
+{
+    real before = 1;
+    tol = fmax(tol, 4 * REAL_EPSILON);
+    for (int i = 0; i < TOP_STEPS; i++) {
+        enum dom_status status = top_step(c, top);
+        bool closed = top->rises && top->falls && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi;
+        if (status != DOM_OK || top->moved <= tol || closed)
+            return status;
+        if (i > 2 && top->moved > before / 2) /* a kink throws Newton to and fro */
+            top->p = (top->lo + top->hi) / 2;
+        before = top->moved;
+    }
+    return DOM_NOT_CONVERGED;
 }
 
 /* From sample to sample: a maximum of H lies between two where it rises and falls. */
 struct sample {
-    real theta, slope;
+    real p, slope;
 };
 
-static void barrier_sample(struct slope_context *c, real theta, struct sample *last, struct barrier *b)
+static void barrier_sample(struct slope_context *c, real p, real tol, struct sample *last, struct barrier *b)
 {
     if (c->status != DOM_OK)
         return;
-    struct sample next = {theta, rises(theta, c)};
-    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0) {
-        real top;
-        enum num_status status = num_root(slope_of_H, c, last->theta, theta, c->lean->tol / 8, &top);
+    struct sample next = {p, rises(p, c)};
+    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && c->lean->mu > 0) {
+        real half;
+        enum num_status status = num_root(slope_of_H, c, last->p, p, tol, &half);
         c->status = model_status(c->status, status);
         if (c->status == DOM_OK)
-            c->status = barrier_try(c, top, b);
+            c->status = barrier_try(c, half, b);
+    } else if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 &&
+               !(last->p <= c->known && c->known <= p)) {
+        struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
+        top.p = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
+        c->status = barrier_climb(c, &top, tol);
+        if (c->status == DOM_OK)
+            c->status = barrier_try(c, top.p, b);
     }
     *last = next;
+}
+
+/* Behind theta_u the head falls, and all of its followers are behind it: H falls as well. */
+static bool falls_behind(const struct lean *g)
+{
+    return g->mu == 0 && !g->behind && g->c.x > g->d * g->c.y;
+}
+
+/* tan(theta_u / 2), tan theta_u = d (b2). */
+static real half_of_u(const struct lean *g)
+{
+    return g->d / (1 + g->reach);
 }
 
 /*
  * All maxima of H inside one smooth piece.  Chebyshev spacing: the structure sits near the ends, where
  * dominoes leave; from upright on also at the tilts d and sqrt(1 - r s), however small they are.
  */
-static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool upright,
+static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool upright, real tol,
                                     struct barrier *b)
 {
     const struct lean *g = c->lean;
+    if (c->from.x == 0 && falls_behind(g))
+        hi = fmin(hi, half_of_u(g));
+    if (hi <= lo)
+        return DOM_OK;
     struct sample last = {lo, rises(lo, c)};
-    real first = (1 - cos(PI / BARRIER_SAMPLES)) / 2 * (hi - lo);
-    real finest = g->short_of > 0 ? fmin(g->d, sqrt(g->short_of)) / 16 : g->d / 16;
-    for (real theta = finest; upright && theta < first && theta > lo; theta *= 4)
-        barrier_sample(c, lo + theta, &last, b);
-    for (int k = 1; k <= BARRIER_SAMPLES; k++) {
-        real u = (1 - cos(PI * (real)k / BARRIER_SAMPLES)) / 2;
-        barrier_sample(c, k < BARRIER_SAMPLES ? lo + u * (hi - lo) : hi, &last, b);
-    }
+    real finest = (g->short_of > 0 ? fmin(g->d, sqrt(g->short_of)) : g->d) / 32;
+    for (real p = finest; upright && p < (real)sample_place[0] * (hi - lo) && p > lo; p *= 4)
+        barrier_sample(c, lo + p, tol, &last, b);
+    for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
+        barrier_sample(c, lo + (real)sample_place[k] * (hi - lo), tol, &last, b);
+    barrier_sample(c, hi, tol, &last, b);
     if (c->status == DOM_OK && last.slope > 0)
         c->status = barrier_try(c, hi, b); /* H still rises at the end of the piece */
     return c->status;
@@ -113,25 +193,56 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
 KERNEL enum dom_status barrier_piece(const struct lean *g, struct tilt from, real lo, real hi,
                                      struct barrier *b)
 {
-    struct slope_context c = {.lean = g, .from = from};
-    *b = (struct barrier){.theta_m = lo, .edge = {lo, hi}, .edges = 2};
-    return barrier_scan(&c, lo, hi, lo == 0, b);
+    struct slope_context c = {.lean = g, .from = from, .known = -1};
+    *b = (struct barrier){.theta_m = lo, .half = half_of_tilt(from), .edge = {lo, hi}, .edges = 2};
+    enum dom_status status = barrier_scan(&c, b->half, tan(hi / 2), lo == 0, g->tol / 8, b);
+    if (b->height > 0)
+        b->theta_m = fmin(2 * atan(b->half), hi);
+    return status;
 }
 
-KERNEL enum dom_status barrier_search(const struct lean *g, real end, struct barrier *barrier)
+/* Of all smooth pieces. */
+static enum dom_status barrier_pieces(const struct lean *g, real end, real tol, struct barrier *b)
 {
-    struct barrier b = {.theta_m = 0, .height = 0};
-    enum dom_status status = chain_edges(g, end, b.edge, &b.edges);
-    if (status == DOM_OK && g->mu > 0)
-        status = friction_flow(g);
-    if (status != DOM_OK)
-        return status;
-    struct slope_context c = {.lean = g};
-    for (int i = 1; status == DOM_OK && i < b.edges; i++)
-        status = barrier_scan(&c, b.edge[i - 1], b.edge[i], i == 1, &b);
-    if (status == DOM_OK)
-        *barrier = b;
+    enum dom_status status = chain_edges(g, end, b->edge, &b->edges);
+    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = b->height > 0 ? b->half : -1};
+    real lo = b->edge[0];
+    for (int i = 1; status == DOM_OK && i < b->edges; i++) {
+        real hi = tan(b->edge[i] / 2);
+        status = barrier_scan(&c, lo, hi, i == 1, tol, b);
+        lo = hi;
+    }
+    b->theta_m = fmin(2 * atan(b->half), end);
     return status;
+}
+
+KERNEL enum dom_status barrier_search(const struct lean *g, real end, real tol, struct barrier *barrier)
+{
+    enum dom_status status = g->mu > 0 ? friction_flow(g) : DOM_OK;
+    *barrier = (struct barrier){.theta_m = 0, .height = 0};
+    return status == DOM_OK ? barrier_pieces(g, end, tol, barrier) : status;
+}
+
+KERNEL enum dom_status barrier_tops(const struct lean *g, struct barrier *b)
+{
+    return barrier_pieces(g, tilt_angle(g->c), TOP_TOL(g), b);
+}
+
+KERNEL bool barrier_follow(const struct lean *g, struct barrier *b)
+{
+    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = -1};
+    struct top top = {.hi = falls_behind(g) ? half_of_u(g) : half_of_tilt(g->c)};
+    top.p = fmin(b->half, top.hi);
+    if (barrier_climb(&c, &top, TOP_TOL(g)) != DOM_OK)
+        return false;
+    b->half = top.p;
+    b->height = top.height;
+    return true;
+}
+
+KERNEL real barrier_most(const struct lean *g)
+{
+    return falls_behind(g) ? g->d * half_of_u(g) : (real)INFINITY; /* h(theta_u) - 1 */
 }
 
 KERNEL real balance_tol(real tol, real left, real whole)
@@ -146,7 +257,7 @@ KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real 
     do {
         enum dom_status status = collision_launch(g, fuel, launch, error);
         if (status == DOM_OK)
-            status = barrier_search(g, end, b);
+            status = barrier_search(g, end, g->tol / 8, b);
         if (status != DOM_OK || launch->fuel <= 0)
             return status;
         asked = g->tol;
@@ -159,7 +270,7 @@ KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real 
 static real curvature(struct slope_context *c, real theta, real end)
 {
     real h = sqrt(REAL_EPSILON) * 64 * theta, lo = fmax(theta - h, 0), hi = fmin(theta + h, end);
-    real below = slope_of_H(lo, c), above = c->status == DOM_OK ? slope_of_H(hi, c) : 0;
+    real below = slope_of_H(tan(lo / 2), c), above = c->status == DOM_OK ? slope_of_H(tan(hi / 2), c) : 0;
     return (above - below) / (hi - lo);
 }
 
@@ -167,7 +278,7 @@ KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier 
 {
     struct tilt head;
     struct sums at, e;
-    struct slope_context c = {.lean = g};
+    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = -1};
     *error = (struct barrier){.theta_m = 0, .height = 0};
     if (g->mu > 0)
         error->theta_m = error->height = REAL_NAN;

@@ -12,11 +12,29 @@
  */
 struct barrier {
     real theta_m, height;
+    real half; /* tan(theta_m / 2) */
     real edge[CHAIN_EDGES];
     int edges;
 };
 
-KERNEL enum dom_status barrier_search(const struct lean *lean, real end, struct barrier *barrier);
+/* Of a tilt: the height there, to the third order of a step to the top, has the tolerance of the sums. */
+#define TOP_TOL(lean) (cbrt((lean)->tol) / 8)
+
+/* To the relative tolerance tol of theta_m; TOP_TOL where only the height is wanted. */
+KERNEL enum dom_status barrier_search(const struct lean *lean, real end, real tol, struct barrier *barrier);
+
+/*
+ * One top alone, from b->half on by Newton's method, as that of a neighbouring train is near; false where it
+ * comes to none.  Whether it is the highest barrier_tops knows.
+ */
+KERNEL bool barrier_follow(const struct lean *lean, struct barrier *b);
+
+/* Looks for higher tops than that of b, over [0, theta_c], and if there are, puts the highest in its place.
+ */
+KERNEL enum dom_status barrier_tops(const struct lean *lean, struct barrier *b);
+
+/* More than any barrier of the train; infinite where its followers may rise, too. */
+KERNEL real barrier_most(const struct lean *lean);
 
 /* The same over [lo, hi], where H is smooth, and relative to H at lo, the tilt `from`. */
 KERNEL enum dom_status barrier_piece(const struct lean *lean, struct tilt from, real lo, real hi,

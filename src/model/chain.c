@@ -9,7 +9,7 @@
 /* The tail of a sum may be this part of the tolerance, so that a result of several sums keeps it. */
 #define TAIL_SHARE ((real)0.125)
 
-static void link_lean(struct link *k)
+KERNEL_LOOP void link_lean(struct link *k)
 {
     const struct lean *g = k->lean;
     /* Upright is leaned on in any case: it has just been hit, even in the limit theta_leave = 0. */
@@ -20,14 +20,14 @@ static void link_lean(struct link *k)
     }
 }
 
-KERNEL struct link link_head(const struct lean *g, struct tilt head)
+KERNEL_LOOP struct link link_head(const struct lean *g, struct tilt head)
 {
     struct link k = {.lean = g, .i = 0, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
     link_lean(&k);
     return k;
 }
 
-KERNEL void link_next(struct link *k)
+KERNEL_LOOP void link_next(struct link *k)
 {
     const struct lean *g = k->lean;
     k->i++;
@@ -40,7 +40,7 @@ KERNEL void link_next(struct link *k)
     link_lean(k);
 }
 
-KERNEL real link_bend(const struct link *leader, real bend, const struct link *follower)
+KERNEL_LOOP real link_bend(const struct link *leader, real bend, const struct link *follower)
 {
     real X = leader->turn.X, Y = leader->turn.Y;
     if (leader->tilt.x == 0 && Y == 0)
@@ -57,7 +57,7 @@ struct series {
 };
 
 /* Compensated (Fast2Sum; a follower never counts for more than all before it, but in roundings). */
-static void series_add(struct series *s, real term)
+KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;
     s->lost += fabs(s->sum) >= fabs(term) ? (s->sum - sum) + term : (term - sum) + s->sum;
@@ -69,7 +69,7 @@ static void series_add(struct series *s, real term)
  * Does the tail matter?  The next terms are at most `term` times ratio, ratio^2, ...; below the unit
  * roundoff of what was added no tolerance needs them.
  */
-static bool series_done(struct series *s, real term, real ratio, real tol)
+KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
     s->next = term * ratio;
     s->ratio = ratio;
@@ -84,7 +84,7 @@ static real series_error(const struct series *s, bool ended)
 }
 
 /* Every few thousand dominoes: has somebody asked to stop, is the train too long? */
-static enum dom_status chain_watch(const struct lean *g, size_t i)
+KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
 {
     if (i % 4096 != 0)
         return DOM_OK;
@@ -107,35 +107,36 @@ struct sum_state {
     real left;
 };
 
-static void add_J(struct sum_state *a, const struct link *k)
+KERNEL_LOOP void add_J(struct sum_state *a, const struct link *k)
 {
     series_add(&a->J, k->inertia * k->slope * k->slope);
 }
 
-static void add_H1(struct sum_state *a, const struct link *k)
+KERNEL_LOOP void add_H1(struct sum_state *a, const struct link *k)
 {
     series_add(&a->H1, k->weight * k->slope * (k->lean->d * k->tilt.y - k->tilt.x));
 }
 
-static bool done_J(struct sum_state *a, const struct link *k)
+KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)
 {
     const struct lean *g = k->lean;
     return series_done(&a->J, k->inertia * k->slope * k->slope,
                        fmax(g->inertia * k->step * k->step, g->decay_J), g->tol);
 }
 
-static bool done_H1(struct sum_state *a, const struct link *k, real tol)
+KERNEL_LOOP bool done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct lean *g = k->lean;
     return series_done(&a->H1, k->weight * k->slope * g->reach, fmax(g->weight * k->step, g->decay), tol);
 }
 
-static enum dom_status sum_result(const struct lean *g, const struct sum_state *a, size_t n,
+static enum dom_status sum_result(const struct lean *g, const struct sum_state *a, real H2, size_t n,
                                   struct sums *sums)
 {
     chain_count(g, n);
     *sums = (struct sums){.J = a->J.sum + a->J.lost,
                           .H1 = a->H1.sum + a->H1.lost,
+                          .H2 = H2,
                           .dH = a->dH.sum + a->dH.lost,
                           .left = a->left,
                           .n = n};
@@ -152,8 +153,8 @@ KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, real *
         if (status != DOM_OK)
             return status;
         add_H1(&a, &k);
-        if (k.i + 1 >= g->n || !k.leads || done_H1(&a, &k, 1)) {
-            status = sum_result(g, &a, k.i + 1, &sums);
+        if (k.i + 1 >= g->n || !k.leads || done_H1(&a, &k, (real)0.75 / TAIL_SHARE)) {
+            status = sum_result(g, &a, 0, k.i + 1, &sums);
             *H1 = sums.H1;
             return status;
         }
@@ -172,7 +173,7 @@ KERNEL enum dom_status chain_sum(const struct lean *g, struct tilt head, struct 
         add_J(&a, &k);
         add_H1(&a, &k);
         if (k.i + 1 >= g->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, g->tol)))
-            return sum_result(g, &a, k.i + 1, sums);
+            return sum_result(g, &a, 0, k.i + 1, sums);
         link_next(&k);
     }
 }
@@ -181,7 +182,7 @@ KERNEL enum dom_status chain_sum(const struct lean *g, struct tilt head, struct 
  * h(A) - h(B) of one domino at the tilts a and b, h = cos + d sin, from t = tan((A - B)/2): the product
  * form of 2 sin((A-B)/2) (d cos((A+B)/2) - sin((A+B)/2)), free of cancellation.
  */
-static real rise(const struct lean *g, struct tilt a, struct tilt b, real t)
+KERNEL_LOOP real rise(const struct lean *g, struct tilt a, struct tilt b, real t)
 {
     return t * (g->d * (a.y + b.y) - (a.x + b.x));
 }
@@ -228,38 +229,56 @@ static real leaving_half_turn(const struct lean *g, const struct link *leader)
     return t * F / (1 + t * t * G);
 }
 
+/* What a pass is asked for: a constant of each caller, so that the others do not pay for it. */
+enum {
+    PASS_ERROR = 1, /* bounds */
+    PASS_SHIFT = 2, /* a is the endless train at theta_c: b, from its second domino on */
+    PASS_BEND = 4,  /* H2 */
+};
+
 /*
  * Two chains run side by side: a from the head's tilt, b from upright.  With t = tan((theta_a - theta_b)/2)
  * of one domino, its follower has, exactly, t (1 - G) / (1 + t^2 G), G = r L (x_a + x_b) / (Y_a + Y_b),
  * because X_a - X_b = r L (y_a - y_b).  G is the slope's r L x / Y (b10) between the two tilts; so the
  * smallest differences keep their digits.
  */
-static enum dom_status rise_between(const struct lean *g, struct tilt from, struct tilt head, real t,
-                                    struct sums *sums, struct sums *error)
+KERNEL_LOOP enum dom_status rise_between(const struct lean *g, struct tilt from, struct tilt head, real t,
+                                         const int pass, struct sums *sums, struct sums *error)
 {
     struct sum_state state = {0};
     struct link a = link_head(g, head), b = link_head(g, from);
-    struct rise_error e = error ? error_head(g, &a, &b, t) : (struct rise_error){.t = 0};
+    struct rise_error e;
+    real H2 = 0, bend = 0;
     bool ended = true;
+    if (pass & PASS_ERROR)
+        e = error_head(g, &a, &b, t);
     for (;;) {
         enum dom_status status = chain_watch(g, a.i);
         if (status != DOM_OK)
             return status;
         add_J(&state, &a);
         add_H1(&state, &a);
+        if (pass & PASS_BEND)
+            H2 += a.weight * (bend * (a.lean->d * a.tilt.y - a.tilt.x) -
+                              a.slope * a.slope * (a.tilt.y + a.lean->d * a.tilt.x));
         series_add(&state.dH, a.weight * rise(a.lean, a.tilt, b.tilt, t));
-        if (error)
+        if (pass & PASS_ERROR)
             error_add(g, &e, &a, &b, t);
         if (a.i + 1 >= g->n || !b.leads)
             break;
-        struct link leader = b;
         if (!a.leads) {
             /* The follower has left during this cycle: it keeps the energy of theta_f. */
-            link_next(&b);
+            struct link leader = b;
+            if (pass & PASS_SHIFT) {
+                b.tilt = a.tilt;
+                b.weight = a.weight * g->weight;
+            } else {
+                link_next(&b);
+            }
             real t_f = leaving_half_turn(g, &leader);
             state.left = b.weight * rise(g, g->f, b.tilt, t_f);
             series_add(&state.dH, state.left);
-            if (error) {
+            if (pass & PASS_ERROR) {
                 real angle = lean_error_f(g), t_error = bound_leaving(g, &leader, &e.b, t_f);
                 bound_next(g, &leader, &b, &e.b);
                 e.sums.dH += b.weight * (bound_rise(g, g->f, b.tilt, angle, e.b.angle, t_f, t_error) +
@@ -276,39 +295,65 @@ static enum dom_status rise_between(const struct lean *g, struct tilt from, stru
             done_H1(&state, &a, g->tol))
             break;
         ended = true;
-        if (error)
+        if (pass & PASS_ERROR)
             e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t, F);
         t *= F / (1 + t * t * G);
-        if (error) {
-            struct link leader_a = a;
-            link_next(&a);
-            link_next(&b);
-            bound_next(g, &leader_a, &a, &e.a);
-            bound_next(g, &leader, &b, &e.b);
+        struct link leader_a = a, leader_b = b;
+        link_next(&a);
+        if (pass & PASS_SHIFT) {
+            b.tilt = leader_a.tilt;
+            b.turn = leader_a.turn;
         } else {
-            link_next(&a);
             link_next(&b);
         }
+        if (pass & PASS_BEND)
+            bend = link_bend(&leader_a, bend, &a);
+        if (pass & PASS_ERROR) {
+            bound_next(g, &leader_a, &a, &e.a);
+            bound_next(g, &leader_b, &b, &e.b);
+        }
     }
-    if (error)
+    if (pass & PASS_ERROR)
         *error = (struct sums){.J = e.sums.J + series_error(&state.J, ended),
                                .H1 = e.sums.H1 + series_error(&state.H1, ended),
                                .dH = e.sums.dH + series_error(&state.dH, ended)};
-    return sum_result(g, &state, a.i + 1, sums);
+    return sum_result(g, &state, H2, a.i + 1, sums);
+}
+
+static const struct tilt standing = {0, 1, 0};
+
+/* tan of half the difference; exact where it is the whole tilt. */
+static real half_turn(struct tilt from, struct tilt head)
+{
+    real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
+    return sine / (1 + cosine);
 }
 
 KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, struct sums *sums,
                                   struct sums *error)
 {
-    return rise_between(g, (struct tilt){0, 1, 0}, head, head.x / (1 + head.y), sums, error);
+    real t = half_of_tilt(head);
+    return error ? rise_between(g, standing, head, t, PASS_ERROR, sums, error)
+                 : rise_between(g, standing, head, t, 0, sums, NULL);
+}
+
+KERNEL enum dom_status chain_fall(const struct lean *g, struct sums *sums, struct sums *error)
+{
+    enum dom_status status = error ? chain_rise(g, g->c, sums, error) : DOM_OK;
+    return status == DOM_OK ? rise_between(g, standing, g->c, half_of_tilt(g->c), PASS_SHIFT, sums, NULL)
+                            : status;
 }
 
 KERNEL enum dom_status chain_rise_from(const struct lean *g, struct tilt from, struct tilt head,
                                        struct sums *sums)
 {
-    /* tan of half the difference. */
-    real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
-    return rise_between(g, from, head, sine / (1 + cosine), sums, NULL);
+    return rise_between(g, from, head, half_turn(from, head), 0, sums, NULL);
+}
+
+KERNEL enum dom_status chain_bend_from(const struct lean *g, struct tilt from, struct tilt head,
+                                       struct sums *sums)
+{
+    return rise_between(g, from, head, half_turn(from, head), PASS_BEND, sums, NULL);
 }
 
 KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct tilt *head, size_t *domino)

@@ -22,15 +22,16 @@ struct link {
     bool leads;       /* a follower leans on it */
 };
 
-KERNEL struct link link_head(const struct lean *lean, struct tilt head);
-KERNEL void link_next(struct link *link);
+KERNEL_LOOP struct link link_head(const struct lean *lean, struct tilt head);
+KERNEL_LOOP void link_next(struct link *link);
 
 /* theta'' of a follower from that of its leader: d/dtheta of (b10) along the chain. */
-KERNEL real link_bend(const struct link *leader, real bend, const struct link *follower);
+KERNEL_LOOP real link_bend(const struct link *leader, real bend, const struct link *follower);
 
 struct sums {
     real J;    /* (c2) */
     real H1;   /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
+    real H2;   /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_bend_from */
     real dH;   /* H(theta) - H(0), or from another tilt; only from chain_rise */
     real left; /* the part of it in a follower that has left during the cycle */
     size_t n;  /* dominoes followed */
@@ -46,8 +47,15 @@ KERNEL enum dom_status chain_sum(const struct lean *lean, struct tilt head, stru
 KERNEL enum dom_status chain_rise(const struct lean *lean, struct tilt head, struct sums *sums,
                                   struct sums *error);
 
-/* The same with H(theta) - H(from), of a train that nobody leaves in between. */
+/* chain_rise at theta_c, of an endless train: with every follower where its leader was, one chain serves. */
+KERNEL enum dom_status chain_fall(const struct lean *lean, struct sums *sums, struct sums *error);
+
+/* The same with H(theta) - H(from), of a train that nobody leaves in between, if from is not upright. */
 KERNEL enum dom_status chain_rise_from(const struct lean *lean, struct tilt from, struct tilt head,
+                                       struct sums *sums);
+
+/* With H2 as well. */
+KERNEL enum dom_status chain_bend_from(const struct lean *lean, struct tilt from, struct tilt head,
                                        struct sums *sums);
 
 /*

@@ -25,7 +25,7 @@ static enum dom_status cycle_begin(const struct dom_train *train, struct flow *f
 /* The barrier over [0, end]. */
 static enum dom_status cycle_climb(struct cycle *cycle, real end)
 {
-    return barrier_search(&cycle->lean, end, &cycle->barrier);
+    return barrier_search(&cycle->lean, end, cycle->lean.tol / 8, &cycle->barrier);
 }
 
 /* The cycle from its beginning to theta_c, with its barrier. */

@@ -27,7 +27,7 @@ static real fuel_paper_error(const struct lean *g)
 KERNEL enum dom_status energy_fuel(const struct lean *g, struct fuel *fuel, struct fuel *error)
 {
     struct sums at_c, e;
-    enum dom_status status = chain_rise(g, g->c, &at_c, error ? &e : NULL);
+    enum dom_status status = chain_fall(g, &at_c, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *fuel = (struct fuel){.exact = -at_c.dH, .paper = energy_fuel_paper(g), .T = g->inertia * at_c.J};

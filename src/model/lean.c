@@ -1,33 +1,58 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "lean.h"
 
-KERNEL enum dom_status lean_make_at(const struct dom_train *t, real s, real r, struct lean *lean)
+/* r^q, and r^q - 1 free of cancellation. */
+static void lean_powers(real r, real q, real *rq, real *rq_1)
 {
-    /* Half a unit in the last place of 1: no more than r = 1/s loses when it is rounded. */
-    if (fma(-r, s, 1) < -REAL_EPSILON / 2)
-        return DOM_OUT_OF_REACH;
-    real d = (real)t->d, q = (real)t->q, L = s + d;
-    real ln_r = log1p(r - 1);
-    /* The kinetic energy (c6) is as small as r^-(2q+1); below this it would lose its digits. */
-    if ((2 * q + 1) * ln_r > -log(REAL_MIN / REAL_EPSILON))
-        return DOM_UNDERFLOW;
-    struct lean g = {.s = s,
-                     .r = r,
-                     .d = d,
-                     .q = q,
+    const int whole = (int)q;
+    if (q == (real)whole && whole <= 8) { /* hollow and massive: r^q - 1 = (r - 1) (1 + r + ...) */
+        real power = r, sum = 1;
+        for (int k = 1; k < whole; k++) {
+            sum += power;
+            power *= r;
+        }
+        *rq = power;
+        *rq_1 = (r - 1) * sum;
+        return;
+    }
+    *rq = pow(r, q);
+    /* The logarithm would cost digits where r^q is large, the difference where it is near 1. */
+    *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
+}
+
+KERNEL struct lean lean_read(const struct dom_train *t)
+{
+    struct lean g = {.s = (real)t->s,
+                     .r = (real)t->r,
+                     .d = (real)t->d,
+                     .q = (real)t->q,
                      .tol = (real)t->tol,
                      .mu = (real)t->mu,
-                     .L = L,
                      .n = CHAIN_ENDLESS,
                      .interrupt = t->interrupt,
                      .work = t->work};
-    /* The fma gives 1 - r s with one rounding; r = 1/s, rounded, may overshoot by half a unit. */
-    g.short_of = fmax(fma(-r, s, 1), 0);
-    g.reach = hypot(1, d);
-    g.rq = pow(r, q);
-    /* The logarithm would cost digits where r^q is large, the difference where it is near 1. */
-    g.rq_1 = g.rq > 2 ? g.rq - 1 : expm1(q * ln_r);
-    g.weight = pow(r, -q);
+    g.reach = sqrt(1 + g.d * g.d);
+    return g;
+}
+
+KERNEL enum dom_status lean_set(struct lean *lean, real s, real r)
+{
+    struct lean g = *lean;
+    real d = g.d, L = s + d;
+    g.s = s;
+    g.r = r;
+    g.L = L;
+    /* The fma gives 1 - r s with one rounding. */
+    real short_of = fma(-r, s, 1);
+    /* Half a unit in the last place of 1: no more than r = 1/s loses when it is rounded. */
+    if (short_of < -REAL_EPSILON / 2)
+        return DOM_OUT_OF_REACH;
+    g.short_of = fmax(short_of, 0);
+    lean_powers(r, g.q, &g.rq, &g.rq_1);
+    /* The kinetic energy (c6) is as small as r^-(2q+1); below this it would lose its digits. */
+    if (!(g.rq * g.rq * r < REAL_EPSILON / REAL_MIN))
+        return DOM_UNDERFLOW;
+    g.weight = 1 / g.rq;
     g.inertia = g.weight / r;
 
     g.c = tilt_make(fmin(r * s, 1), sqrt(g.short_of * (1 + r * s)));
@@ -55,7 +80,8 @@ KERNEL enum dom_status lean_make_at(const struct dom_train *t, real s, real r, s
 
 KERNEL enum dom_status lean_make(const struct dom_train *train, struct lean *lean)
 {
-    return lean_make_at(train, (real)train->s, (real)train->r, lean);
+    *lean = lean_read(train);
+    return lean_set(lean, lean->s, lean->r);
 }
 
 KERNEL enum dom_status lean_tilt(const struct lean *lean, real theta, struct tilt *tilt)

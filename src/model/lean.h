@@ -49,8 +49,9 @@ struct lean {
 /* Checks the train, and fills lean. */
 KERNEL enum dom_status lean_make(const struct dom_train *train, struct lean *lean);
 
-/* The same for the separation s and the growth r in place of the train's. */
-KERNEL enum dom_status lean_make_at(const struct dom_train *train, real s, real r, struct lean *lean);
+/* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
+KERNEL struct lean lean_read(const struct dom_train *train);
+KERNEL enum dom_status lean_set(struct lean *lean, real s, real r);
 
 /* Room for the motion of a train with friction, if it has any; for as long as the lean is used. */
 KERNEL void lean_flow(struct lean *lean, struct flow *flow);
@@ -79,6 +80,18 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
+/* By p = tan(theta / 2), in which searches move: no trigonometry, and small tilts keep their digits. */
+KERNEL struct tilt tilt_half(real p)
+{
+    real pp = p * p, share = 2 / (1 + pp);
+    return (struct tilt){.x = p * share, .y = 1 - pp * share, .v = pp * share};
+}
+
+KERNEL real half_of_tilt(struct tilt t)
+{
+    return t.x / (1 + t.y);
+}
+
 /*
  * The turn from a leader to its follower, with the arm of the contact force on the leader (table 1).
  * Neither X near 0 nor X near 1 cancels.  Where Y - r L x would, the arm comes from
@@ -91,7 +104,7 @@ struct turn {
                 */
 };
 
-KERNEL struct turn lean_turn(const struct lean *g, struct tilt leader)
+KERNEL_LOOP struct turn lean_turn(const struct lean *g, struct tilt leader)
 {
     real X = g->r * (g->s - g->L * leader.v);
     real one_minus_X = g->short_of + g->r * g->L * leader.v;
@@ -106,7 +119,7 @@ KERNEL struct turn lean_turn(const struct lean *g, struct tilt leader)
  * The follower's tilt (A6, corrected: y' = Y y - X x), as its v' = 1 - y' alone: terms of one sign, of which
  * x' and y' follow, so that neither drifts along a long train.
  */
-KERNEL struct tilt tilt_turn(struct tilt t, struct turn turn)
+KERNEL_LOOP struct tilt tilt_turn(struct tilt t, struct turn turn)
 {
     real v = turn.X * turn.X / (1 + turn.Y) + turn.Y * t.v + turn.X * t.x;
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};

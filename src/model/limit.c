@@ -10,91 +10,183 @@
 #define SCAN_PER_E   8
 #define SCAN_DECADES 8
 
+/* What a cycle, or a push, leaves to climb with, and the barrier. */
+struct margin {
+    real kinetic, barrier;
+    bool most; /* the barrier is only the highest that it can be */
+    real error;
+};
+
+static real margin_left(const struct margin *m)
+{
+    return m->kinetic - m->barrier;
+}
+
+/* Between -1 and 1. */
+static real margin_share(const struct margin *m)
+{
+    return margin_left(m) / (fabs(m->kinetic) + m->barrier);
+}
+
 struct margin_context {
     const struct dom_train *train;
+    struct lean lean; /* of the train, for any s and r */
+    size_t dominoes;  /* that are in motion: CHAIN_ENDLESS, or a pair */
     real s;
-    enum dom_status (*margin)(const struct lean *, enum dom_fuel, real *margin, real *error);
-    real error; /* bound of that of the last margin, where wanted */
+    enum dom_status (*margin)(const struct lean *, struct margin_context *, struct margin *);
+    enum {
+        MARGIN_SURE,   /* the barrier by a search for all tops */
+        MARGIN_SIGN,   /* or, where that has the same sign, for the highest that it can be, or for one of its
+                          tops */
+        MARGIN_FOLLOW, /* one top, from r to r */
+    } how;
+    struct barrier barrier; /* of the last search */
+    struct barrier nearest; /* of those that were followed, where the margin was closest to 0 */
+    real share;             /* that it was, then */
+    real error;             /* bound of that of the last margin, where wanted */
     bool errors;
     bool locked; /* by friction, at the last r */
     enum dom_status status;
 };
 
-/* K - B of the endless train (c8, corrected). */
-static enum dom_status train_margin(const struct lean *g, enum dom_fuel fuel, real *margin, real *error)
+/* The barrier that the kinetic energy is held against, as the context wants it. */
+static enum dom_status margin_barrier(const struct lean *g, struct margin_context *c, struct margin *m)
 {
-    struct barrier b, b_error = {0};
-    struct launch launch, launch_error = {0};
+    struct barrier *b = &c->barrier, b_error = {0};
+    real most = barrier_most(g), sure = 4 * g->tol;
+    if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > most) {
+        m->barrier = most;
+        m->most = true;
+        return DOM_OK;
+    }
+    if (c->how != MARGIN_SURE) {
+        if (b->height == 0) /* the first: tops are before theta_u */
+            b->half = isfinite(most) ? most / g->d / 2 : 0;
+        bool top = barrier_follow(g, b);
+        m->barrier = fmax(b->height, 0); /* that of the upright train */
+        if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
+            return top ? DOM_OK : DOM_NOT_CONVERGED;
+    }
+    enum dom_status status = barrier_search(g, tilt_angle(g->c), c->errors ? g->tol / 8 : TOP_TOL(g), b);
+    if (status == DOM_OK && c->errors)
+        status = barrier_error(g, b, &b_error);
+    m->barrier = b->height;
+    m->error += b_error.height;
+    return status;
+}
+
+/* Of the endless train (c8, corrected). */
+static enum dom_status train_margin(const struct lean *g, struct margin_context *c, struct margin *m)
+{
+    struct launch launch, error = {0};
     /* At r = 1 the fuels agree, and the closed one needs no train. */
     if (g->r == 1 && g->mu == 0 && energy_fuel_paper(g) <= 0)
         return DOM_NO_FUEL;
-    enum dom_status status = collision_launch(g, fuel, &launch, error ? &launch_error : NULL);
+    enum dom_status status = collision_launch(g, c->train->fuel, &launch, c->errors ? &error : NULL);
     if (status == DOM_OK && g->r == 1 && launch.fuel <= 0)
         return DOM_NO_FUEL;
-    if (status == DOM_OK)
-        status = barrier_search(g, tilt_angle(g->c), &b);
-    if (status == DOM_OK && error)
-        status = barrier_error(g, &b, &b_error);
-    if (status != DOM_OK)
-        return status;
-    *margin = launch.kinetic - b.height;
-    if (error)
-        *error = launch_error.kinetic + b_error.height + UNIT * fabs(*margin);
-    return DOM_OK;
+    *m = (struct margin){.kinetic = launch.kinetic, .error = error.kinetic};
+    return status == DOM_OK ? margin_barrier(g, c, m) : status;
 }
 
-/* Kinetic energy of the pair after the collision less its barrier (b13). */
-static enum dom_status pair_margin(const struct lean *g, enum dom_fuel fuel, real *margin, real *error)
+/* Of the pair after the collision (b13). */
+static enum dom_status pair_margin(const struct lean *g, struct margin_context *c, struct margin *m)
 {
-    (void)fuel;
-    struct barrier b, b_error = {0};
     struct lean two = *g;
-    two.n = 2;
-    enum dom_status status = barrier_search(&two, tilt_angle(g->c), &b);
-    if (status == DOM_OK && error)
-        status = barrier_error(&two, &b, &b_error);
-    if (status != DOM_OK)
-        return status;
+    two.n = c->dominoes;
     real u = g->reach;                        /* h(theta_u) (b2) */
     real sine = (g->c.x - g->d * g->c.y) / u; /* of theta_c - theta_u */
     real cosine = (g->c.y + g->d * g->c.x) / u;
     /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation. */
     real omegasq_1c = u * sine * sine / (1 + cosine);
+    if (g->mu > 0) {
+        enum dom_status status = friction_flow(&two);
+        if (status != DOM_OK)
+            return status;
+    }
     real k = g->inertia, T = g->mu > 0 ? g->flow->T : k, share = T / (1 + T); /* (b11) */
     real kinetic = (1 + k) * g->r * omegasq_1c * share * share;
+    real sine_error = UNIT * (5 * g->c.x + 7 * g->d * g->c.y) / u, powers = 24 * UNIT;
     /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
-    *margin = sine > 0 ? kinetic - b.height : -b.height;
-    if (error) {
-        real sine_error = UNIT * (5 * g->c.x + 7 * g->d * g->c.y) / u;
-        real powers = 24 * UNIT;
-        *error =
-            kinetic * (sine > 0 ? 2 * sine_error / sine + powers : 0) + b_error.height + UNIT * fabs(*margin);
+    *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
+                  : (struct margin){.kinetic = 0};
+    return margin_barrier(&two, c, m);
+}
+
+/* At the relative tolerance tol. */
+static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
+{
+    struct lean g = c->lean;
+    struct flow flow;
+    g.tol = tol;
+    c->status = lean_set(&g, c->s, r);
+    if (c->status == DOM_OK)
+        lean_flow(&g, &flow);
+    if (c->status == DOM_OK)
+        c->status = c->margin(&g, c, m);
+    c->locked = c->status == DOM_LOCKS;
+    if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
+        c->status = DOM_OK;
+        *m = (struct margin){.kinetic = -1};
     }
-    return DOM_OK;
+    c->error = m->error + UNIT * fabs(m->kinetic - m->barrier);
+    return c->status;
 }
 
 static real margin_at(real r, void *context)
 {
     struct margin_context *c = context;
-    struct lean g;
-    struct flow flow;
-    real margin = REAL_NAN;
-    c->status = lean_make_at(c->train, c->s, r, &g);
-    if (c->status == DOM_OK)
-        lean_flow(&g, &flow);
-    if (c->status == DOM_OK)
-        c->status = c->margin(&g, c->train->fuel, &margin, c->errors ? &c->error : NULL);
-    c->locked = c->status == DOM_LOCKS;
-    if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
-        c->status = DOM_OK;
-        return -1;
-    }
-    return c->status == DOM_OK ? margin : REAL_NAN;
+    struct margin m = {0};
+    c->how = MARGIN_SURE;
+    return margin_to(c, r, c->lean.tol, &m) == DOM_OK ? margin_left(&m) : REAL_NAN;
 }
 
 static real margin_below(real r, void *context)
 {
     return -margin_at(r, context);
+}
+
+#define ROUGH ((real)1e-3)
+
+/*
+ * Where its sign is what is wanted: as roughly as shows it.  Kinetic energy and barrier keep a tolerance
+ * each, where the tails of all their sums together are less than half of it.
+ */
+static struct margin margin_sign(struct margin_context *c, real r)
+{
+    struct margin m = {.kinetic = REAL_NAN};
+    real tol = fmax(ROUGH, c->lean.tol);
+    c->how = c->train->mu > 0 ? MARGIN_SURE : MARGIN_SIGN;
+    if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
+        return m;
+    c->how = MARGIN_SURE;
+    margin_to(c, r, c->lean.tol, &m);
+    return m;
+}
+
+/*
+ * The margin as a share, which bends less on the way to a root, and as roughly as serves: the steps of a
+ * search nearly square it.
+ */
+static real margin_follow(real r, void *context)
+{
+    struct margin_context *c = context;
+    struct margin m = {0};
+    real tol = c->lean.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
+    do {
+        rough = next;
+        if (margin_to(c, r, rough, &m) != DOM_OK)
+            return REAL_NAN;
+        share = margin_share(&m);
+        next = fmax(tol, ROUGH * share * share);
+    } while (rough > tol && fabs(share) < 8 * rough);
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* the sums know no more of it */
+        share = 0;
+    if (fabs(share) <= c->share) {
+        c->share = fabs(share);
+        c->nearest = c->barrier;
+    }
+    return share;
 }
 
 /* The k-th sample of r between 1 and the reach; the last is 1/s itself, and larger k give it again. */
@@ -109,41 +201,94 @@ static real scan_sample(real s, int k)
     return k - far > SCAN_DECADES ? 1 / s : fmax((1 - short_of) / s, 1);
 }
 
+/* A sample of the scan. */
+struct edge {
+    real r;
+    struct margin margin;
+};
+
 struct limit {
     real r_max;
     enum dom_end ends;
 };
 
+/* Is the top that was followed to r the highest there? */
+static bool limit_highest(struct margin_context *c, real r)
+{
+    struct lean g = c->lean;
+    struct barrier b = c->nearest;
+    if (lean_set(&g, c->s, r) != DOM_OK)
+        return false;
+    g.n = c->dominoes;
+    return barrier_tops(&g, &b) == DOM_OK &&
+           b.height <= c->nearest.height * (1 + fmax(g.tol, 4 * REAL_EPSILON));
+}
+
+/*
+ * The root of the margin between lo and hi, for which the top of the barrier at hi is followed.  That it is
+ * the highest also at the root is seen there by one more search; where it is not, all tops are searched at
+ * every r.
+ */
+static enum dom_status limit_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
+                                  real *r)
+{
+    real tol = c->lean.tol;
+    enum num_status solver;
+    if (c->train->mu == 0 && c->barrier.height > 0) {
+        c->how = MARGIN_FOLLOW;
+        c->share = 1;
+        solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
+                                  margin_share(&hi->margin), tol / 8, r);
+        if (c->status == DOM_INTERRUPTED)
+            return c->status;
+        if (solver == NUM_OK && limit_highest(c, *r))
+            return DOM_OK;
+    }
+    solver = num_root(margin_at, c, lo->r, hi->r, tol / 8, r);
+    return model_status(c->status, solver);
+}
+
+/*
+ * May the margin reach below 0 between the first and the last?  Kinetic energy alone is smooth: a dip of it
+ * goes less below its lowest sample than the two beside stand above that.
+ */
+static bool dips(const struct edge edge[3])
+{
+    const struct margin *before = &edge[0].margin, *low = &edge[1].margin, *next = &edge[2].margin;
+    real left = margin_left(low), down = margin_left(before) - left, up = margin_left(next) - left;
+    bool smooth = before->most && low->most && next->most;
+    return margin_left(next) >= 0 && down > 0 && up > 0 && !(smooth && left > down + up);
+}
+
 /* First r > lo at which the margin, >= 0 at lo, is negative; DOM_END_REACH if there is none. */
-static enum dom_status limit_scan(struct margin_context *c, int k, real margin, struct limit *limit)
+static enum dom_status limit_scan(struct margin_context *c, int k, struct margin margin, struct limit *limit)
 {
     real s = c->s, reach = 1 / s;
-    real before = REAL_NAN, r_before = REAL_NAN, r = scan_sample(s, k), tol = (real)c->train->tol / 8;
-    while (r < reach) {
-        real r_next = scan_sample(s, ++k), next = margin_at(r_next, c);
+    struct edge edge[3] = {{REAL_NAN, {.kinetic = REAL_NAN}}, {scan_sample(s, k), margin}};
+    while (edge[1].r < reach) {
+        edge[2].r = scan_sample(s, ++k);
+        edge[2].margin = margin_sign(c, edge[2].r);
         if (c->status != DOM_OK)
             return c->status;
-        if (next >= 0 && margin < before && margin < next) {
-            real r_low, low;
-            enum num_status solver = num_maximum(margin_below, c, r_before, r, r_next, (real)1e-6, &r_low);
-            if (model_status(c->status, solver) == DOM_OK && (low = margin_at(r_low, c)) < 0) {
-                r_next = r_low;
-                next = low;
-                if (r_low < r)
-                    r = r_before;
-            }
+        if (dips(edge)) {
+            struct edge low = {0};
+            enum num_status solver =
+                num_maximum(margin_below, c, edge[0].r, edge[1].r, edge[2].r, (real)1e-6, &low.r);
+            if (model_status(c->status, solver) == DOM_OK)
+                low.margin = margin_sign(c, low.r);
             if (c->status != DOM_OK)
                 return c->status;
+            if (solver == NUM_OK && margin_left(&low.margin) < 0) {
+                edge[1] = low.r < edge[1].r ? edge[0] : edge[1];
+                edge[2] = low;
+            }
         }
-        if (next < 0) {
-            enum num_status solver = num_root(margin_at, c, r, r_next, tol, &limit->r_max);
+        if (margin_left(&edge[2].margin) < 0) {
             limit->ends = DOM_END_BARRIER;
-            return model_status(c->status, solver);
+            return limit_root(c, &edge[1], &edge[2], &limit->r_max);
         }
-        before = margin;
-        r_before = r;
-        margin = next;
-        r = r_next;
+        edge[0] = edge[1];
+        edge[1] = edge[2];
     }
     *limit = (struct limit){.r_max = reach, .ends = DOM_END_REACH};
     return DOM_OK;
@@ -199,8 +344,8 @@ static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 
 static enum dom_status rmax_find(struct margin_context *c, struct limit *limit, enum dom_status *why)
 {
-    real margin = margin_at(1, c);
-    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin < 0)) {
+    struct margin margin = margin_sign(c, 1);
+    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_left(&margin) < 0)) {
         *limit = no_limit;
         if (why)
             *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
@@ -212,7 +357,11 @@ static enum dom_status rmax_find(struct margin_context *c, struct limit *limit, 
 KERNEL enum dom_status limit_rmax(const struct dom_train *train, struct dom_limit *limit,
                                   struct dom_limit *error, enum dom_status *why)
 {
-    struct margin_context c = {.train = train, .s = (real)train->s, .margin = train_margin};
+    struct margin_context c = {.train = train,
+                               .lean = lean_read(train),
+                               .s = (real)train->s,
+                               .dominoes = CHAIN_ENDLESS,
+                               .margin = train_margin};
     struct limit found;
     enum dom_status status = rmax_find(&c, &found, why);
     return status == DOM_OK ? limit_public(&c, &found, limit, error) : status;
@@ -221,15 +370,16 @@ KERNEL enum dom_status limit_rmax(const struct dom_train *train, struct dom_limi
 KERNEL enum dom_status limit_pair(const struct dom_train *train, struct dom_limit *limit,
                                   struct dom_limit *error)
 {
-    struct margin_context c = {.train = train, .s = (real)train->s, .margin = pair_margin};
+    struct margin_context c = {
+        .train = train, .lean = lean_read(train), .s = (real)train->s, .dominoes = 2, .margin = pair_margin};
     struct limit found = no_limit;
     real r = 0;
     for (int k = 0; r < 1 / c.s; k++) {
         r = scan_sample(c.s, k);
-        real margin = margin_at(r, &c);
+        struct margin margin = margin_sign(&c, r);
         if (c.status != DOM_OK)
             return c.status;
-        if (margin >= 0) {
+        if (margin_left(&margin) >= 0) {
             enum dom_status status = limit_scan(&c, k, margin, &found);
             if (status != DOM_OK)
                 return status;
@@ -314,7 +464,8 @@ static enum dom_status best_error(struct margin_context *c, real s, bool smooth,
 KERNEL enum dom_status limit_best(const struct dom_train *train, struct dom_best *best,
                                   struct dom_best *error)
 {
-    struct margin_context c = {.train = train, .margin = train_margin};
+    struct margin_context c = {
+        .train = train, .lean = lean_read(train), .dominoes = CHAIN_ENDLESS, .margin = train_margin};
     real s = 1, top = s, height = rmax_at(s, &c);
     for (int lower = 0; lower < BEST_PATIENCE && c.status == DOM_OK && s > BEST_LOWEST;) {
         s *= BEST_RATIO;

@@ -14,10 +14,13 @@
 
 /* Every precision has its own: no kernel function has a name for the linker. */
 #define KERNEL static __attribute__((unused))
+/* The body of the loops down a train: a call there costs as much as the arithmetic. */
+#define KERNEL_LOOP static inline __attribute__((always_inline, unused))
 
 /* The functions of <math.h> that there are in every precision: X(name) of one argument, Y(name) of two. */
 #define REAL_FUNCTIONS(X, Y)                                                                                 \
     X(sqrt)                                                                                                  \
+    X(cbrt)                                                                                                  \
     X(fabs)                                                                                                  \
     X(sin)                                                                                                   \
     X(cos)                                                                                                   \
@@ -76,6 +79,7 @@ typedef dom_real real;
 #define MATH(name) name
 #else
 #define sqrt(x)      MATH(sqrt)(x)
+#define cbrt(x)      MATH(cbrt)(x)
 #define fabs(x)      MATH(fabs)(x)
 #define sin(x)       MATH(sin)(x)
 #define cos(x)       MATH(cos)(x)

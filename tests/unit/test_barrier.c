@@ -35,7 +35,7 @@ static void no_tilt_is_higher(void **state)
         struct barrier barrier;
         assert_status(lean_make(&train, &g), DOM_OK);
         double theta_c = tilt_angle(g.c), brute = brute_force(&g, theta_c);
-        assert_status(barrier_search(&g, theta_c, &barrier), DOM_OK);
+        assert_status(barrier_search(&g, theta_c, TOP_TOL(&g), &barrier), DOM_OK);
         if (barrier.height < brute * (1 - 1e-13))
             fail_msg("s %.17g r %.17g d %.17g q %.17g: barrier %.17g, but %.17g is there", (double)train.s,
                      (double)train.r, (double)train.d, (double)train.q, barrier.height, brute);

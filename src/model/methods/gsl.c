@@ -79,7 +79,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
 static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier *b)
 {
     struct launch launch = {0};
-    enum dom_status status = lean_make_at(c->train, (double)c->train->s, r, &c->lean);
+    enum dom_status status = lean_set(&c->lean, (double)c->train->s, r);
     if (status == DOM_OK)
         status = collision_launch(&c->lean, c->train->fuel, &launch, NULL);
     if (status == DOM_OK)
@@ -91,7 +91,7 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
 static enum dom_status gsl_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
                                         struct dom_barrier *error)
 {
-    struct gsl_context c = {.train = train};
+    struct gsl_context c = {.train = train, .lean = lean_read(train)};
     struct barrier b;
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     if (status != DOM_OK || error)
@@ -131,7 +131,7 @@ static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_
     if (error)
         return DOM_NO_METHOD;
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    struct gsl_context c = {.train = train};
+    struct gsl_context c = {.train = train, .lean = lean_read(train)};
     double reach = 1 / (double)train->s, r = reach, at_1 = gsl_margin(1, &c);
     enum dom_end ends = DOM_END_REACH;
     if (c.status == DOM_OK && at_1 < 0) {
@@ -163,7 +163,7 @@ static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_rea
 {
     if (error)
         return DOM_NO_METHOD;
-    struct gsl_context c = {.train = train};
+    struct gsl_context c = {.train = train, .lean = lean_read(train)};
     struct barrier b;
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     if (status != DOM_OK || c.kinetic < b.height)

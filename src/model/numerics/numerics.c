@@ -7,14 +7,21 @@
 
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)
 {
+    real f_lo = f(lo, context), f_hi = f(hi, context);
+    return num_root_between(f, context, lo, f_lo, hi, f_hi, tol, x);
+}
+
+KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
+                                        real f_hi, real tol, real *x)
+{
     /* a is the newest point, b the other end of the bracket, c the one before. */
-    real a = lo, b = hi, fa = f(a, context), fb = f(b, context);
+    real a = lo, b = hi, fa = f_lo, fb = f_hi;
     if (!isfinite(fa) || !isfinite(fb))
         return NUM_NOT_FINITE;
     if ((fa > 0 && fb > 0) || (fa < 0 && fb < 0))
         return NUM_NOT_BRACKETED;
     tol = fmax(tol, 2 * REAL_EPSILON);
-    real t = (real)0.5;
+    real t = fmin(fmax(fa / (fa - fb), (real)0.1), (real)0.9);
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         real best = fabs(fa) < fabs(fb) ? a : b, width = fabs(b - a);
         real close = fmax(tol * fabs(best), REAL_MIN) / 2;

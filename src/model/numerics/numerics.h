@@ -23,6 +23,10 @@ typedef real num_function(real x, void *context);
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
+/* The same from ends whose values are known, at least in sign. */
+KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
+                                        real f_hi, real tol, real *x);
+
 /*
  * Maximum of f between lo and hi, around a middle point that is higher than both, to the relative
  * tolerance tol of x.  Golden section: a kink or a jump is met as exactly as a smooth top is not, which
