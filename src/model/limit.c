@@ -25,7 +25,7 @@ static real margin_left(const struct margin *m)
 /* Between -1 and 1. */
 static real margin_share(const struct margin *m)
 {
-    return margin_left(m) / (fabs(m->kinetic) + m->barrier);
+    return margin_left(m) / (fabs(m->kinetic) + m->barrier + REAL_MIN);
 }
 
 struct margin_context {
@@ -57,6 +57,10 @@ static enum dom_status margin_barrier(const struct lean *g, struct margin_contex
     if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > most) {
         m->barrier = most;
         m->most = true;
+        return DOM_OK;
+    }
+    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* whatever the barrier is */
+        m->barrier = 0;
         return DOM_OK;
     }
     if (c->how != MARGIN_SURE) {
@@ -234,7 +238,7 @@ static enum dom_status limit_root(struct margin_context *c, const struct edge *l
 {
     real tol = c->lean.tol;
     enum num_status solver;
-    if (c->train->mu == 0 && c->barrier.height > 0) {
+    if (c->train->mu == 0) {
         c->how = MARGIN_FOLLOW;
         c->share = 1;
         solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
