@@ -188,23 +188,23 @@ KERNEL_LOOP real rise(const struct lean *g, struct tilt a, struct tilt b, real t
 }
 
 /* The errors of chain_rise, where they are asked for. */
-struct rise_error {
+struct rise_bound {
     struct bound a, b;
     real t;
     struct sums sums;
 };
 
-static struct rise_error error_head(const struct lean *g, const struct link *a, const struct link *b, real t)
+static struct rise_bound error_head(const struct lean *g, const struct link *a, const struct link *b, real t)
 {
     real angle = lean_error_head(a->tilt);
-    return (struct rise_error){
+    return (struct rise_bound){
         .a = bound_head(g, a, angle),
         .b = bound_head(g, b, 0),
         .t = (1 + t * t) * angle / 2 + 3 * UNIT * t,
     };
 }
 
-static void error_add(const struct lean *g, struct rise_error *e, const struct link *a, const struct link *b,
+static void error_add(const struct lean *g, struct rise_bound *e, const struct link *a, const struct link *b,
                       real t)
 {
     real term = fabs(rise(g, a->tilt, b->tilt, t));
@@ -229,6 +229,42 @@ static real leaving_half_turn(const struct lean *g, const struct link *leader)
     return t * F / (1 + t * t * G);
 }
 
+/* How far a tilt is from theta_inf, to the second order. */
+KERNEL_LOOP real far_off(const struct lean *g, struct tilt tilt)
+{
+    real part = (g->inf.v - tilt.v) / g->inf.x;
+    return part + part * part * g->inf.y / (2 * g->inf.x);
+}
+
+KERNEL_LOOP bool far_done(const struct series *s, real tail, real tol)
+{
+    return fabs(tail) <= TAIL_SHARE * fmax(tol * fabs(s->sum), UNIT * s->size);
+}
+
+/*
+ * The rest of a pass from a and b on, where both are so near to theta_inf that the last term of the series
+ * there does not matter; false if they are not.
+ */
+KERNEL_LOOP bool far_close(const struct lean *g, struct sum_state *state, const struct link *a,
+                           const struct link *b, real t)
+{
+    const struct far *far = &g->far;
+    real off = far_off(g, b->tilt), turn = 2 * t, H = a->weight * turn;
+    if (!far_done(&state->dH, H * far->H3 * off * off, g->tol) || off > g->inf.x / 16)
+        return false;
+    real e = far_off(g, a->tilt), H1 = a->weight * a->slope, J = a->inertia * a->slope * a->slope;
+    if (!far_done(&state->H1, H1 * far->H3 * e * e, g->tol) ||
+        !far_done(&state->J, J * far->J2 * e * e, g->tol))
+        return false;
+    /* Both stand before theta_inf: their deviations are -e and -off. */
+    series_add(&state->dH,
+               H * (1 - t * t / 3) *
+                   (far->H1 - far->H2 * (e + off) / 2 + far->H3 * (e * e + e * off + off * off) / 6));
+    series_add(&state->H1, H1 * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
+    series_add(&state->J, J * (far->J0 - far->J1 * e + far->J2 * e * e / 2));
+    return true;
+}
+
 /* What a pass is asked for: a constant of each caller, so that the others do not pay for it. */
 enum {
     PASS_ERROR = 1, /* bounds */
@@ -247,15 +283,20 @@ KERNEL_LOOP enum dom_status rise_between(const struct lean *g, struct tilt from,
 {
     struct sum_state state = {0};
     struct link a = link_head(g, head), b = link_head(g, from);
-    struct rise_error e;
+    struct rise_bound e;
     real H2 = 0, bend = 0;
-    bool ended = true;
+    bool ended = true, closes = !(pass & PASS_ERROR) && !g->falls_off && !g->behind && g->n == CHAIN_ENDLESS;
     if (pass & PASS_ERROR)
         e = error_head(g, &a, &b, t);
     for (;;) {
         enum dom_status status = chain_watch(g, a.i);
         if (status != DOM_OK)
             return status;
+        if (closes && far_close(g, &state, &a, &b, t)) {
+            if (pass & PASS_BEND)
+                H2 += a.weight * (bend * g->far.H1 + a.slope * a.slope * g->far.H2);
+            break;
+        }
         add_J(&state, &a);
         add_H1(&state, &a);
         if (pass & PASS_BEND)
@@ -287,8 +328,8 @@ KERNEL_LOOP enum dom_status rise_between(const struct lean *g, struct tilt from,
             break;
         }
         /* F = 1 - G, from the arms: the smallest slopes keep their digits, too. */
-        real Y = a.turn.Y + b.turn.Y, F = t == 0 ? 1 : (a.turn.arm + b.turn.arm) / Y;
-        real G = t == 0 ? 0 : a.lean->r * a.lean->L * (a.tilt.x + b.tilt.x) / Y;
+        real Y = a.turn.Y + b.turn.Y, arms = a.turn.arm + b.turn.arm;
+        real F = t == 0 ? 1 : arms / Y, FG = a.lean->r * a.lean->L * (a.tilt.x + b.tilt.x);
         real ratio = fmax(a.lean->weight * F, a.lean->decay);
         ended = false;
         if (series_done(&state.dH, a.weight * 2 * t * a.lean->reach, ratio, g->tol) && done_J(&state, &a) &&
@@ -297,7 +338,7 @@ KERNEL_LOOP enum dom_status rise_between(const struct lean *g, struct tilt from,
         ended = true;
         if (pass & PASS_ERROR)
             e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t, F);
-        t *= F / (1 + t * t * G);
+        t = t == 0 ? 0 : t * (arms / (Y + t * t * FG));
         struct link leader_a = a, leader_b = b;
         link_next(&a);
         if (pass & PASS_SHIFT) {
@@ -329,19 +370,32 @@ static real half_turn(struct tilt from, struct tilt head)
     return sine / (1 + cosine);
 }
 
+/* Bounds of what another pass gave for the same: those of one that follows every domino, and the difference.
+ */
+static enum dom_status rise_error(const struct lean *g, struct tilt head, const struct sums *sums,
+                                  struct sums *error)
+{
+    struct sums whole;
+    enum dom_status status = rise_between(g, standing, head, half_of_tilt(head), PASS_ERROR, &whole, error);
+    if (status == DOM_OK) {
+        error->J += fabs(sums->J - whole.J);
+        error->H1 += fabs(sums->H1 - whole.H1);
+        error->dH += fabs(sums->dH - whole.dH);
+    }
+    return status;
+}
+
 KERNEL enum dom_status chain_rise(const struct lean *g, struct tilt head, struct sums *sums,
                                   struct sums *error)
 {
-    real t = half_of_tilt(head);
-    return error ? rise_between(g, standing, head, t, PASS_ERROR, sums, error)
-                 : rise_between(g, standing, head, t, 0, sums, NULL);
+    enum dom_status status = rise_between(g, standing, head, half_of_tilt(head), 0, sums, NULL);
+    return status == DOM_OK && error ? rise_error(g, head, sums, error) : status;
 }
 
 KERNEL enum dom_status chain_fall(const struct lean *g, struct sums *sums, struct sums *error)
 {
-    enum dom_status status = error ? chain_rise(g, g->c, sums, error) : DOM_OK;
-    return status == DOM_OK ? rise_between(g, standing, g->c, half_of_tilt(g->c), PASS_SHIFT, sums, NULL)
-                            : status;
+    enum dom_status status = rise_between(g, standing, g->c, half_of_tilt(g->c), PASS_SHIFT, sums, NULL);
+    return status == DOM_OK && error ? rise_error(g, g->c, sums, error) : status;
 }
 
 KERNEL enum dom_status chain_rise_from(const struct lean *g, struct tilt from, struct tilt head,

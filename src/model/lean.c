@@ -35,6 +35,25 @@ KERNEL struct lean lean_read(const struct dom_train *t)
     return g;
 }
 
+static struct far far_make(const struct lean *g)
+{
+    real w = g->weight, m = g->inertia, x = g->inf.x, y = g->inf.y, d = g->d;
+    /* theta_1 and its derivatives: of its slope 1 - r L x / Y, since Y' = 0 and Y'' = -(r L x)^2. */
+    real off = g->r * g->L * x, slope = 1 - off, bend = -g->r * d, twist = off * (1 - off * off);
+    real slope2 = slope * slope, slope3 = slope2 * slope;
+    real h1 = d * y - x, h2 = -(y + d * x), h3 = -h1;
+    struct far f;
+    /* 1 - r^-q slope^k, from r^q - 1. */
+    f.H1 = h1 / (w * (g->rq_1 + off));
+    f.H2 = (h2 + w * bend * f.H1) / (w * (g->rq_1 + off * (1 + slope)));
+    f.H3 = (h3 + w * (twist * f.H1 + 3 * slope * bend * f.H2)) / (w * (g->rq_1 + off * (1 + slope + slope2)));
+    f.J0 = 1 / (1 - m * slope2);
+    f.J1 = 2 * m * slope * bend * f.J0 / (1 - m * slope3);
+    f.J2 =
+        m * (2 * (bend * bend + slope * twist) * f.J0 + 5 * slope2 * bend * f.J1) / (1 - m * slope3 * slope);
+    return f;
+}
+
 KERNEL enum dom_status lean_set(struct lean *lean, real s, real r)
 {
     struct lean g = *lean;
@@ -74,6 +93,8 @@ KERNEL enum dom_status lean_set(struct lean *lean, real s, real r)
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
         g.f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
     }
+    if (!g.falls_off)
+        g.far = far_make(&g);
     *lean = g;
     return DOM_OK;
 }

@@ -17,6 +17,16 @@ struct tilt {
 
 struct flow; /* friction.h */
 
+/*
+ * H, and J, of a train whose head leans at theta_inf - e, a far follower: H1 is dH/dtheta there, J0 is J, and
+ * so on.  From H(theta) = h(theta) + r^-q H(theta_1) and J(theta) = 1 + r^-(q+1) theta_1'^2 J(theta_1),
+ * derived again and again at theta_1 = theta = theta_inf, where X = 0.
+ */
+struct far {
+    real H1, H2, H3;
+    real J0, J1, J2;
+};
+
 /* A checked train with the quantities that its whole cycle shares. */
 struct lean {
     real s, r, d, q, tol;
@@ -39,6 +49,7 @@ struct lean {
     struct tilt f;     /* theta_f (A18) if followers fall off, else theta_inf */
     struct tilt leave; /* theta_leave, only where falls_off */
     bool falls_off;    /* (A17) */
+    struct far far;    /* unless falls_off */
     size_t n;          /* dominoes from here on: a chain ends with them */
     /* The same for the follower and its own; NULL: as for this one, the train is self-similar. */
     const struct lean *behind;
