@@ -205,7 +205,7 @@ KERNEL enum dom_status barrier_piece(const struct lean *g, struct tilt from, rea
 static enum dom_status barrier_pieces(const struct lean *g, real end, real tol, struct barrier *b)
 {
     enum dom_status status = chain_edges(g, end, b->edge, &b->edges);
-    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = b->height > 0 ? b->half : -1};
+    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = b->half > 0 ? b->half : -1};
     real lo = b->edge[0];
     for (int i = 1; status == DOM_OK && i < b->edges; i++) {
         real hi = tan(b->edge[i] / 2);
@@ -225,14 +225,20 @@ KERNEL enum dom_status barrier_search(const struct lean *g, real end, real tol, 
 
 KERNEL enum dom_status barrier_tops(const struct lean *g, struct barrier *b)
 {
-    return barrier_pieces(g, tilt_angle(g->c), TOP_TOL(g), b);
+    struct barrier tops = *b;
+    if (tops.height < 0) /* upright it stands higher */
+        tops.height = tops.half = 0;
+    enum dom_status status = barrier_pieces(g, tilt_angle(g->c), TOP_TOL(g), &tops);
+    if (status == DOM_OK)
+        *b = tops;
+    return status;
 }
 
 KERNEL bool barrier_follow(const struct lean *g, struct barrier *b)
 {
     struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = -1};
     struct top top = {.hi = falls_behind(g) ? half_of_u(g) : half_of_tilt(g->c)};
-    top.p = fmin(b->half, top.hi);
+    top.p = b->half > 0 ? fmin(b->half, top.hi) : top.hi / 2;
     if (barrier_climb(&c, &top, TOP_TOL(g)) != DOM_OK)
         return false;
     b->half = top.p;
@@ -242,7 +248,9 @@ KERNEL bool barrier_follow(const struct lean *g, struct barrier *b)
 
 KERNEL real barrier_most(const struct lean *g)
 {
-    return falls_behind(g) ? g->d * half_of_u(g) : (real)INFINITY; /* h(theta_u) - 1 */
+    /* Every domino moves no farther than to where its follower was at first, and weighs no less: all together
+     * they rise by less than one from upright to theta_u would, h(theta_u) - 1. */
+    return g->d * half_of_u(g);
 }
 
 KERNEL real balance_tol(real tol, real left, real whole)

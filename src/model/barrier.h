@@ -18,7 +18,7 @@ struct barrier {
 };
 
 /* Of a tilt: the height there, to the third order of a step to the top, has the tolerance of the sums. */
-#define TOP_TOL(lean) (cbrt((lean)->tol) / 8)
+#define TOP_TOL(lean) (cbrt((lean)->tol) / 4)
 
 /* To the relative tolerance tol of theta_m; TOP_TOL where only the height is wanted. */
 KERNEL enum dom_status barrier_search(const struct lean *lean, real end, real tol, struct barrier *barrier);
@@ -33,7 +33,7 @@ KERNEL bool barrier_follow(const struct lean *lean, struct barrier *b);
  */
 KERNEL enum dom_status barrier_tops(const struct lean *lean, struct barrier *b);
 
-/* More than any barrier of the train; infinite where its followers may rise, too. */
+/* No barrier of an endless train is higher, nor of one that ends, where r >= 1. */
 KERNEL real barrier_most(const struct lean *lean);
 
 /* The same over [lo, hi], where H is smooth, and relative to H at lo, the tilt `from`. */

@@ -41,7 +41,10 @@ struct margin_context {
         MARGIN_FOLLOW, /* one top, from r to r */
     } how;
     struct barrier barrier; /* of the last search */
-    struct barrier nearest; /* of those that were followed, where the margin was closest to 0 */
+    struct followed {
+        real r, half;
+    } last[2];              /* tops that were followed */
+    struct barrier nearest; /* the one where the margin was closest to 0 */
     real share;             /* that it was, then */
     real error;             /* bound of that of the last margin, where wanted */
     bool errors;
@@ -63,15 +66,17 @@ static enum dom_status margin_barrier(const struct lean *g, struct margin_contex
         m->barrier = 0;
         return DOM_OK;
     }
+    enum dom_status status = DOM_NOT_CONVERGED;
     if (c->how != MARGIN_SURE) {
-        if (b->height == 0) /* the first: tops are before theta_u */
-            b->half = isfinite(most) ? most / g->d / 2 : 0;
         bool top = barrier_follow(g, b);
         m->barrier = fmax(b->height, 0); /* that of the upright train */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
+        if (top)
+            status = barrier_tops(g, b);
     }
-    enum dom_status status = barrier_search(g, tilt_angle(g->c), c->errors ? g->tol / 8 : TOP_TOL(g), b);
+    if (status != DOM_OK)
+        status = barrier_search(g, tilt_angle(g->c), c->errors ? g->tol / 8 : TOP_TOL(g), b);
     if (status == DOM_OK && c->errors)
         status = barrier_error(g, b, &b_error);
     m->barrier = b->height;
@@ -177,6 +182,10 @@ static real margin_follow(real r, void *context)
     struct margin_context *c = context;
     struct margin m = {0};
     real tol = c->lean.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
+    struct followed *last = c->last;
+    if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r) /* as the last two tops say */
+        c->barrier.half =
+            last[1].half + (last[1].half - last[0].half) / (last[1].r - last[0].r) * (r - last[1].r);
     do {
         rough = next;
         if (margin_to(c, r, rough, &m) != DOM_OK)
@@ -186,6 +195,8 @@ static real margin_follow(real r, void *context)
     } while (rough > tol && fabs(share) < 8 * rough);
     if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* the sums know no more of it */
         share = 0;
+    last[0] = last[1];
+    last[1] = (struct followed){r, c->barrier.half};
     if (fabs(share) <= c->share) {
         c->share = fabs(share);
         c->nearest = c->barrier;
@@ -241,6 +252,7 @@ static enum dom_status limit_root(struct margin_context *c, const struct edge *l
     if (c->train->mu == 0) {
         c->how = MARGIN_FOLLOW;
         c->share = 1;
+        c->last[0].half = c->last[1].half = 0;
         solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
                                   margin_share(&hi->margin), tol / 8, r);
         if (c->status == DOM_INTERRUPTED)
