@@ -82,15 +82,11 @@ struct top {
     real moved;        /* by the last step, relative */
 };
 
-/* One step of Newton's method to H1 = 0; where that leads out of the bracket, or not to a top, to an end, or
- * half of it. */
-static enum dom_status top_step(const struct slope_context *c, struct top *top)
+/* One step of Newton's method to H1 = 0, from the sums at p: where that leads out of the bracket, or not to a
+ * top, to an end, or half of it. */
+static void top_step(struct top *top, struct sums at)
 {
-    struct sums at;
     real p = top->p;
-    enum dom_status status = chain_bend_from(c->lean, c->from, tilt_half(p), &at);
-    if (status != DOM_OK)
-        return status;
     bool up = at.H1 > 0;
     top->rises = top->rises || up;
     top->falls = top->falls || !up;
@@ -106,20 +102,30 @@ static enum dom_status top_step(const struct slope_context *c, struct top *top)
     top->height = newton ? at.dH + at.H1 * turn / 2 : at.dH;
     top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / next;
     top->p = next;
-    return DOM_OK;
 }
 
 #define TOP_STEPS 200
 
-static enum dom_status barrier_climb(const struct slope_context *c, struct top *top, real tol)
+/* From top->p, where `at` are the sums, if it is not NULL. */
+static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
+                                     real tol)
 {
     real before = 1;
     tol = fmax(tol, 4 * REAL_EPSILON);
     for (int i = 0; i < TOP_STEPS; i++) {
-        enum dom_status status = top_step(c, top);
-        bool closed = top->rises && top->falls && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi;
-        if (status != DOM_OK || top->moved <= tol || closed)
+        struct sums here;
+        enum dom_status status = DOM_OK;
+        if (at)
+            here = *at;
+        else
+            status = chain_bend_from(c->lean, c->from, tilt_half(top->p), &here);
+        if (status != DOM_OK)
             return status;
+        at = NULL;
+        top_step(top, here);
+        if (top->moved <= tol ||
+            (top->rises && top->falls && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi))
+            return DOM_OK;
         if (i > 2 && top->moved > before / 2) /* a kink throws Newton to and fro */
             top->p = (top->lo + top->hi) / 2;
         before = top->moved;
@@ -147,7 +153,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
                !(last->p <= c->known && c->known <= p)) {
         struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
         top.p = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
-        c->status = barrier_climb(c, &top, tol);
+        c->status = barrier_climb(c, NULL, &top, tol);
         if (c->status == DOM_OK)
             c->status = barrier_try(c, top.p, b);
     }
@@ -234,12 +240,28 @@ KERNEL enum dom_status barrier_tops(const struct lean *g, struct barrier *b)
     return status;
 }
 
-KERNEL bool barrier_follow(const struct lean *g, struct barrier *b)
+/* tan(theta / 2) of the last tilt at which H may rise. */
+static real half_of_highest(const struct lean *g)
+{
+    return falls_behind(g) ? half_of_u(g) : half_of_tilt(g->c);
+}
+
+static real half_near(const struct lean *g, const struct barrier *b)
+{
+    real last = half_of_highest(g);
+    return b->half > 0 ? fmin(b->half, last) : last / 2;
+}
+
+KERNEL struct tilt barrier_near(const struct lean *g, const struct barrier *b)
+{
+    return tilt_half(half_near(g, b));
+}
+
+KERNEL bool barrier_follow(const struct lean *g, const struct sums *at, struct barrier *b)
 {
     struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = -1};
-    struct top top = {.hi = falls_behind(g) ? half_of_u(g) : half_of_tilt(g->c)};
-    top.p = b->half > 0 ? fmin(b->half, top.hi) : top.hi / 2;
-    if (barrier_climb(&c, &top, TOP_TOL(g)) != DOM_OK)
+    struct top top = {.hi = half_of_highest(g), .p = half_near(g, b)};
+    if (barrier_climb(&c, at, &top, TOP_TOL(g)) != DOM_OK)
         return false;
     b->half = top.p;
     b->height = top.height;

@@ -24,10 +24,12 @@ struct barrier {
 KERNEL enum dom_status barrier_search(const struct lean *lean, real end, real tol, struct barrier *barrier);
 
 /*
- * One top alone, from b->half on by Newton's method, as that of a neighbouring train is near; false where it
- * comes to none.  Whether it is the highest barrier_tops knows.
+ * One top alone, by Newton's method from barrier_near on: a guess, and where b has the top of a neighbouring
+ * train a good one.  at: the sums there (chain_bend_from), or NULL.  False where it comes to no top; whether
+ * it is the highest barrier_tops knows.
  */
-KERNEL bool barrier_follow(const struct lean *lean, struct barrier *b);
+KERNEL struct tilt barrier_near(const struct lean *lean, const struct barrier *b);
+KERNEL bool barrier_follow(const struct lean *lean, const struct sums *at, struct barrier *b);
 
 /* Looks for higher tops than that of b, over [0, theta_c], and if there are, puts the highest in its place.
  */

@@ -68,9 +68,9 @@ KERNEL real bound_rise(const struct lean *g, struct tilt a, struct tilt b, real 
 }
 
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
-                            const struct bound *bound_b, real t, real t_error, real F)
+                            const struct bound *bound_b, real t, real t_error)
 {
-    real Y = a->turn.Y + b->turn.Y;
+    real Y = a->turn.Y + b->turn.Y, F = (a->turn.arm + b->turn.arm) / Y;
     if (t == 0)
         return t_error;
     real of_F = (bound_a->arm + bound_b->arm + F * (bound_a->Y + bound_b->Y)) / Y + 3 * UNIT * F;

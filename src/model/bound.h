@@ -31,9 +31,9 @@ KERNEL real bound_H1(const struct lean *lean, const struct link *link, const str
 KERNEL real bound_rise(const struct lean *lean, struct tilt a, struct tilt b, real angle_a, real angle_b,
                        real t, real t_error);
 
-/* Of the t of the followers of a and b, whose F is given (chain_rise). */
+/* Of the t of the followers of a and b (chain_rise). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
-                            const struct bound *bound_b, real t, real t_error, real F);
+                            const struct bound *bound_b, real t, real t_error);
 
 /* Of the half turn t_f of a follower that leaves its leader (chain_rise). */
 KERNEL real bound_leaving(const struct lean *lean, const struct link *leader, const struct bound *bound,

@@ -130,17 +130,27 @@ KERNEL_LOOP bool done_H1(struct sum_state *a, const struct link *k, real tol)
     return series_done(&a->H1, k->weight * k->slope * g->reach, fmax(g->weight * k->step, g->decay), tol);
 }
 
+static struct sums sums_of(const struct sum_state *a, real H2, size_t n)
+{
+    return (struct sums){.J = a->J.sum + a->J.lost,
+                         .H1 = a->H1.sum + a->H1.lost,
+                         .H2 = H2,
+                         .dH = a->dH.sum + a->dH.lost,
+                         .left = a->left,
+                         .n = n};
+}
+
+static bool sums_finite(const struct sums *sums)
+{
+    return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH);
+}
+
 static enum dom_status sum_result(const struct lean *g, const struct sum_state *a, real H2, size_t n,
                                   struct sums *sums)
 {
     chain_count(g, n);
-    *sums = (struct sums){.J = a->J.sum + a->J.lost,
-                          .H1 = a->H1.sum + a->H1.lost,
-                          .H2 = H2,
-                          .dH = a->dH.sum + a->dH.lost,
-                          .left = a->left,
-                          .n = n};
-    return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH) ? DOM_OK : DOM_NOT_FINITE;
+    *sums = sums_of(a, H2, n);
+    return sums_finite(sums) ? DOM_OK : DOM_NOT_FINITE;
 }
 
 KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, real *H1)
@@ -232,8 +242,8 @@ static real leaving_half_turn(const struct lean *g, const struct link *leader)
 /* How far a tilt is from theta_inf, to the second order. */
 KERNEL_LOOP real far_off(const struct lean *g, struct tilt tilt)
 {
-    real part = (g->inf.v - tilt.v) / g->inf.x;
-    return part + part * part * g->inf.y / (2 * g->inf.x);
+    real part = (g->inf.v - tilt.v) * g->far.per_sine;
+    return part + part * part * g->far.half_cot;
 }
 
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real tol)
@@ -242,27 +252,67 @@ KERNEL_LOOP bool far_done(const struct series *s, real tail, real tol)
 }
 
 /*
- * The rest of a pass from a and b on, where both are so near to theta_inf that the last term of the series
- * there does not matter; false if they are not.
+ * The rest of a pass from a and b on: are both so near to theta_inf that the last term of the series there
+ * does not matter?
  */
-KERNEL_LOOP bool far_close(const struct lean *g, struct sum_state *state, const struct link *a,
-                           const struct link *b, real t)
+KERNEL_LOOP bool far_near(const struct lean *g, const struct sum_state *state, const struct link *a,
+                          const struct link *b, real t)
 {
     const struct far *far = &g->far;
-    real off = far_off(g, b->tilt), turn = 2 * t, H = a->weight * turn;
-    if (!far_done(&state->dH, H * far->H3 * off * off, g->tol) || off > g->inf.x / 16)
+    real off = far_off(g, b->tilt);
+    if (!far_done(&state->dH, a->weight * 2 * t * far->H3 * off * off, g->tol) || off > g->inf.x / 16)
         return false;
     real e = far_off(g, a->tilt), H1 = a->weight * a->slope, J = a->inertia * a->slope * a->slope;
-    if (!far_done(&state->H1, H1 * far->H3 * e * e, g->tol) ||
-        !far_done(&state->J, J * far->J2 * e * e, g->tol))
-        return false;
-    /* Both stand before theta_inf: their deviations are -e and -off. */
+    return far_done(&state->H1, H1 * far->H3 * e * e, g->tol) &&
+           far_done(&state->J, J * far->J2 * e * e, g->tol);
+}
+
+static void far_add(const struct lean *g, struct sum_state *state, const struct link *a, const struct link *b,
+                    real t)
+{
+    const struct far *far = &g->far;
+    real off = far_off(g, b->tilt),
+         e = far_off(g, a->tilt); /* before theta_inf: they deviate by -off and -e */
     series_add(&state->dH,
-               H * (1 - t * t / 3) *
+               a->weight * 2 * t * (1 - t * t / 3) *
                    (far->H1 - far->H2 * (e + off) / 2 + far->H3 * (e * e + e * off + off * off) / 6));
-    series_add(&state->H1, H1 * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
-    series_add(&state->J, J * (far->J0 - far->J1 * e + far->J2 * e * e / 2));
-    return true;
+    series_add(&state->H1, a->weight * a->slope * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
+    series_add(&state->J, a->inertia * a->slope * a->slope * (far->J0 - far->J1 * e + far->J2 * e * e / 2));
+}
+
+/* H2 of one domino, whose theta'' is bend, and of all from there on. */
+KERNEL_LOOP real bend_H2(const struct link *k, real bend)
+{
+    return k->weight * (bend * (k->lean->d * k->tilt.y - k->tilt.x) -
+                        k->slope * k->slope * (k->tilt.y + k->lean->d * k->tilt.x));
+}
+
+static real far_H2(const struct link *k, real bend)
+{
+    return k->weight * (bend * k->lean->far.H1 + k->slope * k->slope * k->lean->far.H2);
+}
+
+/* One pair of dominoes into the sums. */
+KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const struct link *b, real t)
+{
+    add_J(state, a);
+    add_H1(state, a);
+    series_add(&state->dH, a->weight * rise(a->lean, a->tilt, b->tilt, t));
+}
+
+/* By what t shrinks from a pair to the next: the arms keep the digits of 1 - G. */
+KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
+{
+    real arms = a->turn.arm + b->turn.arm, Y = a->turn.Y + b->turn.Y;
+    return t == 0 ? 1 : arms / (Y + t * t * a->lean->rL * (a->tilt.x + b->tilt.x));
+}
+
+/* Does the tail behind this pair matter? */
+KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
+{
+    real ratio = fmax(a->lean->weight * shrinks, a->lean->decay);
+    return series_done(&state->dH, a->weight * 2 * t * a->lean->reach, ratio, tol) && done_J(state, a) &&
+           done_H1(state, a, tol);
 }
 
 /* What a pass is asked for: a constant of each caller, so that the others do not pay for it. */
@@ -292,17 +342,15 @@ KERNEL_LOOP enum dom_status rise_between(const struct lean *g, struct tilt from,
         enum dom_status status = chain_watch(g, a.i);
         if (status != DOM_OK)
             return status;
-        if (closes && far_close(g, &state, &a, &b, t)) {
+        if (closes && far_near(g, &state, &a, &b, t)) {
+            far_add(g, &state, &a, &b, t);
             if (pass & PASS_BEND)
-                H2 += a.weight * (bend * g->far.H1 + a.slope * a.slope * g->far.H2);
+                H2 += far_H2(&a, bend);
             break;
         }
-        add_J(&state, &a);
-        add_H1(&state, &a);
+        pair_add(&state, &a, &b, t);
         if (pass & PASS_BEND)
-            H2 += a.weight * (bend * (a.lean->d * a.tilt.y - a.tilt.x) -
-                              a.slope * a.slope * (a.tilt.y + a.lean->d * a.tilt.x));
-        series_add(&state.dH, a.weight * rise(a.lean, a.tilt, b.tilt, t));
+            H2 += bend_H2(&a, bend);
         if (pass & PASS_ERROR)
             error_add(g, &e, &a, &b, t);
         if (a.i + 1 >= g->n || !b.leads)
@@ -327,18 +375,14 @@ KERNEL_LOOP enum dom_status rise_between(const struct lean *g, struct tilt from,
             }
             break;
         }
-        /* F = 1 - G, from the arms: the smallest slopes keep their digits, too. */
-        real Y = a.turn.Y + b.turn.Y, arms = a.turn.arm + b.turn.arm;
-        real F = t == 0 ? 1 : arms / Y, FG = a.lean->r * a.lean->L * (a.tilt.x + b.tilt.x);
-        real ratio = fmax(a.lean->weight * F, a.lean->decay);
+        real shrinks = pair_shrinks(&a, &b, t);
         ended = false;
-        if (series_done(&state.dH, a.weight * 2 * t * a.lean->reach, ratio, g->tol) && done_J(&state, &a) &&
-            done_H1(&state, &a, g->tol))
+        if (pair_done(&state, &a, t, shrinks, g->tol))
             break;
         ended = true;
         if (pass & PASS_ERROR)
-            e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t, F);
-        t = t == 0 ? 0 : t * (arms / (Y + t * t * FG));
+            e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t);
+        t *= shrinks;
         struct link leader_a = a, leader_b = b;
         link_next(&a);
         if (pass & PASS_SHIFT) {
@@ -408,6 +452,41 @@ KERNEL enum dom_status chain_bend_from(const struct lean *g, struct tilt from, s
                                        struct sums *sums)
 {
     return rise_between(g, from, head, half_turn(from, head), PASS_BEND, sums, NULL);
+}
+
+KERNEL enum dom_status chain_both(const struct lean *g, struct tilt head, struct sums *sums,
+                                  struct sums *fall)
+{
+    struct sum_state up = {0}, down = {0};
+    struct link a = link_head(g, head), b = link_head(g, standing), c = link_head(g, g->c);
+    real t = half_of_tilt(head), t_c = half_of_tilt(g->c), H2 = 0, bend = 0;
+    for (;;) {
+        enum dom_status status = chain_watch(g, a.i);
+        if (status != DOM_OK)
+            return status;
+        if (far_near(g, &up, &a, &b, t) && far_near(g, &down, &c, &b, t_c)) {
+            far_add(g, &up, &a, &b, t);
+            far_add(g, &down, &c, &b, t_c);
+            H2 += far_H2(&a, bend);
+            break;
+        }
+        pair_add(&up, &a, &b, t);
+        pair_add(&down, &c, &b, t_c);
+        H2 += bend_H2(&a, bend);
+        real shrinks = pair_shrinks(&a, &b, t), shrinks_c = pair_shrinks(&c, &b, t_c);
+        if (pair_done(&up, &a, t, shrinks, g->tol) && pair_done(&down, &c, t_c, shrinks_c, g->tol))
+            break;
+        t *= shrinks;
+        t_c *= shrinks_c;
+        struct link leader = a;
+        link_next(&a);
+        bend = link_bend(&leader, bend, &a);
+        b.tilt = c.tilt;
+        b.turn = c.turn;
+        link_next(&c);
+    }
+    *fall = sums_of(&down, 0, a.i + 1);
+    return sums_finite(fall) ? sum_result(g, &up, H2, a.i + 1, sums) : DOM_NOT_FINITE;
 }
 
 KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct tilt *head, size_t *domino)

@@ -59,6 +59,13 @@ KERNEL enum dom_status chain_bend_from(const struct lean *lean, struct tilt from
                                        struct sums *sums);
 
 /*
+ * chain_bend_from upright and chain_fall in one pass, where square roots of one chain are taken while those
+ * of another wait: of an endless train from which nobody falls off.
+ */
+KERNEL enum dom_status chain_both(const struct lean *lean, struct tilt head, struct sums *sums,
+                                  struct sums *fall);
+
+/*
  * The tilt of the head at which one of the dominoes falls off; false where none does within
  * the cycle.  domino, unless NULL, gets its number.  One at most does: the train at theta_c is the train at
  * 0, shifted by one.

@@ -30,6 +30,15 @@ static enum dom_status collision_rubbing(const struct lean *g, enum dom_fuel fue
     return isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
 }
 
+KERNEL struct launch launch_of(const struct lean *g, enum dom_fuel fuel, const struct fuel *f)
+{
+    real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = 1 + f->T;
+    /* (c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): terms of one sign. */
+    real kinetic = P * f->T / (g->rq + f->T * g->rq_1);
+    return (struct launch){
+        .fuel = P, .J0 = J0, .keeps = f->T / J0, .omegasq = kinetic / J0, .kinetic = kinetic};
+}
+
 KERNEL enum dom_status collision_launch(const struct lean *g, enum dom_fuel fuel, struct launch *launch,
                                         struct launch *error)
 {
@@ -39,14 +48,10 @@ KERNEL enum dom_status collision_launch(const struct lean *g, enum dom_fuel fuel
     enum dom_status status = energy_fuel(g, &f, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
-    bool paper = fuel == DOM_FUEL_PAPER;
-    real P = paper ? f.paper : f.exact, J0 = 1 + f.T;
-    /* (c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): terms of one sign. */
-    real kinetic = P * f.T / (g->rq + f.T * g->rq_1);
-    *launch =
-        (struct launch){.fuel = P, .J0 = J0, .keeps = f.T / J0, .omegasq = kinetic / J0, .kinetic = kinetic};
+    *launch = launch_of(g, fuel, &f);
+    real J0 = launch->J0, kinetic = launch->kinetic;
     if (error) {
-        real size = fabs(kinetic), P_error = paper ? e.paper : e.exact;
+        real size = fabs(kinetic), P_error = fuel == DOM_FUEL_PAPER ? e.paper : e.exact;
         real powers = 12 * UNIT; /* of the denominator, and of what is left to do */
         real of_kinetic = P_error * f.T / (g->rq + f.T * g->rq_1) + size * (e.T / f.T + powers);
         real of_J0 = e.T + UNIT * J0;

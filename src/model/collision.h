@@ -12,6 +12,9 @@ struct launch {
     real kinetic; /* J(0) tau^2 omega(0)^2 */
 };
 
+/* (c6) from the fuel of a pass; without friction. */
+KERNEL struct launch launch_of(const struct lean *lean, enum dom_fuel fuel, const struct fuel *f);
+
 /* (c6) as it stands: where P <= 0 the squares come out negative, and no error is raised. */
 KERNEL enum dom_status collision_launch(const struct lean *lean, enum dom_fuel fuel, struct launch *launch,
                                         struct launch *error);

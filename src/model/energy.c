@@ -24,13 +24,18 @@ static real fuel_paper_error(const struct lean *g)
            10 * UNIT * fabs(energy_fuel_paper(g));
 }
 
+KERNEL struct fuel fuel_of(const struct lean *g, const struct sums *at_c)
+{
+    return (struct fuel){.exact = -at_c->dH, .paper = energy_fuel_paper(g), .T = g->inertia * at_c->J};
+}
+
 KERNEL enum dom_status energy_fuel(const struct lean *g, struct fuel *fuel, struct fuel *error)
 {
     struct sums at_c, e;
     enum dom_status status = chain_fall(g, &at_c, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
-    *fuel = (struct fuel){.exact = -at_c.dH, .paper = energy_fuel_paper(g), .T = g->inertia * at_c.J};
+    *fuel = fuel_of(g, &at_c);
     if (error) {
         *error = (struct fuel){e.dH, fuel_paper_error(g), g->inertia * e.J + 4 * UNIT * fuel->T};
     }

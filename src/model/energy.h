@@ -13,6 +13,9 @@ struct fuel {
 /* 1 - h(theta_f): the closed form of (c7). */
 KERNEL real energy_fuel_paper(const struct lean *lean);
 
+/* From the sums at theta_c (chain_fall). */
+KERNEL struct fuel fuel_of(const struct lean *lean, const struct sums *at_c);
+
 /* error, where not NULL, gets bounds. */
 KERNEL enum dom_status energy_fuel(const struct lean *lean, struct fuel *fuel, struct fuel *error);
 

@@ -42,7 +42,8 @@ static struct far far_make(const struct lean *g)
     real off = g->r * g->L * x, slope = 1 - off, bend = -g->r * d, twist = off * (1 - off * off);
     real slope2 = slope * slope, slope3 = slope2 * slope;
     real h1 = d * y - x, h2 = -(y + d * x), h3 = -h1;
-    struct far f;
+    struct far f = {.per_sine = 1 / x};
+    f.half_cot = y * f.per_sine / 2;
     /* 1 - r^-q slope^k, from r^q - 1. */
     f.H1 = h1 / (w * (g->rq_1 + off));
     f.H2 = (h2 + w * bend * f.H1) / (w * (g->rq_1 + off * (1 + slope)));
@@ -54,48 +55,48 @@ static struct far far_make(const struct lean *g)
     return f;
 }
 
-KERNEL enum dom_status lean_set(struct lean *lean, real s, real r)
+KERNEL enum dom_status lean_set(struct lean *g, real s, real r)
 {
-    struct lean g = *lean;
-    real d = g.d, L = s + d;
-    g.s = s;
-    g.r = r;
-    g.L = L;
+    real d = g->d, L = s + d;
+    g->s = s;
+    g->r = r;
+    g->L = L;
+    g->rs = r * s;
+    g->rL = r * L;
     /* The fma gives 1 - r s with one rounding. */
     real short_of = fma(-r, s, 1);
     /* Half a unit in the last place of 1: no more than r = 1/s loses when it is rounded. */
     if (short_of < -REAL_EPSILON / 2)
         return DOM_OUT_OF_REACH;
-    g.short_of = fmax(short_of, 0);
-    lean_powers(r, g.q, &g.rq, &g.rq_1);
+    g->short_of = fmax(short_of, 0);
+    lean_powers(r, g->q, &g->rq, &g->rq_1);
     /* The kinetic energy (c6) is as small as r^-(2q+1); below this it would lose its digits. */
-    if (!(g.rq * g.rq * r < REAL_EPSILON / REAL_MIN))
+    if (!(g->rq * g->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;
-    g.weight = 1 / g.rq;
-    g.inertia = g.weight / r;
+    g->weight = 1 / g->rq;
+    g->inertia = g->weight / r;
 
-    g.c = tilt_make(fmin(r * s, 1), sqrt(g.short_of * (1 + r * s)));
+    g->c = tilt_make(fmin(r * s, 1), sqrt(g->short_of * (1 + r * s)));
     real x_inf = sqrt(s * (s + 2 * d)) / L;
-    g.inf = (struct tilt){x_inf, d / L, s / L};
-    g.decay = g.weight * fmax(0, 1 - r * L * x_inf);
+    g->inf = (struct tilt){x_inf, d / L, s / L};
+    g->decay = g->weight * fmax(0, 1 - r * L * x_inf);
 
     /* (A17): theta_leave < theta_inf.  1 - cos theta_leave = (1/r^2 - s^2) / (2 d L). */
-    g.leave_at = g.short_of * (1 + r * s);
-    g.leave_by = 2 * d * L * r * r;
-    real v_leave = g.leave_at / g.leave_by;
-    g.falls_off = v_leave < g.inf.v;
-    g.f = g.inf;
-    if (g.falls_off) {
-        g.leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
+    g->leave_at = g->short_of * (1 + r * s);
+    g->leave_by = 2 * d * L * r * r;
+    real v_leave = g->leave_at / g->leave_by;
+    g->falls_off = v_leave < g->inf.v;
+    g->f = g->inf;
+    if (g->falls_off) {
+        g->leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
         /* (A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
-        real one_minus_x = (2 * r * d - g.short_of) * g.short_of / (2 * r * L);
+        real one_minus_x = (2 * r * d - g->short_of) * g->short_of / (2 * r * L);
         real x_f =
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
-        g.f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
+        g->f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
     }
-    if (!g.falls_off)
-        g.far = far_make(&g);
-    *lean = g;
+    if (!g->falls_off)
+        g->far = far_make(g);
     return DOM_OK;
 }
 

@@ -25,6 +25,7 @@ struct flow; /* friction.h */
 struct far {
     real H1, H2, H3;
     real J0, J1, J2;
+    real per_sine, half_cot; /* 1 / sin theta_inf, and half of its cotangent */
 };
 
 /* A checked train with the quantities that its whole cycle shares. */
@@ -35,6 +36,7 @@ struct lean {
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     real L;            /* s + d */
+    real rs, rL;       /* r s, r L */
     real short_of;     /* 1 - r s >= 0: by how much the head reaches the next domino */
     real leave_at;     /* 1 - r^2 s^2, which is leave_by v where a follower leaves */
     real leave_by;     /* 2 r^2 L d */
@@ -117,9 +119,8 @@ struct turn {
 
 KERNEL_LOOP struct turn lean_turn(const struct lean *g, struct tilt leader)
 {
-    real X = g->r * (g->s - g->L * leader.v);
-    real one_minus_X = g->short_of + g->r * g->L * leader.v;
-    real Y = sqrt(one_minus_X * (1 + X)), rLx = g->r * g->L * leader.x;
+    real rLv = g->rL * leader.v, X = g->rs - rLv;
+    real Y = sqrt((g->short_of + rLv) * (1 + g->rs - rLv)), rLx = g->rL * leader.x;
     if (2 * rLx <= Y) /* the slope in one rounding near 1, since many are multiplied */
         return (struct turn){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
     real arm = (g->leave_at - g->leave_by * leader.v) / (Y + rLx);
@@ -132,7 +133,7 @@ KERNEL_LOOP struct turn lean_turn(const struct lean *g, struct tilt leader)
  */
 KERNEL_LOOP struct tilt tilt_turn(struct tilt t, struct turn turn)
 {
-    real v = turn.X * turn.X / (1 + turn.Y) + turn.Y * t.v + turn.X * t.x;
+    real v = turn.X * turn.X / (1 + turn.Y) + (turn.Y * t.v + turn.X * t.x);
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 

@@ -52,8 +52,10 @@ struct margin_context {
     enum dom_status status;
 };
 
-/* The barrier that the kinetic energy is held against, as the context wants it. */
-static enum dom_status margin_barrier(const struct lean *g, struct margin_context *c, struct margin *m)
+/* The barrier that the kinetic energy is held against, as the context wants it; near: of barrier_near, or
+ * NULL. */
+static enum dom_status margin_barrier(const struct lean *g, struct margin_context *c, const struct sums *near,
+                                      struct margin *m)
 {
     struct barrier *b = &c->barrier, b_error = {0};
     real most = barrier_most(g), sure = 4 * g->tol;
@@ -68,7 +70,7 @@ static enum dom_status margin_barrier(const struct lean *g, struct margin_contex
     }
     enum dom_status status = DOM_NOT_CONVERGED;
     if (c->how != MARGIN_SURE) {
-        bool top = barrier_follow(g, b);
+        bool top = barrier_follow(g, near, b);
         m->barrier = fmax(b->height, 0); /* that of the upright train */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
@@ -88,14 +90,26 @@ static enum dom_status margin_barrier(const struct lean *g, struct margin_contex
 static enum dom_status train_margin(const struct lean *g, struct margin_context *c, struct margin *m)
 {
     struct launch launch, error = {0};
+    struct sums near, at_c;
+    enum dom_fuel fuel = c->train->fuel;
+    enum dom_status status;
+    bool both = c->how == MARGIN_FOLLOW && !g->falls_off;
     /* At r = 1 the fuels agree, and the closed one needs no train. */
     if (g->r == 1 && g->mu == 0 && energy_fuel_paper(g) <= 0)
         return DOM_NO_FUEL;
-    enum dom_status status = collision_launch(g, c->train->fuel, &launch, c->errors ? &error : NULL);
+    if (both) {
+        status = chain_both(g, barrier_near(g, &c->barrier), &near, &at_c);
+        if (status != DOM_OK)
+            return status;
+        struct fuel f = fuel_of(g, &at_c);
+        launch = launch_of(g, fuel, &f);
+    } else {
+        status = collision_launch(g, fuel, &launch, c->errors ? &error : NULL);
+    }
     if (status == DOM_OK && g->r == 1 && launch.fuel <= 0)
         return DOM_NO_FUEL;
     *m = (struct margin){.kinetic = launch.kinetic, .error = error.kinetic};
-    return status == DOM_OK ? margin_barrier(g, c, m) : status;
+    return status == DOM_OK ? margin_barrier(g, c, both ? &near : NULL, m) : status;
 }
 
 /* Of the pair after the collision (b13). */
@@ -119,7 +133,7 @@ static enum dom_status pair_margin(const struct lean *g, struct margin_context *
     /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
                   : (struct margin){.kinetic = 0};
-    return margin_barrier(&two, c, m);
+    return margin_barrier(&two, c, NULL, m);
 }
 
 /* At the relative tolerance tol. */

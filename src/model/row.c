@@ -40,6 +40,8 @@ static void joint_make(const struct dom_row *row, size_t k, const struct lean *f
     g->r = own.height / behind.height;
     g->s = gap / own.height;
     g->L = g->s + own.d;
+    g->rs = gap / behind.height;
+    g->rL = g->r * g->L;
     g->short_of = fmax((behind.height - gap) / behind.height, 0);
     g->leave_at = g->short_of * (1 + gap / behind.height);
     g->leave_by = 2 * g->d * g->L * g->r * g->r;
