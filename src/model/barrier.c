@@ -123,10 +123,10 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
             return status;
         at = NULL;
         top_step(top, here);
-        if (top->moved <= tol ||
-            (top->rises && top->falls && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi))
+        bool closed = top->rises && top->falls;
+        if (top->moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi))
             return DOM_OK;
-        if (i > 2 && top->moved > before / 2) /* a kink throws Newton to and fro */
+        if (closed && i > 2 && top->moved > before / 2) /* a kink throws Newton to and fro */
             top->p = (top->lo + top->hi) / 2;
         before = top->moved;
     }
@@ -173,6 +173,19 @@ static real half_of_u(const struct lean *g)
 }
 
 /*
+ * Is H concave up to theta_u, so that it has one top?  There the head's h'' is at most -1.  By (b8) and (b10)
+ * theta_{i+1}'' is theta_1' theta_i'' less at most r L y_i / Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2
+ * s^2): no theta_i'' is below -i r L / sqrt(1 - r^2 s^2).  Followers, all of them falling, take no more from
+ * the concavity than the sum of r^(-q i) times that, where the sum of i w^i is w / (1 - w)^2.  One that
+ * leaves only takes less.
+ */
+KERNEL bool barrier_single(const struct lean *g)
+{
+    real apart = 1 - g->weight;
+    return falls_behind(g) && g->rL * g->weight < apart * apart * sqrt(g->leave_at);
+}
+
+/*
  * All maxima of H inside one smooth piece.  Chebyshev spacing: the structure sits near the ends, where
  * dominoes leave; from upright on also at the tilts d and sqrt(1 - r s), however small they are.
  */
@@ -207,17 +220,28 @@ KERNEL enum dom_status barrier_piece(const struct lean *g, struct tilt from, rea
     return status;
 }
 
-/* Of all smooth pieces. */
+/* The only top before the tilt hi. */
+static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
+{
+    struct top top = {.hi = hi, .p = hi / 2};
+    enum dom_status status = barrier_climb(c, NULL, &top, tol);
+    return status == DOM_OK ? barrier_try(c, top.p, b) : status;
+}
+
+/* Of all smooth pieces, where b->half is known already, if it is not 0. */
 static enum dom_status barrier_pieces(const struct lean *g, real end, real tol, struct barrier *b)
 {
     enum dom_status status = chain_edges(g, end, b->edge, &b->edges);
     struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = b->half > 0 ? b->half : -1};
     real lo = b->edge[0];
-    for (int i = 1; status == DOM_OK && i < b->edges; i++) {
-        real hi = tan(b->edge[i] / 2);
-        status = barrier_scan(&c, lo, hi, i == 1, tol, b);
-        lo = hi;
-    }
+    if (status == DOM_OK && barrier_single(g))
+        status = c.known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(g)), tol, b);
+    else
+        for (int i = 1; status == DOM_OK && i < b->edges; i++) {
+            real hi = tan(b->edge[i] / 2);
+            status = barrier_scan(&c, lo, hi, i == 1, tol, b);
+            lo = hi;
+        }
     b->theta_m = fmin(2 * atan(b->half), end);
     return status;
 }
@@ -232,9 +256,10 @@ KERNEL enum dom_status barrier_search(const struct lean *g, real end, real tol, 
 KERNEL enum dom_status barrier_tops(const struct lean *g, struct barrier *b)
 {
     struct barrier tops = *b;
-    if (tops.height < 0) /* upright it stands higher */
+    if (tops.height <= 0) /* upright it stands higher */
         tops.height = tops.half = 0;
-    enum dom_status status = barrier_pieces(g, tilt_angle(g->c), TOP_TOL(g), &tops);
+    enum dom_status status =
+        barrier_single(g) ? DOM_OK : barrier_pieces(g, tilt_angle(g->c), TOP_TOL(g), &tops);
     if (status == DOM_OK)
         *b = tops;
     return status;

@@ -35,6 +35,9 @@ KERNEL bool barrier_follow(const struct lean *lean, const struct sums *at, struc
  */
 KERNEL enum dom_status barrier_tops(const struct lean *lean, struct barrier *b);
 
+/* Has H one top for sure? */
+KERNEL bool barrier_single(const struct lean *lean);
+
 /* No barrier of an endless train is higher, nor of one that ends, where r >= 1. */
 KERNEL real barrier_most(const struct lean *lean);
 
