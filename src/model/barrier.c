@@ -321,6 +321,15 @@ KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real 
     return DOM_OK;
 }
 
+KERNEL real barrier_width(const struct lean *g, struct tilt from, const struct barrier *b, real margin)
+{
+    struct sums at;
+    if (g->mu > 0 || b->height <= 0 || chain_bend_from(g, from, tilt_half(b->half), &at) != DOM_OK)
+        return REAL_NAN;
+    bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
+    return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
+}
+
 /* H''(theta) by a difference that stays inside the cycle; for error bounds its size is enough. */
 static real curvature(struct slope_context *c, real theta, real end)
 {

@@ -56,6 +56,12 @@ KERNEL enum dom_status barrier_balance(struct lean *lean, enum dom_fuel fuel, re
 /* The tolerance at which what is left of a whole is known as well as tol says. */
 KERNEL real balance_tol(real tol, real left, real whole);
 
+/*
+ * Near a top inside a cycle the energy left is (width^2 + (theta - theta_m)^2) |H2| / 2; NaN where the top is
+ * at an end, or unknown.  from: as for barrier_piece.
+ */
+KERNEL real barrier_width(const struct lean *lean, struct tilt from, const struct barrier *b, real margin);
+
 /* Bounds of the errors of theta_m and height. */
 KERNEL enum dom_status barrier_error(const struct lean *lean, const struct barrier *barrier,
                                      struct barrier *error);

@@ -162,9 +162,6 @@ KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta
     return status;
 }
 
-/* A margin smaller than this share of the barrier makes a peak of the slowness; larger ones a gentle hill. */
-#define NEAR_STOP 4
-
 /* 1 / (tau omega), and a bound of its error. */
 static real slowness(real theta, void *context)
 {
@@ -184,15 +181,23 @@ static real slowness_error(real theta, void *context)
                : REAL_NAN;
 }
 
-/* The integral over the pieces between the knots; unless NULL, error gets its bound. */
-static enum dom_status pieces_integral(struct cycle *cycle, const real *knot, int knots, num_function *f,
-                                       real tol, real *sum, real *error)
+/*
+ * The integral of f, which is as smooth as the slowness, from one tilt to another, over the pieces between
+ * the edges of the barrier; unless NULL, error gets its bound.
+ */
+static enum dom_status cycle_integral(struct cycle *cycle, num_function *f, real from, real to, real tol,
+                                      real *sum, real *error)
 {
+    const struct barrier *b = &cycle->barrier;
+    const struct tilt upright = {0, 1, 0};
+    real width = barrier_width(&cycle->lean, upright, b, cycle->launch.kinetic - b->height);
     *sum = 0;
-    for (int i = 1; i < knots; i++) {
-        real part = 0, part_error = 0;
+    for (int i = 1; i < b->edges; i++) {
+        real lo = fmax(b->edge[i - 1], from), hi = fmin(b->edge[i], to), part = 0, part_error = 0;
+        if (lo >= hi)
+            continue;
         enum num_status solver =
-            num_integral(f, cycle, knot[i - 1], knot[i], tol, &part, error ? &part_error : NULL);
+            num_peak_integral(f, cycle, lo, hi, b->theta_m, width, tol, &part, error ? &part_error : NULL);
         enum dom_status status = model_status(cycle->status, solver);
         if (status != DOM_OK)
             return status;
@@ -210,29 +215,20 @@ KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *d
     enum dom_status status = cycle_whole(train, &flow, &cycle, error != NULL);
     if (status != DOM_OK)
         return status;
-    const struct barrier *b = &cycle.barrier;
-    real margin = cycle.launch.kinetic - b->height;
+    real margin = cycle.launch.kinetic - cycle.barrier.height;
     if (margin < 0)
         return DOM_STOPS;
     /* kinetic and height each carry a few roundings: what they leave of the margin bounds the accuracy. */
     real noise = 8 * REAL_EPSILON * cycle.launch.kinetic / margin;
     if (!(noise < (real)0.125))
         return DOM_NOT_CONVERGED;
-    /* A near-stop at theta_m goes to the end of a piece, where the nodes of the integral are dense. */
-    bool near_stop = margin < NEAR_STOP * b->height;
-    real knot[4], sum, sum_error = 0, of_speed = 0;
-    int knots = 0;
-    for (int i = 0; i < b->edges; i++) {
-        if (i > 0 && near_stop && b->theta_m > b->edge[i - 1] && b->theta_m < b->edge[i])
-            knot[knots++] = b->theta_m;
-        knot[knots++] = b->edge[i];
-    }
+    real sum, sum_error = 0, of_speed = 0, end = tilt_angle(cycle.lean.c);
     real share = fmax((real)train->tol / 8, noise);
-    status = pieces_integral(&cycle, knot, knots, slowness, share, &sum, error ? &sum_error : NULL);
+    status = cycle_integral(&cycle, slowness, 0, end, share, &sum, error ? &sum_error : NULL);
     if (cycle.lean.mu > 0)
         sum_error = REAL_NAN;
     else if (status == DOM_OK && error)
-        status = pieces_integral(&cycle, knot, knots, slowness_error, (real)0.125, &of_speed, NULL);
+        status = cycle_integral(&cycle, slowness_error, 0, end, (real)0.125, &of_speed, NULL);
     if (status != DOM_OK)
         return status;
     *duration = sum;

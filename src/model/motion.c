@@ -86,42 +86,26 @@ static real slowness_before(real u, void *context)
     return c->status == DOM_OK && left > 0 ? 2 * m->end * u * sqrt(at.J / left) : REAL_NAN;
 }
 
-static real slowness_at(real theta, void *context)
-{
-    struct motion *m = context;
-    return slowness(theta, &m->cycle);
-}
-
 /* Time from one tilt to another. */
 static enum dom_status motion_time(struct motion *m, real from, real to, real *time)
 {
     const struct barrier *b = &m->cycle.barrier;
-    real knot[5], tol = m->tol;
-    int knots = 0;
+    real smooth = to, part = 0;
     *time = 0;
     if (to <= from)
         return DOM_OK;
-    knot[knots++] = from;
-    for (int i = 1; i < b->edges; i++) {
-        /* Between two edges, the top of the barrier. */
-        if (b->theta_m > b->edge[i - 1] && b->theta_m < b->edge[i] && b->theta_m > from && b->theta_m < to)
-            knot[knots++] = b->theta_m;
-        if (b->edge[i] > from && b->edge[i] < to)
-            knot[knots++] = b->edge[i];
+    if (m->stops) { /* the last piece before the stop has an end like no other */
+        smooth = from;
+        for (int i = 0; i < b->edges; i++)
+            smooth = b->edge[i] < to ? fmax(smooth, b->edge[i]) : smooth;
     }
-    knot[knots++] = to;
-    for (int i = 1; i < knots; i++) {
-        real part = 0;
-        bool last = m->stops && i == knots - 1;
-        enum num_status solver = last ? num_integral(slowness_before, m, sqrt(fmax(1 - knot[i] / m->end, 0)),
-                                                     sqrt(1 - knot[i - 1] / m->end), tol, &part, NULL)
-                                      : num_integral(slowness_at, m, knot[i - 1], knot[i], tol, &part, NULL);
-        enum dom_status status = model_status(m->cycle.status, solver);
-        if (status != DOM_OK)
-            return status;
-        *time += part;
-    }
-    return DOM_OK;
+    enum dom_status status = cycle_integral(&m->cycle, slowness, from, smooth, m->tol, time, NULL);
+    if (status != DOM_OK || !m->stops)
+        return status;
+    enum num_status solver = num_integral(slowness_before, m, sqrt(fmax(1 - to / m->end, 0)),
+                                          sqrt(1 - smooth / m->end), m->tol, &part, NULL);
+    *time += part;
+    return model_status(m->cycle.status, solver);
 }
 
 KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)

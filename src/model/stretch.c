@@ -101,25 +101,15 @@ static real stretch_slowness(real theta, void *context)
 
 KERNEL enum dom_status stretch_time(struct stretch *st, real *time)
 {
-    real margin = stretch_kinetic(st) - st->barrier.height, top = st->barrier.theta_m;
-    real noise = 16 * REAL_EPSILON * stretch_kinetic(st) / margin, knot[3] = {st->lo, st->hi, st->hi};
-    bool near_stop = margin < NEAR_STOP * st->barrier.height && top > st->lo && top < st->hi;
-    *time = 0;
-    if (!(noise < (real)0.125)) {
-        *time = REAL_NAN;
+    real margin = stretch_kinetic(st) - st->barrier.height;
+    real noise = 16 * REAL_EPSILON * stretch_kinetic(st) / margin;
+    *time = REAL_NAN;
+    if (!(noise < (real)0.125))
         return DOM_OK;
-    }
-    if (near_stop)
-        knot[1] = top;
-    for (int i = 1; i <= 1 + near_stop; i++) {
-        real part = 0;
-        enum num_status solver =
-            num_integral(stretch_slowness, st, knot[i - 1], knot[i], fmax(st->g.tol / 8, noise), &part, NULL);
-        if (solver != NUM_OK)
-            return model_status(st->status, solver);
-        *time += part;
-    }
-    return DOM_OK;
+    enum num_status solver = num_peak_integral(stretch_slowness, st, st->lo, st->hi, st->barrier.theta_m,
+                                               barrier_width(&st->g, st->from, &st->barrier, margin),
+                                               fmax(st->g.tol / 8, noise), time, NULL);
+    return model_status(st->status, solver);
 }
 
 /* ---- Forces: does contact hold, what must the floor hold? ---- */

@@ -83,7 +83,7 @@ KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real
     return NUM_NOT_CONVERGED;
 }
 
-/* ---- Integral: x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t, the step halved level by level ---- */
+/* ---- Integrals: of a rule in levels, each of which has twice the nodes of the one before ---- */
 
 enum { LEVELS_MAX = 12 };
 
@@ -93,7 +93,41 @@ struct span {
     real lo, hi, half;
     real cut; /* terms of this share end the sum: they fall off faster than a geometric series */
     bool failed;
+    real step, sum;                     /* of the double exponential rule */
+    real peak, width, from, to, *value; /* of the other, in x = peak + width sinh u, if width is not NaN */
 };
+
+/* The integral on the next finer level. */
+typedef real span_level(struct span *s, int level);
+
+/* What is left of the difference between two levels, where the digits nearly double from level to level. */
+static real span_left(real off, real off_before)
+{
+    real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
+    return off == 0 ? 0 : fmin(off, 32 * exp(gain * log(off)));
+}
+
+static enum num_status span_integral(struct span *s, span_level *next, int levels, real tol, real *integral,
+                                     real *error)
+{
+    real before = next(s, 0), off_before = 1;
+    for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
+        real value = next(s, level), off = fabs(value - before) / fabs(value);
+        if (level >= 2 && (span_left(off, off_before) <= tol || off <= 4 * REAL_EPSILON)) {
+            *integral = value;
+            if (error && level < levels) /* a guess is no bound: the next level shows what was left */
+                *error = 2 * fabs(next(s, level + 1) - value) + fabs(value) * (4 * s->cut + 8 * UNIT);
+            else if (error)
+                *error = off * fabs(value);
+            return s->failed ? NUM_NOT_FINITE : NUM_OK;
+        }
+        before = value;
+        off_before = off;
+    }
+    return s->failed || !isfinite(before) ? NUM_NOT_FINITE : NUM_NOT_CONVERGED;
+}
+
+/* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
 /* The two nodes at +t and -t, with their weight; from the ends, so that no digit of the distance is lost. */
 static real node_pair(struct span *s, real t, real *weight)
@@ -120,35 +154,108 @@ static real node_sum(struct span *s, real first, real step)
     return sum;
 }
 
-/* The sum on the level behind step: the nodes between those that it has. */
-static real next_level(struct span *s, real sum, real *step)
+static real exponential_level(struct span *s, int level)
 {
-    *step /= 2;
-    return sum + node_sum(s, *step, 2 * *step);
+    if (level == 0) {
+        s->step = 1;
+        s->sum = PI / 2 * s->f(s->lo + s->half, s->context) + node_sum(s, 1, 1);
+    } else { /* the nodes between those that it has */
+        s->step /= 2;
+        s->sum += node_sum(s, s->step, 2 * s->step);
+    }
+    return s->half * s->step * s->sum;
 }
 
 KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
                                     real *integral, real *error)
 {
-    struct span s = {f, context, lo, hi, (hi - lo) / 2, fmax(tol / 64, UNIT / 8), false};
-    real step = 1, sum = PI / 2 * f(lo + s.half, context) + node_sum(&s, step, step);
-    real before = s.half * sum, off_before = 1;
-    for (int level = 1; level <= LEVELS_MAX && !s.failed && isfinite(sum); level++) {
-        sum = next_level(&s, sum, &step);
-        real value = s.half * step * sum, off = fabs(value - before) / fabs(value);
-        /* Digits nearly double from level to level: the last two differences say how many are right now. */
-        real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
-        real left = off == 0 ? 0 : fmin(off, 32 * exp(gain * log(off)));
-        if (level >= 2 && (left <= tol || off <= 4 * REAL_EPSILON)) {
-            *integral = value;
-            if (error) { /* a guess is no bound: the next level shows what was left */
-                sum = next_level(&s, sum, &step);
-                *error = 2 * fabs(s.half * step * sum - value) + fabs(value) * (4 * s.cut + 8 * UNIT);
-            }
-            return s.failed ? NUM_NOT_FINITE : NUM_OK;
-        }
-        before = value;
-        off_before = off;
+    struct span s = {.f = f,
+                     .context = context,
+                     .lo = lo,
+                     .hi = hi,
+                     .half = (hi - lo) / 2,
+                     .cut = fmax(tol / 64, UNIT / 8)};
+    return span_integral(&s, exponential_level, LEVELS_MAX, tol, integral, error);
+}
+
+/* ---- Chebyshev nodes u = cos(pi j / n) on what sinh makes of [lo, hi] ---- */
+
+enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
+
+static real arsinh(real x)
+{
+    real size = fabs(x), y = log1p(size + size * size / (1 + sqrt(1 + size * size)));
+    return x < 0 ? -y : y;
+}
+
+/* f dx/du at a node from -1 to 1. */
+static real chebyshev_value(struct span *s, real node)
+{
+    real u = s->lo + s->half * (1 + node), x = u, by = 1;
+    if (isfinite(s->width)) {
+        real grow = exp(u);
+        x = fmin(fmax(s->peak + s->width * (grow - 1 / grow) / 2, s->from), s->to);
+        by = s->width * (grow + 1 / grow) / 2;
     }
-    return s.failed || !isfinite(sum) ? NUM_NOT_FINITE : NUM_NOT_CONVERGED;
+    real value = by * s->f(x, s->context);
+    s->failed = s->failed || !isfinite(value);
+    return value;
+}
+
+/* Weight of node j of n, times n: 2 less the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1), the last halved. */
+static real chebyshev_weight(const real *cosine, int j, int n)
+{
+    real sum = 1;
+    for (int k = 1; k <= n / 2; k++) {
+        int at = 2 * j * k % (2 * n);
+        real c = at <= n ? cosine[at] : cosine[2 * n - at];
+        sum -= (k < n / 2 ? 2 : 1) * c / (real)(4 * k * k - 1);
+    }
+    return j == 0 ? sum : 2 * sum;
+}
+
+static real chebyshev_level(struct span *s, int level)
+{
+    const int n = CHEBYSHEV_FIRST << level, stride = CHEBYSHEV_MOST / n;
+    real cosine[CHEBYSHEV_MOST + 1], sum = 0;
+    for (int j = 0; j <= n; j++)
+        cosine[j] = j == n / 2 ? 0 : cos(PI * (real)j / (real)n);
+    /* From level to level the odd ones are new. */
+    for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
+        s->value[j * stride] = chebyshev_value(s, cosine[j]);
+    for (int j = 0; j <= n / 2 && !s->failed; j++) {
+        real pair = s->value[j * stride] + (j < n - j ? s->value[(n - j) * stride] : 0);
+        sum += chebyshev_weight(cosine, j, n) * pair;
+    }
+    return s->half * sum / (real)n;
+}
+
+KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
+                                         real width, real tol, real *integral, real *error)
+{
+    real value[CHEBYSHEV_MOST + 1];
+    bool flat = isfinite(width);
+    struct span s = {.f = f,
+                     .context = context,
+                     .lo = flat ? arsinh((lo - peak) / width) : lo,
+                     .hi = flat ? arsinh((hi - peak) / width) : hi,
+                     .peak = peak,
+                     .from = lo,
+                     .to = hi,
+                     .width = flat ? width : REAL_NAN,
+                     .value = value};
+    s.half = (s.hi - s.lo) / 2;
+    enum num_status status = span_integral(&s, chebyshev_level, CHEBYSHEV_LEVELS, tol, integral, error);
+    if (status == NUM_OK)
+        return status;
+    if (!(peak > lo && peak < hi))
+        return num_integral(f, context, lo, hi, tol, integral, error);
+    real before = 0, behind = 0, before_error = 0, behind_error = 0;
+    status = num_integral(f, context, lo, peak, tol, &before, error ? &before_error : NULL);
+    if (status == NUM_OK)
+        status = num_integral(f, context, peak, hi, tol, &behind, error ? &behind_error : NULL);
+    *integral = before + behind;
+    if (error)
+        *error = before_error + behind_error;
+    return status;
 }

@@ -42,4 +42,13 @@ KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real
 KERNEL enum num_status num_integral(num_function *f, void *context, real lo, real hi, real tol,
                                     real *integral, real *error);
 
+/*
+ * The same of an f that is smooth but for a peak like 1 / sqrt(width^2 + (x - peak)^2), inside or not; width
+ * NaN: unknown.  With x = peak + width sinh u the peak is flat, and the rule of Clenshaw and Curtis (1960)
+ * converges at once, however narrow it is; where it does not, num_integral goes up to the peak, and on from
+ * there.
+ */
+KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
+                                         real width, real tol, real *integral, real *error);
+
 #endif
