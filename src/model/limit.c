@@ -279,15 +279,17 @@ static enum dom_status limit_root(struct margin_context *c, const struct edge *l
 }
 
 /*
- * May the margin reach below 0 between the first and the last?  Kinetic energy alone is smooth: a dip of it
- * goes less below its lowest sample than the two beside stand above that.
+ * May the margin reach below 0 between the first and the last?  Where it is lowest in the middle; but kinetic
+ * energy alone is smooth, and goes no deeper than a few times what the parabola through the three does.
  */
 static bool dips(const struct edge edge[3])
 {
     const struct margin *before = &edge[0].margin, *low = &edge[1].margin, *next = &edge[2].margin;
     real left = margin_left(low), down = margin_left(before) - left, up = margin_left(next) - left;
+    real back = edge[1].r - edge[0].r, on = edge[2].r - edge[1].r;
+    real bend = (up / on + down / back) / (back + on), slope = bend * back - down / back;
     bool smooth = before->most && low->most && next->most;
-    return margin_left(next) >= 0 && down > 0 && up > 0 && !(smooth && left > down + up);
+    return margin_left(next) >= 0 && down > 0 && up > 0 && !(smooth && left > slope * slope / bend);
 }
 
 /* First r > lo at which the margin, >= 0 at lo, is negative; DOM_END_REACH if there is none. */

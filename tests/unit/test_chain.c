@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What makes passes short: the far tail in closed form, chains that share a pass, and where one top is
+ * enough. */
+#include "precision/kernel.inc"
+#include "support.h"
+
+enum { TRAINS = 400 };
+
+static const struct tilt upright = {0, 1, 0};
+
+/* A random endless train, and a tilt of its head before theta_c. */
+static struct lean random_lean(uint64_t *seed, double tol, struct tilt *head)
+{
+    struct dom_train train = random_train(seed);
+    struct lean g;
+    train.tol = tol;
+    assert_status(lean_make(&train, &g), DOM_OK);
+    *head = tilt_half(half_of_tilt(g.c) * random_unit(seed));
+    return g;
+}
+
+/* Differences are relative to what the terms of the sum add up to, r^-(q i) h' theta_i' and so on: a pass
+ * ends by those. */
+static void assert_same(const char *what, const struct lean *g, double a, double b, double scale,
+                        double bound)
+{
+    if (!(fabs(a - b) <= bound * scale))
+        fail_msg("s %.17g r %.17g d %.17g q %.17g: %s %.17g and %.17g, %.2g of %.2g", g->s, g->r, g->d, g->q,
+                 what, a, b, fabs(a - b) / scale, scale);
+}
+
+/* H2, H3, ... of the far tail are derivatives at theta_inf: the closed form must be the whole train to its
+ * tolerance. */
+static void the_far_tail_is_the_train(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    int shorter = 0;
+    for (int i = 0; i < 3 * TRAINS; i++) {
+        const double tol = i % 3 == 0 ? 1e-15 : i % 3 == 1 ? 1e-12 : 1e-6;
+        struct tilt head;
+        struct lean g = random_lean(&seed, tol, &head), fine = g;
+        struct sums closed, whole = {0}, e = {0};
+        fine.tol = 1e-15;
+        assert_status(chain_rise(&g, head, &closed, NULL), DOM_OK);
+        assert_status(rise_between(&fine, upright, head, half_of_tilt(head), PASS_ERROR, &whole, &e), DOM_OK);
+        /* dH may cancel: then a pass is right to the rounding of its terms, as e says. */
+        assert_same("dH", &g, closed.dH, whole.dH, fabs(whole.dH) + e.dH / tol, 2 * tol);
+        assert_same("H1", &g, closed.H1, whole.H1, fabs(whole.H1) + e.H1 / tol, 2 * tol);
+        assert_same("J", &g, closed.J, whole.J, whole.J, 2 * tol + 1e-14);
+        shorter += closed.n < whole.n * 2 / 3;
+    }
+    print_message("# passes shorter by a third: %d of %d\n", shorter, 3 * TRAINS);
+    assert_true(shorter > TRAINS / 4);
+}
+
+/* One chain that serves twice, and two that share a pass, give what passes of their own do. */
+static void shared_passes_are_the_same(void **state)
+{
+    (void)state;
+    uint64_t seed = 32;
+    int both = 0;
+    for (int i = 0; i < TRAINS; i++) {
+        struct tilt head;
+        struct lean g = random_lean(&seed, 1e-13, &head);
+        struct sums fall, at_c, e, up, near, down = {0};
+        assert_status(chain_fall(&g, &fall, NULL), DOM_OK);
+        assert_status(chain_rise(&g, g.c, &at_c, &e), DOM_OK);
+        assert_same("dH at theta_c", &g, fall.dH, at_c.dH, fabs(at_c.dH) + 1e13 * e.dH, 1e-13);
+        assert_same("J at theta_c", &g, fall.J, at_c.J, at_c.J, 1e-12);
+        if (g.falls_off)
+            continue;
+        assert_status(chain_bend_from(&g, upright, head, &up), DOM_OK);
+        assert_status(chain_both(&g, head, &near, &down), DOM_OK);
+        assert_status(chain_rise(&g, head, &at_c, &e), DOM_OK);
+        assert_same("dH of both", &g, near.dH, up.dH, fabs(up.dH) + 1e13 * e.dH, 2e-13);
+        assert_same("H1 of both", &g, near.H1, up.H1, fabs(up.H1) + 1e13 * e.H1, 2e-13);
+        assert_same("H2 of both", &g, near.H2, up.H2, fabs(up.H2), 1e-9);
+        assert_same("fall of both", &g, down.dH, fall.dH, fabs(fall.dH), 1e-11);
+        both++;
+    }
+    assert_true(both > TRAINS / 10);
+}
+
+/* H2 is the slope of H1, to the accuracy of a difference. */
+static void H2_is_the_slope_of_H1(void **state)
+{
+    (void)state;
+    uint64_t seed = 33;
+    for (int i = 0; i < TRAINS; i++) {
+        struct tilt head;
+        struct lean g = random_lean(&seed, 1e-15, &head);
+        double theta = tilt_angle(head), h = 1e-5 * fmin(theta, tilt_angle(g.c) - theta);
+        struct sums at, below, above;
+        struct tilt lo = tilt_make(sin(theta - h), cos(theta - h)),
+                    hi = tilt_make(sin(theta + h), cos(theta + h));
+        assert_status(chain_bend_from(&g, upright, head, &at), DOM_OK);
+        assert_status(chain_sum(&g, lo, &below), DOM_OK);
+        assert_status(chain_sum(&g, hi, &above), DOM_OK);
+        if (below.n != above.n && g.falls_off) /* somebody leaves in between: H'' jumps */
+            continue;
+        double noise = 1e-15 * (fabs(at.H1) + g.reach) / h;
+        assert_same("H2", &g, at.H2, (above.H1 - below.H1) / (2 * h), fabs(at.H2) + noise / 1e-4, 1e-4);
+    }
+}
+
+/* Where one top is enough H is concave up to theta_u, and no barrier is higher than that of one domino. */
+static void one_top_where_it_is_said(void **state)
+{
+    (void)state;
+    uint64_t seed = 34;
+    int single = 0;
+    for (int i = 0; i < 10 * TRAINS; i++) {
+        struct tilt head;
+        struct lean g = random_lean(&seed, 1e-12, &head);
+        struct barrier b;
+        if (i % 4 == 0)
+            g.n = 2;
+        assert_status(barrier_search(&g, tilt_angle(g.c), TOP_TOL(&g), &b), DOM_OK);
+        assert_true(b.height <= barrier_most(&g) * (1 + 1e-14));
+        if (!barrier_single(&g))
+            continue;
+        single++;
+        for (int k = 0; k <= 16; k++) {
+            struct sums at;
+            assert_status(chain_bend_from(&g, upright, tilt_half(half_of_u(&g) * k / 16), &at), DOM_OK);
+            if (!(at.H2 < 0))
+                fail_msg("s %.17g r %.17g d %.17g q %.17g: H2 = %g at %d/16 of theta_u", g.s, g.r, g.d, g.q,
+                         at.H2, k);
+        }
+    }
+    print_message("# one top for sure: %d of %d\n", single, 10 * TRAINS);
+    assert_true(single > TRAINS);
+}
+
+/* The passes of a limit are counted, not timed: a handful, where the scan of every sample took hundreds. */
+static void limits_take_few_passes(void **state)
+{
+    (void)state;
+    struct dom_work work = {.passes = 0};
+    size_t limits = 0, most = 0;
+    for (int k = 2; k <= 90; k += 2, limits++) {
+        struct dom_train train = dom_train_default();
+        struct dom_limit limit;
+        size_t before = work.passes;
+        train.s = (dom_real)k / 100;
+        train.work = &work;
+        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        most = work.passes - before > most ? work.passes - before : most;
+    }
+    print_message("# passes of r_max for s from 0.02 to 0.9: %zu on average, at most %zu\n",
+                  work.passes / limits, most);
+    assert_true(work.passes <= 40 * limits && most <= 200);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_far_tail_is_the_train), cmocka_unit_test(shared_passes_are_the_same),
+        cmocka_unit_test(H2_is_the_slope_of_H1),     cmocka_unit_test(one_top_where_it_is_said),
+        cmocka_unit_test(limits_take_few_passes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
