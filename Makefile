@@ -5,6 +5,7 @@
 #   make              .build/domino and .build/libdomino.a
 #   make install      program, library, man page, examples; PREFIX= and DESTDIR= as usual
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan
+#   make deps bench   how fast, against others and against the floor; make guard: dearer than it was?
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
 PREFIX  ?= /usr/local
@@ -39,7 +40,7 @@ DEPS_RUN  := libgsl-dev libreadline-dev
 DEPS_TEST := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox
 DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
 DEPS_FUZZ := clang libclang-rt-dev
-DEPS_BENCH := bc octave python3-scipy gnuplot-nox valgrind
+DEPS_BENCH := bc octave python3-scipy gnuplot-nox valgrind binutils
 NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize,$(MAKECMDGOALS)),$(DEPS_TEST)) \
              $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev libmpfr-dev) \
              $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),$(DEPS_BENCH)) \

@@ -13,7 +13,7 @@
 #define BENCH_FLAGS "unknown flags"
 #endif
 
-enum { MANY = 178, FEW = 18, POINTS = 10000, SAMPLED = 20, CURVE_REPEATS = 3 };
+enum { MANY = 178, FEW = 18, POINTS = 10000, SAMPLED = 10, CURVE_REPEATS = 3 };
 
 #define WHO(name) (1U << (name))
 
@@ -47,6 +47,7 @@ static void goals_print(const struct goal *goals, size_t n)
 
 static void machine_print(void)
 {
+    double load;
     char line[256], model[256] = "an unknown processor\n";
     FILE *info = fopen("/proc/cpuinfo", "r");
     while (info && fgets(line, sizeof line, info))
@@ -55,6 +56,8 @@ static void machine_print(void)
     if (info)
         fclose(info);
     printf("domino %s on %u cores of %s", DOM_VERSION, cores(), model);
+    if (getloadavg(&load, 1) == 1)
+        printf("load before this: %.1f%s\n", load, load > 0.5 ? "; what else runs takes cores away" : "");
     printf("compiled by %s %s: %s\n",
 #ifdef __clang__
            "clang",
@@ -157,43 +160,37 @@ static struct process curve_command(const char *domino, const char *threads)
     return best;
 }
 
-/* What the goals need of it. */
-struct curve_times {
-    double library, library_all, command, command_all, megabytes;
+/* What the goals need of it; efficiencies in percent of what the machine gives. */
+struct curve_goals {
+    double library, efficiency, command_efficiency, megabytes;
 };
 
-static struct curve_times curve_print(const char *domino)
+static struct curve_goals curve_print(const char *domino)
 {
-    unsigned all = cores();
-    double one = INFINITY, every = INFINITY;
-    for (int k = 0; k < CURVE_REPEATS; k++) {
-        one = fmin(one, curve_library(POINTS, 1, 1));
-        every = fmin(every, curve_library(POINTS, all, 1));
-    }
-    struct process single = curve_command(domino, "set threads 1; "), many = {.done = false};
-    bool threads = single.done;
-    if (threads)
-        many = curve_command(domino, "set threads 0; ");
+    const unsigned threads[] = {1, cores()};
+    struct threaded at[2];
+    struct process one = curve_command(domino, "set threads 1; "), all = {.done = false};
+    threads_measure(POINTS, threads, at, 2);
+    if (one.done)
+        all = curve_command(domino, "set threads 0; ");
     else
-        single = curve_command(domino, "");
-    printf("\nThe curve of %d points, s from 0.02 to 0.9, massive, tol 1e-12: one core, and all %u\n", POINTS,
-           all);
+        one = curve_command(domino, ""); /* it has no threads */
+    struct curve_goals goals = {.library = at[0].seconds, .megabytes = fmax(one.megabytes, all.megabytes)};
+    double command_all = all.done ? all.seconds : NONE;
+    goals.efficiency = 100 * at[0].seconds / at[1].seconds / at[1].given;
+    goals.command_efficiency = 100 * one.seconds / command_all / at[1].given;
+    printf("\nThe curve of %d points, s from 0.02 to 0.9, massive, tol 1e-12: one core, and all %u,\n"
+           "which give %.2f times one when they do nothing but multiply (efficiency is the share of that)\n",
+           POINTS, threads[1], at[1].given);
     printf("  %-46s %12s %12s %12s\n", "", "one, ms", "all, ms", "efficiency");
-    printf("  %-46s %12.1f %12.1f %11.0f%%\n", "a loop over dom_limit_rmax", 1e3 * one, 1e3 * every,
-           100 * one / every / all);
-    double command_all = many.done ? many.seconds : NONE;
-    printf("  %-46s %12.1f", "domino -e 'set output csv; curve 0.02 0.9 ...'", 1e3 * single.seconds);
+    printf("  %-46s %12.1f %12.1f %11.0f%%\n", "a loop over dom_limit_rmax", 1e3 * at[0].seconds,
+           1e3 * at[1].seconds, goals.efficiency);
+    printf("  %-46s %12.1f", "domino -e 'set output csv; curve 0.02 0.9 ...'", 1e3 * one.seconds);
     number_print(12, 1, 1e3 * command_all);
-    number_print(11, 0, 100 * single.seconds / command_all / all);
-    puts("%");
-    printf("  (the command has three curves: r_max with both fuels and the pair's; it holds %.1f MB)\n",
-           fmax(single.megabytes, many.megabytes));
-    fflush(stdout);
-    return (struct curve_times){.library = one,
-                                .library_all = every,
-                                .command = single.seconds,
-                                .command_all = command_all,
-                                .megabytes = fmax(single.megabytes, many.megabytes)};
+    number_print(11, 0, goals.command_efficiency);
+    printf("%s\n  (the command has three curves: r_max with both fuels and the pair's; it holds %.1f MB)\n",
+           all.done ? "%" : "", goals.megabytes);
+    return goals;
 }
 
 /* How many times our seconds another's are; NaN without them, or where it does not reach the error. */
@@ -219,9 +216,9 @@ int main(int argc, char **argv)
     rmax_questions(many, MANY, 0.02, 0.9);
     rmax_questions(few, FEW, 0.02, 0.9);
     rmax_questions(points, SAMPLED, 0.02, 0.9);
-    for (size_t i = 0; i < SAMPLED; i++) { /* massive alone, all the way */
+    for (size_t i = 0; i < SAMPLED; i++) { /* massive alone, in the middle of ten parts */
         points[i].train.q = 4;
-        points[i].train.s = 0.02 + 0.88 * (double)i / (SAMPLED - 1);
+        points[i].train.s = 0.02 + 0.88 * ((double)i + 0.5) / SAMPLED;
     }
 
     compare("r_max to 1e-12, mean of 178: s = 0.02, 0.03 ... 0.9, hollow and massive", many, MANY, 1e-12,
@@ -238,11 +235,11 @@ int main(int argc, char **argv)
             WHO(OURS) | WHO(GSL) | WHO(PAPER) | WHO(OCTAVE) | WHO(SCIPY), 1, other);
     compare("A finite row: when the last of 20 dominoes lies, to 1e-10, mean of 3: r = 1, 1.05, 1.1", rows,
             row_questions(rows), 1e-10, WHO(OURS) | WHO(NEWTON) | WHO(OCTAVE) | WHO(SCIPY), 1, other);
-    compare("The curve of 10,000 points to 1e-12, by 20 of them", points, SAMPLED, 1e-12,
+    compare("The curve of 10,000 points to 1e-12, by 10 of them", points, SAMPLED, 1e-12,
             WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), POINTS, other);
     contenders_end();
 
-    struct curve_times curve = curve_print(domino);
+    struct curve_goals curve = curve_print(domino);
     rows_print();
     double start = start_print(domino);
     floor_print(many, MANY, all[OURS].seconds, operations(build, line, sizeof line));
@@ -255,9 +252,8 @@ int main(int argc, char **argv)
         {"  than SciPy, at 1e-12", "x", 1500, ratio(fine, SCIPY), true},
         {"one cycle's duration to 1e-12", "us", 25, 1e6 * cycle[OURS].seconds, false},
         {"a curve of 10,000 points on one core, by the library", "ms", 60, 1e3 * curve.library, false},
-        {"  its efficiency on all cores", "%", 80, 100 * curve.library / curve.library_all / cores(), true},
-        {"  of the command 'curve' (three curves)", "%", 80,
-         100 * curve.command / curve.command_all / cores(), true},
+        {"  its efficiency on all cores", "%", 80, curve.efficiency, true},
+        {"  of the command 'curve' (three curves)", "%", 80, curve.command_efficiency, true},
         {"memory, the most of that command", "MB", 10, curve.megabytes, false},
         {"domino -e 'count 112', times as long as bc", "x", 2, start, false},
     };

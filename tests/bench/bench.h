@@ -63,11 +63,11 @@ void contenders_end(void);
 
 struct result {
     bool asked;
-    double tol;     /* the loosest with which the error is reached; ours is the target itself */
-    double seconds; /* of one question, the mean over them */
-    double error;   /* the worst relative one, of the questions that are not missed */
-    size_t missed;  /* questions whose error is above the target at any tolerance */
-    double missed_s;
+    double tol;             /* the loosest with which the error is reached; ours is the target itself */
+    double seconds;         /* of one question, the mean over them */
+    double error;           /* the worst relative one, of the questions that are not missed */
+    size_t missed;          /* questions whose error is above the target at any tolerance */
+    double worst, missed_s; /* the worst error of those, and where */
 };
 
 /*
@@ -86,8 +86,18 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi);
 
 /* ---- curve.c: on one core and on several ---- */
 
-/* Seconds of a curve of points by the library, the least of `repeats`. */
-double curve_library(size_t points, unsigned threads, int repeats);
+/* Seconds of a curve of points by the library, massive, from 0.02 to 0.9. */
+double curve_library(size_t points, unsigned threads);
+
+/*
+ * That curve on each of n numbers of threads, the least of several; and how many times the work of one thread
+ * the machine does on so many, when they do nothing but multiply: virtual cores may be less than they seem.
+ */
+struct threaded {
+    double seconds, given;
+};
+
+void threads_measure(size_t points, const unsigned *threads, struct threaded *threaded, unsigned n);
 
 /* ---- rows.c, start.c ---- */
 

@@ -135,13 +135,15 @@ static double sweep(enum who who, const struct question *q, size_t n, double tol
 static void judge(struct result *result, const struct question *q, size_t n, const double *value,
                   const double *truth, double target)
 {
-    result->error = 0;
+    result->error = result->worst = 0;
     result->missed = 0;
     for (size_t i = 0; i < n; i++) {
         double error = fabs(value[i] / truth[i] - 1);
         if (!(error <= target)) {
             result->missed++;
-            result->missed_s = (double)q[i].train.s;
+            if (!(error <= result->worst))
+                result->missed_s = (double)q[i].train.s;
+            result->worst = fmax(result->worst, error);
         } else if (error > result->error) {
             result->error = error;
         }
@@ -154,20 +156,22 @@ static void calibrate(enum who who, const struct question *q, size_t n, double t
 {
     double value[QUESTIONS_MAX];
     double finest = (double)dom_arithmetic(DOM_DOUBLE)->tol_floor;
-    size_t before = n;
-    for (double tol = who == OURS ? target : fmin(1e3 * target, 1e-2);; tol /= 10) {
+    double loosest = fmin((q->task == RMAX ? 1e2 : 1e6) * target, 1e-2);
+    if (who == NEWTON) /* its own, which cannot be set */
+        loosest = 1e-13;
+    for (double tol = who == OURS ? target : loosest;; tol /= 10) {
         struct result now = {.tol = tol, .seconds = sweep(who, q, n, tol, value)};
         if (!(now.seconds > 0))
             return;
         judge(&now, q, n, value, truth, target);
         now.asked = true;
-        if (!result->asked || now.missed < before)
+        /* What is missed by far at one tolerance and at the next is missed by the method. */
+        bool method = result->asked && now.missed == result->missed && now.worst > 1e3 * target &&
+                      now.worst > result->worst / 2;
+        if (!result->asked || now.missed < result->missed)
             *result = now;
-        /* What is missed at one tolerance and at the next is missed by the method. */
-        bool method = now.missed == before && now.missed < n / 2;
         if (now.missed == 0 || method || who == OURS || tol <= fmax(target / 10, finest))
             return;
-        before = now.missed;
     }
 }
 
@@ -182,7 +186,7 @@ static void table_print(const struct result result[CONTENDERS], size_t n, double
         printf("  %-20s %8.0e %9.1e %13.2f %9.4g", who_name[who], r->tol, r->error, 1e6 * r->seconds * scale,
                r->seconds / ours);
         if (r->missed > 0)
-            printf("  misses %zu of %zu, one of them at s = %.4g", r->missed, n, r->missed_s);
+            printf("  misses %zu of %zu, at s = %.4g by %.0e", r->missed, n, r->missed_s, r->worst);
         putchar('\n');
     }
 }

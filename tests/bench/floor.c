@@ -53,6 +53,25 @@ struct recurrence recurrence_measure(void)
     return (struct recurrence){.one = lanes_measure(1), .four = lanes_measure(LANES)};
 }
 
+/* Dominoes of a pass at the growth that is the answer, the mean. */
+static double dominoes_at_answer(const struct question *question, size_t n)
+{
+    struct dom_work work = {.passes = 0};
+    struct dom_fuels fuels;
+    for (size_t i = 0; i < n; i++) {
+        struct dom_train train = question[i].train;
+        train.r = ask_ours(&question[i], 1e-12, DOM_DOUBLE, NULL);
+        train.work = &work;
+        dom_fuel_find(&train, &fuels, NULL);
+    }
+    return (double)work.dominoes / (double)n;
+}
+
+static void line(const char *what, double value, const char *unit)
+{
+    printf("  %-68s %9.2f %s\n", what, value, unit);
+}
+
 void floor_print(const struct question *question, size_t n, double seconds, const char *operations)
 {
     struct dom_work work = {.passes = 0};
@@ -60,24 +79,25 @@ void floor_print(const struct question *question, size_t n, double seconds, cons
     for (size_t i = 0; i < n; i++)
         ask_ours(&question[i], 1e-12, DOM_DOUBLE, &work);
     double passes = (double)work.passes / (double)n, dominoes = (double)work.dominoes / (double)n;
-    double pass = dominoes / passes, us = 1e6 * seconds, fewest = NEWTON_STEPS * PASSES_A_STEP;
+    double at_answer = dominoes_at_answer(question, n), us = 1e6 * seconds;
+    double of_passes = 1e-3 * dominoes * bare.one;
+    double of_any = 1e-3 * NEWTON_STEPS * PASSES_A_STEP * at_answer * bare.one;
     printf("\nThe floor of r_max at 1e-12, mean of the same %zu questions\n", n);
-    printf("  %-66s %9.2f us\n", "measured, ours", us);
-    printf("  %-66s %9.1f\n", "passes down the train (struct dom_work)", passes);
-    printf("  %-66s %9.1f\n", "dominoes a pass", pass);
-    printf("  %-66s %9.2f ns\n", "so much a domino", 1e3 * us / dominoes);
-    if (operations)
-        printf("  executed for a domino, everything included:\n    %s\n", operations);
-    printf("  %-66s %9.2f ns\n", "the bare recurrence (b8), (A6) on this machine, a domino", bare.one);
-    printf("  %-66s %9.2f ns\n", "  four trains side by side, a domino", bare.four);
-    printf("  %-66s %9.2f us\n", "floor of these passes: every domino of them at that latency",
-           1e-3 * dominoes * bare.one);
-    printf("  %-66s %9.2f\n", "  measured / that floor", us / (1e-3 * dominoes * bare.one));
-    printf("  %-66s %9.2f us\n", "floor of any search: 8 such passes, one after the other (*)",
-           1e-3 * fewest * pass * bare.one);
-    printf("  %-66s %9.2f\n", "  measured / that floor", us / (1e-3 * fewest * pass * bare.one));
+    line("measured, ours", us, "us");
+    line("passes down the train that it takes (struct dom_work)", passes, "");
+    line("dominoes in them, together", dominoes, "");
+    line("time for a domino", 1e3 * us / dominoes, "ns");
+    printf("  executed for a domino, everything included:\n    %s\n",
+           operations ? operations : "not counted: valgrind or objdump is not installed");
+    puts("  the bare recurrence, (b8) and (A6), each domino waiting for the one before:\n"
+         "    4 adds, 7 multiplies, 1 square root");
+    line("  a domino of one train on this machine", bare.one, "ns");
+    line("  a domino of four trains side by side", bare.four, "ns");
+    line("floor of these passes: the bare recurrence of their dominoes", of_passes, "us");
+    line("  measured / that floor", us / of_passes, "");
+    line("dominoes of a pass at r_max itself", at_answer, "");
+    line("floor of a search that knows where to look: 8 of these passes (*)", of_any, "us");
+    line("  measured / that floor", us / of_any, "");
     puts("  (*) Newton's method for r from one digit right: 4 steps, each of them a pass at theta_c for the\n"
-         "      launch and one at theta_m for the barrier.  Whoever runs trains side by side can be below "
-         "it.");
-    fflush(stdout);
+         "      launch and one at theta_m for the barrier.  Trains side by side can be below it.");
 }

@@ -1,7 +1,8 @@
 ## SPDX-License-Identifier: GPL-3.0-or-later
 ## The questions of the benchmark, as a user of GNU Octave would solve them: energies for many tilts at once,
 ## roots by fzero, integrals by quadgk.
-## Reads questions, one a line and blank ones between (see the end), and answers each with the seconds it took and a number.
+## Reads questions, one a line and blank ones between (see the end), and answers each with the seconds that it took
+## and a number.
 1;
 
 ## The maximum of f over [0, last], f(0) = 0: the best of a few tilts, then of as many around it, and so on.  f is
