@@ -129,7 +129,7 @@ static size_t row_questions(struct question *question)
     return n;
 }
 
-/* The line that the script `operations` finds; NULL if it cannot. */
+/* The line that the script `operations` finds. */
 static const char *operations(const char *build, char *line, int size)
 {
     char command[4200];
@@ -139,7 +139,7 @@ static const char *operations(const char *build, char *line, int size)
     if (pipe)
         pclose(pipe);
     line[there ? strcspn(line, "\n") : 0] = '\0';
-    return there ? line : NULL;
+    return there ? line : "not counted: valgrind or objdump is not installed";
 }
 
 /* ---- The curve, as a user of the program asks for it ---- */
@@ -242,7 +242,8 @@ int main(int argc, char **argv)
     struct curve_goals curve = curve_print(domino);
     rows_print();
     double start = start_print(domino);
-    floor_print(many, MANY, all[OURS].seconds, operations(build, line, sizeof line));
+    floor_print("r_max", many, MANY, all[OURS].seconds, operations(build, line, sizeof line));
+    floor_print("one cycle's duration", cycles, duration_questions(cycles), cycle[OURS].seconds, NULL);
     growth_print(build);
 
     const struct goal goals[] = {

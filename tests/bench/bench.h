@@ -115,8 +115,9 @@ struct recurrence {
 
 struct recurrence recurrence_measure(void);
 
-/* Prints operations, passes and the floor beside the time of one answer; operations may be NULL. */
-void floor_print(const struct question *question, size_t n, double seconds, const char *operations);
+/* Prints operations (unless NULL), passes and the floor beside the time of one of n answers. */
+void floor_print(const char *title, const struct question *question, size_t n, double seconds,
+                 const char *operations);
 
 /* ---- growth.c ---- */
 

@@ -72,7 +72,8 @@ static void line(const char *what, double value, const char *unit)
     printf("  %-68s %9.2f %s\n", what, value, unit);
 }
 
-void floor_print(const struct question *question, size_t n, double seconds, const char *operations)
+void floor_print(const char *title, const struct question *question, size_t n, double seconds,
+                 const char *operations)
 {
     struct dom_work work = {.passes = 0};
     struct recurrence bare = recurrence_measure();
@@ -82,19 +83,21 @@ void floor_print(const struct question *question, size_t n, double seconds, cons
     double at_answer = dominoes_at_answer(question, n), us = 1e6 * seconds;
     double of_passes = 1e-3 * dominoes * bare.one;
     double of_any = 1e-3 * NEWTON_STEPS * PASSES_A_STEP * at_answer * bare.one;
-    printf("\nThe floor of r_max at 1e-12, mean of the same %zu questions\n", n);
+    printf("\nThe floor of %s at 1e-12, mean of the same %zu questions\n", title, n);
     line("measured, ours", us, "us");
     line("passes down the train that it takes (struct dom_work)", passes, "");
     line("dominoes in them, together", dominoes, "");
     line("time for a domino", 1e3 * us / dominoes, "ns");
-    printf("  executed for a domino, everything included:\n    %s\n",
-           operations ? operations : "not counted: valgrind or objdump is not installed");
+    if (operations)
+        printf("  executed for a domino, everything included:\n    %s\n", operations);
     puts("  the bare recurrence, (b8) and (A6), each domino waiting for the one before:\n"
          "    4 adds, 7 multiplies, 1 square root");
     line("  a domino of one train on this machine", bare.one, "ns");
     line("  a domino of four trains side by side", bare.four, "ns");
     line("floor of these passes: the bare recurrence of their dominoes", of_passes, "us");
     line("  measured / that floor", us / of_passes, "");
+    if (question->task != RMAX)
+        return;
     line("dominoes of a pass at r_max itself", at_answer, "");
     line("floor of a search that knows where to look: 8 of these passes (*)", of_any, "us");
     line("  measured / that floor", us / of_any, "");

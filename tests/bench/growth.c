@@ -174,7 +174,7 @@ static const char script[] =
     "plot '' index 2 using 1:2 with linespoints lw 2 pt 7 ps 0.6 notitle\n"
     "unset logscale; set format '%%g'; set xrange [0.5:*]; set yrange [0:*]; set xtics 1\n"
     "if (GPVAL_DATA_X_MAX > 16) set xtics autofreq\n"
-    "set xlabel 'threads'; set ylabel 'times as fast, 10,000 points'\n"
+    "set key bottom right; set xlabel 'threads'; set ylabel 'times as fast, 10,000 points'\n"
     "plot '' index 3 using 1:2 with linespoints lw 2 pt 7 ps 0.6 title 'measured', \\\n"
     "     '' index 3 using 1:3 with lines dt 2 lc '#888888' title 'what the machine gives'\n"
     "unset multiplot\n";
