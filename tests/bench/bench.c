@@ -15,7 +15,8 @@
 
 enum { MANY = 178, FEW = 18, POINTS = 10000, SAMPLED = 10, CURVE_REPEATS = 3 };
 
-#define WHO(name) (1U << (name))
+#define WHO(name)   (1U << (name))
+#define LEAST_GIVEN 1.5 /* times the work of one thread, from all cores */
 
 /* ---- Goals ---- */
 
@@ -177,19 +178,22 @@ static struct curve_goals curve_print(const char *domino)
         one = curve_command(domino, ""); /* it has no threads */
     struct curve_goals goals = {.library = at[0].seconds, .megabytes = fmax(one.megabytes, all.megabytes)};
     double command_all = all.done ? all.seconds : NONE;
-    goals.efficiency = 100 * at[0].seconds / at[1].seconds / at[1].given;
-    goals.command_efficiency = 100 * one.seconds / command_all / at[1].given;
+    /* Of cores that are busy elsewhere nothing can be told. */
+    double given = at[1].given > LEAST_GIVEN ? at[1].given : NONE;
+    goals.efficiency = 100 * at[0].seconds / at[1].seconds / given;
+    goals.command_efficiency = 100 * one.seconds / command_all / given;
     printf("\nThe curve of %d points, s from 0.02 to 0.9, massive, tol 1e-12: one core, and all %u,\n"
            "which give %.2f times one when they do nothing but multiply (efficiency is the share of that)\n",
            POINTS, threads[1], at[1].given);
     printf("  %-46s %12s %12s %12s\n", "", "one, ms", "all, ms", "efficiency");
-    printf("  %-46s %12.1f %12.1f %11.0f%%\n", "a loop over dom_limit_rmax", 1e3 * at[0].seconds,
-           1e3 * at[1].seconds, goals.efficiency);
+    printf("  %-46s %12.1f %12.1f", "a loop over dom_limit_rmax", 1e3 * at[0].seconds, 1e3 * at[1].seconds);
+    number_print(11, 0, goals.efficiency);
+    puts(isnan(goals.efficiency) ? "" : "%");
     printf("  %-46s %12.1f", "domino -e 'set output csv; curve 0.02 0.9 ...'", 1e3 * one.seconds);
     number_print(12, 1, 1e3 * command_all);
     number_print(11, 0, goals.command_efficiency);
     printf("%s\n  (the command has three curves: r_max with both fuels and the pair's; it holds %.1f MB)\n",
-           all.done ? "%" : "", goals.megabytes);
+           isnan(goals.command_efficiency) ? "" : "%", goals.megabytes);
     return goals;
 }
 
@@ -253,8 +257,8 @@ int main(int argc, char **argv)
         {"  than SciPy, at 1e-12", "x", 1500, ratio(fine, SCIPY), true},
         {"one cycle's duration to 1e-12", "us", 25, 1e6 * cycle[OURS].seconds, false},
         {"a curve of 10,000 points on one core, by the library", "ms", 60, 1e3 * curve.library, false},
-        {"  its efficiency on all cores", "%", 80, curve.efficiency, true},
-        {"  of the command 'curve' (three curves)", "%", 80, curve.command_efficiency, true},
+        {"  its efficiency on all cores, the share of what they give", "%", 80, curve.efficiency, true},
+        {"  the same of the command 'curve' (three curves)", "%", 80, curve.command_efficiency, true},
         {"memory, the most of that command", "MB", 10, curve.megabytes, false},
         {"domino -e 'count 112', times as long as bc", "x", 2, start, false},
     };
