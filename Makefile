@@ -5,6 +5,7 @@
 #   make              .build/domino and .build/libdomino.a
 #   make install      program, library, man page, examples; PREFIX= and DESTDIR= as usual
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan
+#   make deps bench   how fast, against others and against the floor; make guard: dearer than it was?
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
 PREFIX  ?= /usr/local
@@ -31,7 +32,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize fuzz bench deps lint format install uninstall clean
+.PHONY: all run test unit hard sessions sanitize fuzz bench guard deps lint format install uninstall clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 # ---- Dependencies: only what the goals of this call need ----
@@ -40,9 +41,11 @@ DEPS_RUN  := libgsl-dev libreadline-dev
 DEPS_TEST := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox
 DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
 DEPS_FUZZ := clang libclang-rt-dev
+DEPS_BENCH := bc octave python3-scipy gnuplot-nox valgrind binutils
 NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize,$(MAKECMDGOALS)),$(DEPS_TEST)) \
              $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev libmpfr-dev) \
-             $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),bc)
+             $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),$(DEPS_BENCH)) \
+             $(if $(filter guard,$(MAKECMDGOALS)),valgrind)
 
 deps:
 	@missing=; for p in $(NEEDED); do \
@@ -145,37 +148,45 @@ $(B)/fuzz_line: $(B)/obj/tests/fuzz/fuzz_line.o $(filter-out %/main.o,$(call OBJ
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
-# Ratios, side by side in one run.
-bench: all $(B)/bench_start $(B)/bench_rows
-	@$(B)/bench_start $(B)/domino
-	@$(B)/bench_rows
+# Ratios, side by side in one run. Octave and SciPy are compared with where they are installed.
+BENCH := bench compare curve floor growth measure rows start
+bench: all $(B)/bench $(B)/answers
+	@$(B)/bench $(B)
 
-$(B)/bench_rows: $(B)/obj/tests/bench/bench_rows.o $(B)/libdomino.a
+$(B)/obj/tests/bench/bench.o: C_FLAGS += -DBENCH_FLAGS='"$(OPTIM)"'
+$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
 
-$(B)/bench_start: $(B)/obj/tests/bench/bench_start.o
+$(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
 	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ -o $@
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
+
+# Instructions of answers against tests/bench/instructions.csv; 'make guard KEEP=1' makes that anew.
+GUARD_FLAGS := -O2 -g
+guard: | $(FIRST)
+	@$(MAKE) --no-print-directory B=$(B)/guard CC=gcc CFLAGS='$(GUARD_FLAGS)' $(B)/guard/answers $(B)/guard/domino
+	@echo '$(GUARD_FLAGS)' > $(B)/guard/flags
+	@KEEP=$(KEEP) tests/bench/guard $(B)/guard
 
 # ---- Checks ----
 
 C_FILES := $(wildcard src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(wildcard tests/bench/*.c tests/fuzz/*.c)
-H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/unit/*.h tests/hard/*.h)
+H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/unit/*.h tests/hard/*.h tests/bench/*.h)
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
 lint: | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
-	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/gcc/%,$(HARD_BIN))
-	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/clang/%,$(HARD_BIN))
+	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/gcc/%,$(HARD_BIN)) $(B)/gcc/bench $(B)/gcc/answers
+	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/clang/%,$(HARD_BIN)) $(B)/clang/bench $(B)/clang/answers
 	clang-tidy --quiet $(MODEL) $(SHELL_C) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src
 	mandoc -T lint man/domino.1
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run .ci/run tests/shell/*.bash src/shell/domino.bash
+	shellcheck tests/run .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash src/shell/domino.bash
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)

@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What a sceptic reads from top to bottom: who is compared, each question with its times and errors, the
+ * floor, how time grows, and which goals are met.
+ * usage: bench BUILD, from the top of the project
+ */
+#include "bench.h"
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef BENCH_FLAGS
+#define BENCH_FLAGS "unknown flags"
+#endif
+
+enum { MANY = 178, FEW = 18, POINTS = 10000, SAMPLED = 10, CURVE_REPEATS = 3 };
+
+#define WHO(name)   (1U << (name))
+#define LEAST_GIVEN 1.5 /* times the work of one thread, from all cores */
+
+/* ---- Goals ---- */
+
+struct goal {
+    const char *text, *unit;
+    double goal, measured; /* NaN: not measured here */
+    bool at_least;
+};
+
+static bool goal_met(const struct goal *goal)
+{
+    return goal->at_least ? goal->measured >= goal->goal : goal->measured <= goal->goal;
+}
+
+static void goals_print(const struct goal *goals, size_t n)
+{
+    puts("\nGoals");
+    for (size_t i = 0; i < n; i++) {
+        const struct goal *g = &goals[i];
+        printf("  %-66s %s %6g %-3s ", g->text, g->at_least ? ">=" : "<=", g->goal, g->unit);
+        if (isnan(g->measured))
+            puts("        -  not measured here");
+        else
+            printf("%9.4g  %s\n", g->measured, goal_met(g) ? "met" : "NOT MET");
+    }
+}
+
+/* ---- The machine ---- */
+
+static void machine_print(void)
+{
+    double load;
+    char line[256], model[256] = "an unknown processor\n";
+    FILE *info = fopen("/proc/cpuinfo", "r");
+    while (info && fgets(line, sizeof line, info))
+        if (strncmp(line, "model name", 10) == 0 && strchr(line, ':'))
+            memcpy(model, strchr(line, ':') + 2, strlen(strchr(line, ':') + 2) + 1);
+    if (info)
+        fclose(info);
+    printf("domino %s on %u cores of %s", DOM_VERSION, cores(), model);
+    if (getloadavg(&load, 1) == 1)
+        printf("load before this: %.1f%s\n", load, load > 0.5 ? "; what else runs takes cores away" : "");
+    printf("compiled by %s %s: %s\n",
+#ifdef __clang__
+           "clang",
+#else
+           "gcc",
+#endif
+           __VERSION__, BENCH_FLAGS);
+    puts("Times are the least of several, taken in turns in this one run. An error is the worst relative one "
+         "of a\n"
+         "table's questions, against our quad precision at 1e-18. We are asked for the target itself, others "
+         "for\n"
+         "the loosest tolerance (a power of 10) with which they reach it.");
+}
+
+/* Our quad precision is what all are judged by: here it is judged by tables made elsewhere. */
+static void truth_print(void)
+{
+    static const char path[] = "tests/reference/rmax.csv";
+    FILE *table = fopen(path, "r");
+    double s, q, d, r_max, worst = 0;
+    char line[256], fuel[16];
+    int rows = 0;
+    while (table && fgets(line, sizeof line, table)) {
+        struct question question = {.task = RMAX, .train = dom_train_default()};
+        if (sscanf(line, "%lf,%lf,%lf,%15[^,],%lf", &s, &q, &d, fuel, &r_max) != 5)
+            continue;
+        question.train.s = s;
+        question.train.q = q;
+        question.train.d = d;
+        question.train.fuel = strcmp(fuel, "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+        worst = fmax(worst, fabs((double)(ask_ours(&question, 1e-18, DOM_QUAD, NULL) / r_max - 1)));
+        rows++;
+    }
+    if (table)
+        fclose(table);
+    printf("Quad precision differs from the %d rows of %s, made in 40-digit arithmetic, by %.0e at most\n"
+           "(they are read as doubles).\n",
+           rows, path, worst);
+}
+
+/* ---- The questions ---- */
+
+static size_t duration_questions(struct question *question)
+{
+    static const double separations[] = {0.1, 0.2, 0.3, 0.4, 0.5};
+    size_t n = 0;
+    for (int q = 3; q <= 4; q++)
+        for (size_t i = 0; i < sizeof separations / sizeof *separations; i++, n++) {
+            struct dom_limit limit = {.r_max = 1};
+            struct dom_train train = dom_train_default();
+            train.q = q;
+            train.s = separations[i];
+            dom_limit_rmax(&train, &limit, NULL, NULL);
+            train.r = (double)(1 + (dom_real)0.8 * (limit.r_max - 1));
+            question[n] = (struct question){.task = DURATION, .train = train};
+        }
+    return n;
+}
+
+static size_t row_questions(struct question *question)
+{
+    static const double growths[] = {1, 1.05, 1.1};
+    size_t n = 0;
+    for (; n < sizeof growths / sizeof *growths; n++) {
+        struct dom_train train = dom_train_default();
+        train.r = growths[n];
+        question[n] = (struct question){.task = ROW, .train = train, .dominoes = 20, .push = 6};
+    }
+    return n;
+}
+
+/* The line that the script `operations` finds. */
+static const char *operations(const char *build, char *line, int size)
+{
+    char command[4200];
+    snprintf(command, sizeof command, "tests/bench/operations '%s'", build);
+    FILE *pipe = popen(command, "r");
+    bool there = pipe && fgets(line, size, pipe);
+    if (pipe)
+        pclose(pipe);
+    line[there ? strcspn(line, "\n") : 0] = '\0';
+    return there ? line : "not counted: valgrind or objdump is not installed";
+}
+
+/* ---- The curve, as a user of the program asks for it ---- */
+
+static struct process curve_command(const char *domino, const char *threads)
+{
+    char text[128];
+    struct process best = {.done = false, .seconds = INFINITY};
+    snprintf(text, sizeof text, "set output csv; %scurve 0.02 0.9 %d", threads, POINTS);
+    const char *const argv[] = {domino, "-n", "-e", text, NULL};
+    for (int k = 0; k < CURVE_REPEATS; k++) {
+        struct process now = process_run(argv, "");
+        if (!now.done)
+            return now;
+        if (now.seconds < best.seconds)
+            best = now;
+    }
+    return best;
+}
+
+/* What the goals need of it; efficiencies in percent of what the machine gives. */
+struct curve_goals {
+    double library, efficiency, command_efficiency, megabytes;
+};
+
+static struct curve_goals curve_print(const char *domino)
+{
+    const unsigned threads[] = {1, cores()};
+    struct threaded at[2];
+    struct process one = curve_command(domino, "set threads 1; "), all = {.done = false};
+    threads_measure(POINTS, threads, at, 2);
+    if (one.done)
+        all = curve_command(domino, "set threads 0; ");
+    else
+        one = curve_command(domino, ""); /* it has no threads */
+    struct curve_goals goals = {.library = at[0].seconds, .megabytes = fmax(one.megabytes, all.megabytes)};
+    double command_all = all.done ? all.seconds : NONE;
+    /* Of cores that are busy elsewhere nothing can be told. */
+    double given = at[1].given > LEAST_GIVEN ? at[1].given : NONE;
+    goals.efficiency = 100 * at[0].seconds / at[1].seconds / given;
+    goals.command_efficiency = 100 * one.seconds / command_all / given;
+    printf("\nThe curve of %d points, s from 0.02 to 0.9, massive, tol 1e-12: one core, and all %u,\n"
+           "which give %.2f times one when they do nothing but multiply (efficiency is the share of that)\n",
+           POINTS, threads[1], at[1].given);
+    printf("  %-46s %12s %12s %12s\n", "", "one, ms", "all, ms", "efficiency");
+    printf("  %-46s %12.1f %12.1f", "a loop over dom_limit_rmax", 1e3 * at[0].seconds, 1e3 * at[1].seconds);
+    number_print(11, 0, goals.efficiency);
+    puts(isnan(goals.efficiency) ? "" : "%");
+    printf("  %-46s %12.1f", "domino -e 'set output csv; curve 0.02 0.9 ...'", 1e3 * one.seconds);
+    number_print(12, 1, 1e3 * command_all);
+    number_print(11, 0, goals.command_efficiency);
+    printf("%s\n  (the command has three curves: r_max with both fuels and the pair's; it holds %.1f MB)\n",
+           isnan(goals.command_efficiency) ? "" : "%", goals.megabytes);
+    return goals;
+}
+
+/* How many times our seconds another's are; NaN without them, or where it does not reach the error. */
+static double ratio(const struct result *result, enum who who)
+{
+    return result[who].asked ? result[who].seconds / result[OURS].seconds : NONE;
+}
+
+int main(int argc, char **argv)
+{
+    static struct question many[MANY], few[FEW], points[SAMPLED], cycles[16], rows[8];
+    struct result all[CONTENDERS], fine[CONTENDERS], coarse[CONTENDERS], cycle[CONTENDERS], other[CONTENDERS];
+    char domino[4096], line[256];
+    const char *build = argc > 1 ? argv[1] : ".build";
+    snprintf(domino, sizeof domino, "%s/domino", build);
+    signal(SIGPIPE, SIG_IGN);
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    double begun = seconds_now();
+
+    machine_print();
+    truth_print();
+    contenders_start();
+    rmax_questions(many, MANY, 0.02, 0.9);
+    rmax_questions(few, FEW, 0.02, 0.9);
+    rmax_questions(points, SAMPLED, 0.02, 0.9);
+    for (size_t i = 0; i < SAMPLED; i++) { /* massive alone, in the middle of ten parts */
+        points[i].train.q = 4;
+        points[i].train.s = 0.02 + 0.88 * ((double)i + 0.5) / SAMPLED;
+    }
+
+    compare("r_max to 1e-12, mean of 178: s = 0.02, 0.03 ... 0.9, hollow and massive", many, MANY, 1e-12,
+            WHO(OURS) | WHO(GSL), 1, all);
+    compare("r_max to 1e-12, mean of 18: s = 0.02, 0.13 ... 0.9, hollow and massive", few, FEW, 1e-12,
+            WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), 1, fine);
+    compare("r_max to 1e-6, the same 18", few, FEW, 1e-6,
+            WHO(OURS) | WHO(GSL) | WHO(PAPER) | WHO(OCTAVE) | WHO(SCIPY), 1, coarse);
+    compare("One whole cycle, its duration to 1e-12, mean of 10: s = 0.1 ... 0.5, both q, 0.8 of the way to "
+            "r_max",
+            cycles, duration_questions(cycles), 1e-12, WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), 1,
+            cycle);
+    compare("The same to 1e-6", cycles, duration_questions(cycles), 1e-6,
+            WHO(OURS) | WHO(GSL) | WHO(PAPER) | WHO(OCTAVE) | WHO(SCIPY), 1, other);
+    compare("A finite row: when the last of 20 dominoes lies, to 1e-10, mean of 3: r = 1, 1.05, 1.1", rows,
+            row_questions(rows), 1e-10, WHO(OURS) | WHO(NEWTON) | WHO(OCTAVE) | WHO(SCIPY), 1, other);
+    compare("The curve of 10,000 points to 1e-12, by 10 of them", points, SAMPLED, 1e-12,
+            WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), POINTS, other);
+    contenders_end();
+
+    struct curve_goals curve = curve_print(domino);
+    rows_print();
+    double start = start_print(domino);
+    floor_print("r_max", many, MANY, all[OURS].seconds, operations(build, line, sizeof line));
+    floor_print("one cycle's duration", cycles, duration_questions(cycles), cycle[OURS].seconds, NULL);
+    growth_print(build);
+
+    const struct goal goals[] = {
+        {"r_max at 1e-12, mean over s in [0.02, 0.9], both q", "us", 6, 1e6 * all[OURS].seconds, false},
+        {"  as many times faster than nested GSL solvers", "x", 15, ratio(all, GSL), true},
+        {"  than the paper's recipe, at 1e-6", "x", 1000, ratio(coarse, PAPER), true},
+        {"  than SciPy, at 1e-12", "x", 1500, ratio(fine, SCIPY), true},
+        {"one cycle's duration to 1e-12", "us", 25, 1e6 * cycle[OURS].seconds, false},
+        {"a curve of 10,000 points on one core, by the library", "ms", 60, 1e3 * curve.library, false},
+        {"  its efficiency on all cores, the share of what they give", "%", 80, curve.efficiency, true},
+        {"  the same of the command 'curve' (three curves)", "%", 80, curve.command_efficiency, true},
+        {"memory, the most of that command", "MB", 10, curve.megabytes, false},
+        {"domino -e 'count 112', times as long as bc", "x", 2, start, false},
+    };
+    goals_print(goals, sizeof goals / sizeof *goals);
+    printf("\n%.0f s in all\n", seconds_now() - begun);
+    return EXIT_SUCCESS;
+}

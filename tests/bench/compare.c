@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "../unit/direct.h"
+#include "bench.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { QUESTIONS_MAX = 256, DOMINOES_MAX = 64, ROUNDS = 9 };
+
+#define SECONDS_EACH 1.5 /* for the rounds of one contender in one table */
+
+const char *const who_name[CONTENDERS] = {
+    [OURS] = "ours",     [GSL] = "GSL, nested", [PAPER] = "paper's recipe", [NEWTON] = "GSL, Newton's laws",
+    [OCTAVE] = "Octave", [SCIPY] = "SciPy",
+};
+
+/* Whose library or program it is, and where python3 is not the system's, that is asked for as well. */
+static const struct {
+    enum who who;
+    const char *argv[4];
+} programs[] = {
+    {OCTAVE, {"octave-cli", "-qf", "tests/bench/train_octave.m", NULL}},
+    {SCIPY, {"python3", "tests/bench/train_scipy.py", NULL}},
+    {SCIPY, {"/usr/bin/python3", "tests/bench/train_scipy.py", NULL}},
+};
+
+static struct coprocess coprocess[CONTENDERS];
+
+/* ---- One answer ---- */
+
+static double ask_row(const struct question *q, double tol, enum dom_precision precision,
+                      struct dom_work *work)
+{
+    struct dom_domino domino[DOMINOES_MAX];
+    struct dom_scale scale = dom_scale_default();
+    struct dom_verdict verdict;
+    dom_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
+    struct dom_row row = {.domino = domino,
+                          .count = q->dominoes,
+                          .g = scale.g,
+                          .push = q->push,
+                          .tol = tol,
+                          .precision = precision,
+                          .work = work};
+    bool falls = dom_row_run(&row, true, NULL, NULL, &verdict) == DOM_OK && verdict.end == DOM_ROW_FALLS;
+    return falls ? (double)verdict.seconds : NONE;
+}
+
+static double ask_newton(const struct question *q)
+{
+    struct dom_domino domino[DOMINOES_MAX];
+    struct dom_scale scale = dom_scale_default();
+    double height[DOMINOES_MAX], thickness[DOMINOES_MAX], gap[DOMINOES_MAX], mass[DOMINOES_MAX];
+    struct direct_hit hits[DOMINOES_MAX];
+    struct direct_result result;
+    dom_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
+    for (size_t i = 0; i < q->dominoes; i++) {
+        height[i] = (double)domino[i].height;
+        thickness[i] = (double)domino[i].thickness;
+        gap[i] = (double)domino[i].gap;
+        mass[i] = (double)domino[i].mass;
+    }
+    struct direct_row row = {.n = q->dominoes,
+                             .height = height,
+                             .thickness = thickness,
+                             .gap = gap,
+                             .mass = mass,
+                             .g = (double)scale.g,
+                             .omega = q->push};
+    return !direct_run(&row, hits, &result) && result.all_fall ? result.end_time : NONE;
+}
+
+static dom_real ask_train(const struct question *q, const struct dom_train *train)
+{
+    struct dom_limit limit = {.r_max = DOM_NAN};
+    dom_real duration = DOM_NAN;
+    if (q->task == DURATION)
+        return dom_cycle_duration(train, &duration, NULL) == DOM_OK ? duration : DOM_NAN;
+    return dom_limit_rmax(train, &limit, NULL, NULL) == DOM_OK ? limit.r_max : DOM_NAN;
+}
+
+dom_real ask_ours(const struct question *q, double tol, enum dom_precision precision, struct dom_work *work)
+{
+    struct dom_train train = q->train;
+    if (q->task == ROW)
+        return ask_row(q, tol, precision, work);
+    train.tol = tol;
+    train.precision = precision;
+    train.work = work;
+    return ask_train(q, &train);
+}
+
+static bool ask_program(enum who who, const struct question *q, double tol, double *seconds, double *value)
+{
+    static const char *const name[] = {[RMAX] = "rmax", [DURATION] = "duration", [ROW] = "row"};
+    const struct dom_train *t = &q->train;
+    struct dom_scale scale = dom_scale_default();
+    char line[256];
+    if (q->task == ROW)
+        snprintf(line, sizeof line, "row %.17g %zu %.17g %.17g %.17g %.17g %.17g %.17g", tol, q->dominoes,
+                 (double)t->r, (double)t->s, (double)t->d, (double)scale.h, (double)scale.g, q->push);
+    else
+        snprintf(line, sizeof line, "%s %.17g %.17g %.17g %.17g %.17g", name[q->task], tol, (double)t->s,
+                 (double)t->r, (double)t->d, (double)t->q);
+    return coprocess_ask(&coprocess[who], line, seconds, value);
+}
+
+/* All questions one after the other: how long it took, and the values. */
+static double sweep(enum who who, const struct question *q, size_t n, double tol, double *value)
+{
+    static const enum dom_method method[] = {
+        [OURS] = DOM_METHOD_OURS, [GSL] = DOM_METHOD_GSL, [PAPER] = DOM_METHOD_PAPER};
+    double begun = seconds_now(), total = 0, seconds;
+    for (size_t i = 0; i < n; i++) {
+        if (coprocess[who].pid > 0) {
+            if (!ask_program(who, &q[i], tol, &seconds, &value[i]))
+                return NAN;
+            total += seconds;
+        } else if (who == NEWTON) {
+            value[i] = ask_newton(&q[i]);
+        } else if (q[i].task == ROW) {
+            value[i] = ask_row(&q[i], tol, DOM_DOUBLE, NULL);
+        } else {
+            struct dom_train train = q[i].train;
+            train.tol = tol;
+            train.method = method[who];
+            value[i] = (double)ask_train(&q[i], &train);
+        }
+    }
+    return coprocess[who].pid > 0 ? total : seconds_now() - begun;
+}
+
+/* ---- To the same error ---- */
+
+/* The worst error within the target, and which are not within it. */
+static void judge(struct result *result, const struct question *q, size_t n, const double *value,
+                  const double *truth, double target)
+{
+    result->error = result->worst = 0;
+    result->missed = 0;
+    for (size_t i = 0; i < n; i++) {
+        double error = fabs(value[i] / truth[i] - 1);
+        if (!(error <= target)) {
+            result->missed++;
+            if (!(error <= result->worst))
+                result->missed_s = (double)q[i].train.s;
+            result->worst = fmax(result->worst, error);
+        } else if (error > result->error) {
+            result->error = error;
+        }
+    }
+}
+
+/* The loosest tolerance with which a contender reaches the target; ours is asked for the target itself. */
+static void calibrate(enum who who, const struct question *q, size_t n, double target, const double *truth,
+                      struct result *result)
+{
+    double value[QUESTIONS_MAX];
+    double finest = (double)dom_arithmetic(DOM_DOUBLE)->tol_floor;
+    double loosest = fmin((q->task == RMAX ? 1e2 : 1e6) * target, 1e-2);
+    if (who == NEWTON) /* its own, which cannot be set */
+        loosest = 1e-13;
+    for (double tol = who == OURS ? target : loosest;; tol /= 10) {
+        struct result now = {.tol = tol, .seconds = sweep(who, q, n, tol, value)};
+        if (!(now.seconds > 0))
+            return;
+        judge(&now, q, n, value, truth, target);
+        now.asked = true;
+        /* What is missed by far at one tolerance and at the next is missed by the method. */
+        bool method = result->asked && now.missed == result->missed && now.worst > 1e3 * target &&
+                      now.worst > result->worst / 2;
+        if (!result->asked || now.missed < result->missed)
+            *result = now;
+        if (now.missed == 0 || method || who == OURS || tol <= fmax(target / 10, finest))
+            return;
+    }
+}
+
+static void table_print(const struct result result[CONTENDERS], size_t n, double scale)
+{
+    double ours = result[OURS].seconds;
+    printf("  %-20s %8s %9s %13s %9s  %s\n", "", "tol", "error", "time, us", "ratio", "");
+    for (enum who who = OURS; who < CONTENDERS; who++) {
+        const struct result *r = &result[who];
+        if (!r->asked)
+            continue;
+        printf("  %-20s %8.0e %9.1e %13.2f %9.4g", who_name[who], r->tol, r->error, 1e6 * r->seconds * scale,
+               r->seconds / ours);
+        if (r->missed > 0)
+            printf("  misses %zu of %zu, at s = %.4g by %.0e", r->missed, n, r->missed_s, r->worst);
+        putchar('\n');
+    }
+}
+
+void compare(const char *title, const struct question *question, size_t n, double target, unsigned who,
+             double scale, struct result result[CONTENDERS])
+{
+    double truth[QUESTIONS_MAX], value[QUESTIONS_MAX];
+    enum dom_precision finest = dom_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
+    for (size_t i = 0; i < n; i++)
+        truth[i] = (double)ask_ours(&question[i], finest == DOM_QUAD ? 1e-18 : 1e-15, finest, NULL);
+    for (enum who w = OURS; w < CONTENDERS; w++) {
+        bool program = w == OCTAVE || w == SCIPY;
+        result[w] = (struct result){.asked = false};
+        if ((who & 1U << w) && (!program || coprocess[w].pid > 0))
+            calibrate(w, question, n, target, truth, &result[w]);
+    }
+    for (int round = 0; round < ROUNDS; round++)
+        for (enum who w = OURS; w < CONTENDERS; w++) {
+            struct result *r = &result[w];
+            if (!r->asked || round * r->seconds > SECONDS_EACH)
+                continue;
+            double seconds = sweep(w, question, n, r->tol, value);
+            r->seconds = seconds < r->seconds ? seconds : r->seconds;
+        }
+    for (enum who w = OURS; w < CONTENDERS; w++)
+        result[w].seconds /= (double)n;
+    printf("\n%s\n", title);
+    table_print(result, n, scale);
+    fflush(stdout);
+}
+
+void rmax_questions(struct question *question, size_t n, double lo, double hi)
+{
+    size_t half = n / 2;
+    for (size_t i = 0; i < n; i++) {
+        struct dom_train train = dom_train_default();
+        train.q = i < half ? 3 : 4;
+        train.s = lo + (hi - lo) * (double)(i % half) / (double)(half - 1);
+        question[i] = (struct question){.task = RMAX, .train = train};
+    }
+}
+
+/* ---- Programs of others ---- */
+
+void contenders_start(void)
+{
+    const struct question first = {.task = RMAX, .train = dom_train_default()};
+    double seconds, value;
+    for (size_t i = 0; i < sizeof programs / sizeof *programs; i++) {
+        enum who who = programs[i].who;
+        if (coprocess[who].pid > 0)
+            continue;
+        if (coprocess_start(&coprocess[who], programs[i].argv) &&
+            ask_program(who, &first, 1e-3, &seconds, &value))
+            continue;
+        coprocess_end(&coprocess[who]);
+        coprocess[who].pid = 0;
+    }
+    for (enum who who = OCTAVE; who <= SCIPY; who++)
+        if (coprocess[who].pid == 0)
+            printf("%s is not installed: no comparison with it ('make deps bench' installs it)\n",
+                   who_name[who]);
+}
+
+void contenders_end(void)
+{
+    for (enum who who = OURS; who < CONTENDERS; who++)
+        coprocess_end(&coprocess[who]);
+}

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A curve of r_max over s: a loop over the library, its points shared out to threads in turn; and how much
+ * faster threads are on this machine at best. */
+#include "bench.h"
+#include <pthread.h>
+#include <stdatomic.h>
+
+enum { THREADS_MAX = 256, AT_ONCE = 16, ROUNDS = 3, SPINS = 20000000 };
+
+struct curve {
+    size_t points;
+    atomic_size_t next;
+    atomic_bool failed;
+};
+
+static void *curve_run(void *context)
+{
+    struct curve *curve = context;
+    struct dom_train train = dom_train_default();
+    struct dom_limit limit;
+    size_t first;
+    while ((first = atomic_fetch_add(&curve->next, AT_ONCE)) < curve->points)
+        for (size_t i = first; i < first + AT_ONCE && i < curve->points; i++) {
+            train.s = 0.02 + 0.88 * (double)i / (double)(curve->points - 1);
+            if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK)
+                curve->failed = true;
+        }
+    return NULL;
+}
+
+/* Seconds of f(context) on so many threads at once. */
+static double run_threads(void *(*f)(void *), void *context, unsigned threads)
+{
+    pthread_t thread[THREADS_MAX];
+    unsigned n = 0;
+    threads = threads < THREADS_MAX ? threads : THREADS_MAX;
+    double begun = seconds_now();
+    while (n + 1 < threads && pthread_create(&thread[n], NULL, f, context) == 0)
+        n++;
+    f(context);
+    while (n > 0)
+        pthread_join(thread[--n], NULL);
+    return seconds_now() - begun;
+}
+
+double curve_library(size_t points, unsigned threads)
+{
+    struct curve curve = {.points = points};
+    double seconds = run_threads(curve_run, &curve, threads);
+    return curve.failed ? NONE : seconds;
+}
+
+/* What needs no memory, no lock and no neighbour. */
+static void *spin(void *context)
+{
+    volatile double x = 1;
+    (void)context;
+    for (int i = 0; i < SPINS; i++)
+        x = x * 0.5 + 1;
+    return NULL;
+}
+
+void threads_measure(size_t points, const unsigned *threads, struct threaded *threaded, unsigned n)
+{
+    double alone = INFINITY, together[THREADS_MAX];
+    for (unsigned i = 0; i < n; i++) {
+        threaded[i].seconds = INFINITY;
+        together[i] = INFINITY;
+    }
+    for (int round = 0; round < ROUNDS; round++) {
+        alone = fmin(alone, run_threads(spin, NULL, 1));
+        for (unsigned i = 0; i < n; i++) {
+            threaded[i].seconds = fmin(threaded[i].seconds, curve_library(points, threads[i]));
+            together[i] = fmin(together[i], run_threads(spin, NULL, threads[i]));
+        }
+    }
+    for (unsigned i = 0; i < n; i++)
+        threaded[i].given = threads[i] * alone / together[i];
+}

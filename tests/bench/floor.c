@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * How fast could it be?  One domino follows from the one before it: (A6) is a chain of dependent operations,
+ * and no pass down the train is shorter than their latency.
+ */
+#include "bench.h"
+
+enum { DOMINOES = 64, TRAINS = 20000, REPEATS = 7, LANES = 4 };
+
+/* Newton's method from one digit: 2, 4, 8, 16. */
+enum { NEWTON_STEPS = 4, PASSES_A_STEP = 2 };
+
+struct point {
+    double x, y;
+};
+
+/* (b8) and (A6), and nothing else. */
+static inline struct point next(struct point p, double r, double L, double d)
+{
+    double X = r * (L * p.y - d), Y = sqrt(1 - X * X);
+    return (struct point){Y * p.x + X * p.y, Y * p.y - X * p.x};
+}
+
+static double lanes_measure(size_t lanes)
+{
+    const struct dom_train train = dom_train_default();
+    volatile double sink;
+    double r = 1, d = (double)train.d, L = (double)train.s + d, least = INFINITY;
+    for (int k = 0; k < REPEATS; k++) {
+        struct point p[LANES] = {{0, 1}, {0, 1}, {0, 1}, {0, 1}};
+        double begun = seconds_now();
+        for (int t = 0; t < TRAINS; t++) {
+            /* Each train begins upright, but not before the one before has ended. */
+            for (size_t lane = 0; lane < lanes; lane++)
+                p[lane] = (struct point){0.0 * p[lane].x, 1 + 0.0 * p[lane].y};
+            if (lanes == 1)
+                for (int i = 0; i < DOMINOES; i++)
+                    p[0] = next(p[0], r, L, d);
+            else
+                for (int i = 0; i < DOMINOES; i++)
+                    for (size_t lane = 0; lane < LANES; lane++)
+                        p[lane] = next(p[lane], r, L, d);
+        }
+        least = fmin(least, seconds_now() - begun);
+        sink = p[0].x + p[1].x + p[2].x + p[3].x;
+    }
+    (void)sink;
+    return 1e9 * least / ((double)TRAINS * DOMINOES * (double)lanes);
+}
+
+struct recurrence recurrence_measure(void)
+{
+    return (struct recurrence){.one = lanes_measure(1), .four = lanes_measure(LANES)};
+}
+
+/* Dominoes of a pass at the growth that is the answer, the mean. */
+static double dominoes_at_answer(const struct question *question, size_t n)
+{
+    struct dom_work work = {.passes = 0};
+    struct dom_fuels fuels;
+    for (size_t i = 0; i < n; i++) {
+        struct dom_train train = question[i].train;
+        train.r = ask_ours(&question[i], 1e-12, DOM_DOUBLE, NULL);
+        train.work = &work;
+        dom_fuel_find(&train, &fuels, NULL);
+    }
+    return (double)work.dominoes / (double)n;
+}
+
+static void line(const char *what, double value, const char *unit)
+{
+    printf("  %-68s %9.2f %s\n", what, value, unit);
+}
+
+void floor_print(const char *title, const struct question *question, size_t n, double seconds,
+                 const char *operations)
+{
+    struct dom_work work = {.passes = 0};
+    struct recurrence bare = recurrence_measure();
+    for (size_t i = 0; i < n; i++)
+        ask_ours(&question[i], 1e-12, DOM_DOUBLE, &work);
+    double passes = (double)work.passes / (double)n, dominoes = (double)work.dominoes / (double)n;
+    double at_answer = dominoes_at_answer(question, n), us = 1e6 * seconds;
+    double of_passes = 1e-3 * dominoes * bare.one;
+    double of_any = 1e-3 * NEWTON_STEPS * PASSES_A_STEP * at_answer * bare.one;
+    printf("\nThe floor of %s at 1e-12, mean of the same %zu questions\n", title, n);
+    line("measured, ours", us, "us");
+    line("passes down the train that it takes (struct dom_work)", passes, "");
+    line("dominoes in them, together", dominoes, "");
+    line("time for a domino", 1e3 * us / dominoes, "ns");
+    if (operations)
+        printf("  executed for a domino, everything included:\n    %s\n", operations);
+    puts("  the bare recurrence, (b8) and (A6), each domino waiting for the one before:\n"
+         "    4 adds, 7 multiplies, 1 square root");
+    line("  a domino of one train on this machine", bare.one, "ns");
+    line("  a domino of four trains side by side", bare.four, "ns");
+    line("floor of these passes: the bare recurrence of their dominoes", of_passes, "us");
+    line("  measured / that floor", us / of_passes, "");
+    if (question->task != RMAX)
+        return;
+    line("dominoes of a pass at r_max itself", at_answer, "");
+    line("floor of a search that knows where to look: 8 of these passes (*)", of_any, "us");
+    line("  measured / that floor", us / of_any, "");
+    puts("  (*) Newton's method for r from one digit right: 4 steps, each of them a pass at theta_c for the\n"
+         "      launch and one at theta_m for the barrier.  Trains side by side can be below it.");
+}

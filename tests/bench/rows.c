@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows of 20 dominoes with random gaps: how many a second, on one core and on all, and what friction costs.
+ */
+#include "bench.h"
+
+enum { DOMINOES = 20, ROWS = 2000, REPEATS = 3 };
+
+/* Rows a second; 0 if it fails. */
+static double rows_a_second(double growth, double mu, unsigned threads)
+{
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
+    struct dom_domino domino[DOMINOES];
+    struct dom_study study;
+    train.r = growth;
+    dom_row_of_train(&train, &scale, 1, domino, DOMINOES);
+    struct dom_row row = {.domino = domino,
+                          .count = DOMINOES,
+                          .g = scale.g,
+                          .push = 6,
+                          .mu = mu,
+                          .tol = train.tol,
+                          .precision = DOM_DOUBLE};
+    struct dom_placement placement = {.sigma = 1e-4, .seed = 1, .rows = ROWS, .threads = threads};
+    double begun = seconds_now();
+    if (dom_placement_study(&row, &placement, &study, NULL) != DOM_OK || study.fall != study.rows)
+        return 0; /* one that stops early is cheaper than one that falls */
+    return ROWS / (seconds_now() - begun);
+}
+
+void rows_print(void)
+{
+    static const struct {
+        const char *name;
+        double growth, mu;
+    } kinds[] = {{"equal", 1, 0},
+                 {"equal, friction 0.2", 1, 0.2},
+                 {"r = 1.3", 1.3, 0},
+                 {"r = 1.3, friction 0.2", 1.3, 0.2}};
+    printf("\nA study of placement: rows of %d dominoes to their verdict, all fall, %d rows\n", DOMINOES,
+           ROWS);
+    printf("  %-22s %16s %12s\n", "", "rows a second", "on all cores");
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        double one = 0, all = 0;
+        for (int k = 0; k < REPEATS; k++) {
+            one = fmax(one, rows_a_second(kinds[i].growth, kinds[i].mu, 1));
+            all = fmax(all, rows_a_second(kinds[i].growth, kinds[i].mu, 0));
+        }
+        printf("  %-22s %16.0f %9.2f x\n", kinds[i].name, one, all / one);
+    }
+    fflush(stdout);
+}
