@@ -183,7 +183,7 @@ struct tally {
     int wrong, again;
     int differ, paper; /* scenes in which the two fuels do; of those, for the paper's */
     double most;       /* deviation of what is to agree */
-    double again_most; /* of those that are struck again, as they are */
+    double again_most; /* of blocks where fallen ones push */
     double depth, drift;
 };
 
@@ -220,9 +220,9 @@ static void print_tally(const struct tally *tally)
 {
     if (tally->again > 0)
         printf(
-            "* The lower edge of a domino strikes the upper end of the one that fell off it: a contact\n"
-            "  that the model does not have, and that helps. With the upper back edge bevelled by %g %% of\n"
-            "  the height, mass and inertia as before, they miss each other.\n\n",
+            "* A domino that has fallen off meets, with its upper end, the lower edge of the one it leaned\n"
+            "  on, and goes on pushing: a contact that the model does not have. With the upper back edge\n"
+            "  bevelled by %g %% of the height, mass and inertia as before, they miss each other.\n\n",
             100 * bevel);
     printf("Steps per sqrt(h / g) are doubled until that changes less than %g %% (last %%), up to %g;\n"
            "%g times that is allowed. Growths are bisected to %g; durations are extrapolated to steps\n"
@@ -233,7 +233,7 @@ static void print_tally(const struct tally *tally)
            tally->paper);
     printf("verify: %d scenes, %d wrong, largest deviation %.3f %%", JOBS, tally->wrong, 100 * tally->most);
     if (tally->again > 0)
-        printf("; %.3f %% in %d that are struck again", 100 * tally->again_most, tally->again);
+        printf("; %.3f %% in %d (*)", 100 * tally->again_most, tally->again);
     printf("\n");
 }
 
