@@ -4,6 +4,7 @@
 #   make deps test    the same, and run the tests
 #   make              .build/domino and .build/libdomino.a
 #   make install      program, library, man page, examples; PREFIX= and DESTDIR= as usual
+#   make verify       rows and trains in a rigid-body engine too: make deps verify
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan
 #   make deps bench   how fast, against others and against the floor; make guard: dearer than it was?
 
@@ -32,20 +33,24 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize fuzz bench guard deps lint format install uninstall clean
+.PHONY: all run test unit hard sessions sanitize verify fuzz bench guard deps lint format install uninstall clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 # ---- Dependencies: only what the goals of this call need ----
 
-DEPS_RUN  := libgsl-dev libreadline-dev
-DEPS_TEST := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox
-DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
-DEPS_FUZZ := clang libclang-rt-dev
-DEPS_BENCH := bc octave python3-scipy gnuplot-nox valgrind binutils
-NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize,$(MAKECMDGOALS)),$(DEPS_TEST)) \
-             $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev libmpfr-dev) \
-             $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),$(DEPS_BENCH)) \
-             $(if $(filter guard,$(MAKECMDGOALS)),valgrind)
+DEPS_run      := libgsl-dev libreadline-dev
+DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox
+DEPS_unit     := $(DEPS_test)
+DEPS_hard     := $(DEPS_test)
+DEPS_sessions := $(DEPS_test)
+DEPS_sanitize := $(DEPS_test)
+DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck libcmocka-dev libmpfr-dev
+DEPS_fuzz     := clang libclang-rt-dev
+DEPS_bench    := bc octave python3-scipy gnuplot-nox valgrind binutils
+DEPS_guard    := valgrind
+DEPS_verify   := libchipmunk-dev
+DEPS_lint     += $(DEPS_verify)
+NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
 	@missing=; for p in $(NEEDED); do \
@@ -105,7 +110,7 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
-.SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c))
+.SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c))
 
 # Hard cases and sweeps against a reference in MPFR: what test_*.c there share is linked into each.
 HARD     := $(wildcard tests/hard/*.c)
@@ -126,6 +131,15 @@ hard: $(HARD_BIN)
 
 sessions: all
 	@tests/run $(B) tests/shell/*.bats
+
+# The same rows in Chipmunk, a rigid-body engine: fails where the two differ.
+VERIFY := $(wildcard tests/verify/*.c)
+$(B)/verify_rows: $(call OBJ,$(VERIFY) tests/hard/workers.c) $(B)/libdomino.a
+	$(call SAY,LD,$@)
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ -lchipmunk $(GSL) -o $@
+
+verify: $(B)/verify_rows
+	@$(B)/verify_rows
 
 # Leaks are looked for too; Readline's and GSL's own are none of ours, and there are none.
 sanitize: | $(FIRST)
@@ -171,15 +185,17 @@ guard: | $(FIRST)
 
 # ---- Checks ----
 
-C_FILES := $(wildcard src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(wildcard tests/bench/*.c tests/fuzz/*.c)
-H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/unit/*.h tests/hard/*.h tests/bench/*.h)
+C_FILES := $(wildcard src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c)
+H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
+
+LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
 lint: | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
-	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/gcc/%,$(HARD_BIN)) $(B)/gcc/bench $(B)/gcc/answers
-	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(UNIT_BIN)) $(patsubst $(B)/%,$(B)/clang/%,$(HARD_BIN)) $(B)/clang/bench $(B)/clang/answers
+	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
+	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
 	clang-tidy --quiet $(MODEL) $(SHELL_C) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The endless train against Newton's equations (direct.h): a long row of boxes, pushed, integrated without
+ * any formula for energies, has the train's largest growth and its durations.
+ */
+#include "direct.h"
+#include "support.h"
+
+enum { MOST = 64 };
+
+static const double stature = 7.0 / 48;
+
+struct row {
+    double height[MOST], thickness[MOST], gap[MOST], mass[MOST];
+    struct direct_hit hit[MOST];
+    struct direct_result result;
+};
+
+static struct dom_train train_of(double s, double q, double mu)
+{
+    struct dom_train train = dom_train_default();
+    train.s = s;
+    train.d = stature;
+    train.q = q;
+    train.mu = mu;
+    return train;
+}
+
+/* n boxes, each r times the one before, where the first is as high as 1 and g = 1. */
+static bool falls(struct row *row, const struct dom_train *train, double r, size_t n, double push)
+{
+    for (size_t k = 0; k < n; k++) {
+        row->height[k] = pow(r, k);
+        row->thickness[k] = stature * row->height[k];
+        row->gap[k] = (double)train->s * row->height[k];
+        row->mass[k] = pow(row->height[k], (double)train->q - 1);
+    }
+    struct direct_row of = {n,   row->height, row->thickness, row->gap, row->mass, (double)train->mu,
+                            1.0, push};
+    const char *wrong = direct_run(&of, row->hit, &row->result);
+    if (wrong)
+        fail_msg("%s", wrong);
+    return row->result.all_fall;
+}
+
+/*
+ * Right below it falls, right above it stops.  The push is so strong, and the row so long, that its own limit
+ * is that of the train to 1e-10; the integrator keeps 1e-13 of a step.
+ */
+static void largest_growths(void **state)
+{
+    (void)state;
+    static const double some[][3] = {/* s, q, mu */
+                                     {0.3, 3, 0},   {0.4, 3, 0},   {0.4, 4, 0},   {0.5, 3, 0},
+                                     {0.5, 4, 0},   {0.3, 3, 0.2}, {0.4, 3, 0.2}, {0.4, 4, 0.2},
+                                     {0.5, 4, 0.2}, {0.6, 3, 0.2}, {0.6, 4, 0.4}};
+    static struct row row;
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
+        struct dom_train train = train_of(some[i][0], some[i][1], some[i][2]);
+        struct dom_limit limit;
+        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_int_equal(limit.ends, DOM_END_BARRIER);
+        for (int side = -1; side <= 1; side += 2)
+            if (falls(&row, &train, (double)limit.r_max * (1 + side * 1e-9), 12, 32) != (side < 0))
+                fail_msg("s %g, q %g, mu %g: a row %s by 1e-9 %s r_max %.12g", some[i][0], some[i][1],
+                         some[i][2], side < 0 ? "stops" : "falls", side < 0 ? "below" : "above",
+                         (double)limit.r_max);
+    }
+}
+
+/* Of the last but one; the row has forgotten its push. */
+static void durations(void **state)
+{
+    (void)state;
+    static const double some[][4] = {/* s, r, q, mu */
+                                     {0.6, 1, 3, 0},     {0.3, 1.4, 3, 0},  {0.4, 1.5, 4, 0},
+                                     {0.5, 1.9, 3, 0},   {0.5, 1, 3, 0.2},  {0.6, 1, 4, 0.4},
+                                     {0.3, 1.4, 4, 0.2}, {0.4, 1.5, 3, 0.4}};
+    static struct row row;
+    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
+        struct dom_train train = train_of(some[i][0], some[i][2], some[i][3]);
+        dom_real duration;
+        double r = some[i][1];
+        size_t n = r > 1 ? 24 : MOST;
+        train.r = some[i][1];
+        assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
+        assert_true(falls(&row, &train, r, n, 1.5));
+        struct dom_scale scale = {.h = row.height[n - 2], .g = 1};
+        double took = (row.hit[n - 1].time - row.hit[n - 2].time) / (double)dom_scale_tau(&scale, stature);
+        assert_near("duration", took, duration, 1e-11);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(largest_growths),
+        cmocka_unit_test(durations),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,264 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+const double scene_still = 1e-4, scene_finest = 3200, scene_allowed = 3, scene_bracket = 4e-5;
+
+static const double coarsest = 100; /* steps */
+static const double march = 0.05;   /* r rises so until a row stops */
+static const int iterations = 20;
+static const double stature = 7.0 / 48; /* thickness over height */
+
+/* ---- The engine ---- */
+
+static struct engine_row boxes(const struct scene *scene)
+{
+    struct engine_row row = {
+        .count = scene->count, .g = 1, .push = scene->push, .mu = scene->mu, .bevel = scene->bevel};
+
+    for (size_t k = 0; k < scene->count; k++) {
+        double h = pow(scene->r, (double)k);
+
+        row.box[k] = (struct engine_box){h, stature * h, scene->s * h, pow(h, scene->q - 1)};
+    }
+    return row;
+}
+
+/* Runs the boxes with found->steps. */
+static struct engine_fall run(const struct scene *scene, int times, struct found *found)
+{
+    struct engine_row row = boxes(scene);
+    struct engine_grain grain = {found->steps, times * iterations};
+    struct engine_fall fall;
+
+    if (!engine_run(&row, &grain, &fall)) {
+        fprintf(stderr, "s %g, q %g, mu %g, r %.9g: the engine's row comes to no end\n", scene->s, scene->q,
+                scene->mu, scene->r);
+        exit(2);
+    }
+    found->depth = fmax(found->depth, fall.depth);
+    found->drift = fmax(found->drift, fall.drift);
+    found->caught |= fall.caught;
+    return fall;
+}
+
+static bool boxes_fall(const struct scene *scene, double r, void *context)
+{
+    struct scene at = *scene;
+
+    at.r = r;
+    return run(&at, 1, context).all;
+}
+
+/* ---- The model ---- */
+
+struct dom_train scene_train(const struct scene *scene)
+{
+    struct dom_train train = dom_train_default();
+
+    train.s = scene->s;
+    train.d = stature;
+    train.q = scene->q;
+    train.mu = scene->mu;
+    train.r = scene->r;
+    return train;
+}
+
+static bool hit(const struct dom_fall *fall, void *context)
+{
+    double **next = context;
+
+    *(*next)++ = (double)fall->time;
+    return true;
+}
+
+/* The time of each hit goes to *next and on, unless that is NULL. */
+static bool dominoes_fall(const struct scene *scene, double r, void *next)
+{
+    struct scene at = *scene;
+    struct dom_domino domino[ENGINE_MOST];
+    struct dom_scale unit = {.h = 1, .g = 1};
+    struct dom_verdict verdict;
+
+    at.r = r;
+    struct dom_train train = scene_train(&at);
+    struct dom_row row = {.domino = domino,
+                          .count = scene->count,
+                          .g = 1,
+                          .push = scene->push,
+                          .mu = scene->mu,
+                          .tol = 1e-10,
+                          .precision = DOM_DOUBLE};
+    dom_row_of_train(&train, &unit, 1, domino, scene->count);
+    enum dom_status status = dom_row_run(&row, next, next ? hit : NULL, next, &verdict);
+
+    if (status != DOM_OK || verdict.end == DOM_ROW_PARTS || verdict.end == DOM_ROW_PASSES) {
+        fprintf(stderr, "s %g, q %g, mu %g, r %.9g: %s\n", scene->s, scene->q, scene->mu, r,
+                status == DOM_OK ? dom_row_end_text(verdict.end) : dom_status_text(status));
+        exit(2);
+    }
+    return verdict.end == DOM_ROW_FALLS;
+}
+
+/* ---- Growth, of either ---- */
+
+typedef bool falls(const struct scene *scene, double r, void *context);
+
+static double bisect(const struct scene *scene, falls *fall, void *context, double lo, double hi,
+                     double width)
+{
+    while (hi - lo > width) {
+        double middle = (lo + hi) / 2;
+
+        *(fall(scene, middle, context) ? &lo : &hi) = middle;
+    }
+    return (lo + hi) / 2;
+}
+
+/*
+ * Raised from 1, in steps that become small near r s = 1, where the next is out of reach: a row that falls
+ * again beyond a gap does not count.
+ */
+static double largest(const struct scene *scene, falls *fall, void *context, double width)
+{
+    double r = 1, next = 1 + march;
+
+    while (fall(scene, next, context)) {
+        r = next;
+        next += fmin(march, march / 50 + fmax(0, 1 / scene->s - r) / 10);
+    }
+    return bisect(scene, fall, context, r, next, width);
+}
+
+/* Near a first answer; the bracket moves if that was wrong. */
+static double again(const struct scene *scene, falls *fall, void *context, double r, double off, double width)
+{
+    double lo = r - off, hi = r + off;
+
+    for (double far = off; !fall(scene, lo, context) && lo > 1; far *= 2) {
+        hi = lo;
+        lo = fmax(1, lo - far);
+    }
+    for (double far = off; fall(scene, hi, context); far *= 2) {
+        lo = hi;
+        hi += far;
+    }
+    return bisect(scene, fall, context, lo, hi, width);
+}
+
+double scene_growth_of_row(const struct scene *scene)
+{
+    return largest(scene, dominoes_fall, NULL, 1e-10);
+}
+
+/* ---- The engine, refined ---- */
+
+/* What the engine gives with found->steps; of coarser ones found->value, and its change, unless it is 0. */
+typedef double answer(const struct scene *scene, struct found *found);
+
+static double growth(const struct scene *scene, struct found *found)
+{
+    if (found->value == 0)
+        return largest(scene, boxes_fall, found, march / 100);
+    double reach = 1 / scene->s - found->value;
+    double off = fmax(2 * scene_bracket, fmin(2 * found->change, fmin(march / 10, reach / 3)));
+
+    return again(scene, boxes_fall, found, found->value, off, scene_bracket);
+}
+
+/* Those before the last one hit: their sum of tau (a1), of solid blocks. */
+static double taus(const struct scene *scene)
+{
+    double sum = 0;
+
+    for (size_t k = 2; k < 2 + SCENE_CYCLES; k++) {
+        struct dom_scale scale = {.h = pow(scene->r, (double)(scene->count - k)), .g = 1};
+
+        sum += (double)dom_scale_tau(&scale, stature);
+    }
+    return sum;
+}
+
+static double duration_of(const struct scene *scene, int times, struct found *found)
+{
+    struct engine_fall fall = run(scene, times, found);
+    size_t last = scene->count - 1;
+
+    if (fall.hits < scene->count)
+        return (double)NAN;
+    return (fall.time[last] - fall.time[last - SCENE_CYCLES]) / taus(scene);
+}
+
+static double duration(const struct scene *scene, struct found *found)
+{
+    return duration_of(scene, 1, found);
+}
+
+/* Of an error of first order each halving leaves half, and one change may be small by chance. */
+static void refine(const struct scene *scene, answer *ask, bool extrapolate, struct found *found)
+{
+    double earlier = (double)INFINITY;
+
+    *found = (struct found){.steps = coarsest};
+    double value = ask(scene, found);
+
+    found->value = value;
+    do {
+        double before = found->value, coarse = value;
+
+        *found = (struct found){.value = value, .change = earlier, .steps = 2 * found->steps};
+        value = ask(scene, found);
+        found->value = extrapolate ? 2 * value - coarse : value;
+        double change = fabs(found->value - before);
+
+        found->change = fmax(change, earlier / 2);
+        earlier = change;
+    } while (!(found->change <= scene_still * found->value) && found->steps < scene_finest);
+}
+
+/* Twice the iterations and two more dominoes. */
+static struct scene more_of(const struct scene *scene)
+{
+    struct scene more = *scene;
+
+    more.count += 2;
+    return more;
+}
+
+double scene_uncertain(const struct found *found)
+{
+    return scene_allowed * fmax(scene_still, found->change / found->value);
+}
+
+void scene_growth(const struct scene *scene, struct found *found)
+{
+    struct scene more = more_of(scene);
+
+    refine(scene, growth, false, found);
+    found->same = true;
+    for (int side = -1; side <= 1; side += 2) {
+        more.r = found->value * (1 + side * scene_uncertain(found));
+        found->same &= run(&more, 2, found).all == (side < 0);
+    }
+}
+
+void scene_duration(const struct scene *scene, struct found *found)
+{
+    struct scene more = more_of(scene);
+
+    refine(scene, duration, true, found);
+    found->same = fabs(duration_of(&more, 2, found) / duration(scene, found) - 1) <= scene_uncertain(found);
+}
+
+double scene_duration_of_row(const struct scene *scene)
+{
+    double time[ENGINE_MOST], *next = time;
+    size_t last = scene->count - 1;
+
+    if (!dominoes_fall(scene, scene->r, &next))
+        return (double)NAN;
+    return (time[last] - time[last - SCENE_CYCLES]) / taus(scene);
+}
