@@ -31,7 +31,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize fuzz bench deps lint format install uninstall dist clean
+.PHONY: all run test unit hard sessions sanitize coverage covered valgrind fuzz bench deps lint format install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 # ---- Dependencies: only what the goals of this call need ----
@@ -40,7 +40,7 @@ DEPS_RUN  := libgsl-dev libreadline-dev
 DEPS_TEST := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf
 DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
 DEPS_FUZZ := clang libclang-rt-dev
-NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize,$(MAKECMDGOALS)),$(DEPS_TEST)) \
+NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize coverage,$(MAKECMDGOALS)),$(DEPS_TEST)) \
              $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev libmpfr-dev) \
              $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),bc)
 
@@ -102,6 +102,9 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
 
+# There memory and threads run out where a test wants it.
+$(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
+
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
@@ -131,6 +134,17 @@ sessions: all
 sanitize: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/sanitize \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
+
+# Lines of the model that the unit tests and those sessions run which ask it the most.  Threads that count in
+# the same places wait for each other, so all have one processor.
+COVERED  := $(patsubst %,tests/shell/%.bats,examples precision scenes values)
+ONE_CORE  = taskset -c $$(taskset -cp $$$$ | sed 's/.*: \([0-9]*\).*/\1/')
+coverage: | $(FIRST)
+	@find $(B)/coverage -name '*.gcda' -delete 2>/dev/null || :
+	@$(MAKE) --no-print-directory B=$(B)/coverage CC=gcc CFLAGS='-O1 -g --coverage' covered
+covered: all $(UNIT_BIN)
+	@$(ONE_CORE) tests/run $(B) $(UNIT_BIN) $(COVERED)
+	@tests/coverage $(B) 95
 
 # ---- Fuzzing and speed ----
 
