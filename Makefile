@@ -6,6 +6,7 @@
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan
+#   make coverage     lines of src/model that tests run; make valgrind: sessions under memcheck, helgrind and drd
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
 PREFIX  ?= /usr/local
@@ -40,9 +41,11 @@ DEPS_RUN  := libgsl-dev libreadline-dev
 DEPS_TEST := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf
 DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
 DEPS_FUZZ := clang libclang-rt-dev
+DEPS_VALGRIND := valgrind libc6-dbg
 NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize coverage,$(MAKECMDGOALS)),$(DEPS_TEST)) \
              $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev libmpfr-dev) \
-             $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),bc)
+             $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),bc) \
+             $(if $(filter valgrind,$(MAKECMDGOALS)),$(DEPS_VALGRIND))
 
 deps:
 	@missing=; for p in $(NEEDED); do \
@@ -146,6 +149,9 @@ covered: all $(UNIT_BIN)
 	@$(ONE_CORE) tests/run $(B) $(UNIT_BIN) $(COVERED)
 	@tests/coverage $(B) 95
 
+valgrind: all
+	@tests/valgrind $(B)
+
 # ---- Fuzzing and speed ----
 
 # The line interpreter under libFuzzer, ASan and UBSan, from a seeded corpus.
@@ -192,7 +198,7 @@ lint: | $(FIRST)
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src examples
 	mandoc -T lint man/domino.1 man/libdomino.3
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run .ci/run tests/shell/*.bash src/shell/domino.bash
+	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/shell/*.bash src/shell/domino.bash
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
