@@ -8,7 +8,7 @@ build=$(dirname "$DOMINO")
 
 # As from a shell of its own: nothing of the 'make' that runs the tests.
 plain_make() {
-    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u MAKEOVERRIDES make -s "$@"
+    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u MAKEOVERRIDES -u B -u CFLAGS -u CC make -s "$@"
 }
 
 # What a library that was built to be checked needs of its users.
