@@ -3,9 +3,11 @@
 #   make deps run     install what is missing (Debian), build, open the calculator
 #   make deps test    the same, and run the tests
 #   make              .build/domino and .build/libdomino.a
-#   make install      program, library, man page, examples; PREFIX= and DESTDIR= as usual
+#   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
+#   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan
+#   make coverage     lines of src/model that tests run; make valgrind: sessions under memcheck, helgrind and drd
 #   make deps bench   how fast, against others and against the floor; make guard: dearer than it was?
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
@@ -33,23 +35,25 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize verify fuzz bench guard deps lint format install uninstall clean
+.PHONY: all run test unit hard sessions sanitize coverage covered valgrind verify fuzz bench guard deps lint format \
+        install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev
-DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox
+DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
 DEPS_sanitize := $(DEPS_test)
-DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck libcmocka-dev libmpfr-dev
+DEPS_coverage := $(DEPS_test)
+DEPS_valgrind := valgrind libc6-dbg
 DEPS_fuzz     := clang libclang-rt-dev
 DEPS_bench    := bc octave python3-scipy gnuplot-nox valgrind binutils
 DEPS_guard    := valgrind
 DEPS_verify   := libchipmunk-dev
-DEPS_lint     += $(DEPS_verify)
+DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck libcmocka-dev libmpfr-dev $(DEPS_verify)
 NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
@@ -90,11 +94,14 @@ $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 $(B)/domino-effects.7: $(B)/domino
 	@$(B)/domino -n -e manual > $@
 
+# The library is static alone: its structures still grow with every effect, and no soname would keep up with
+# that.  So what it needs is named for every link, not under Requires.private and Libs.private.
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
-	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' \
-	  'Requires: gsl' 'Libs: -L$${libdir} -ldomino -pthread' 'Cflags: -I$${includedir}' > $@
+	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires: gsl' \
+	  'Libs: -L$${libdir} -ldomino -lm -pthread' \
+	  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))' > $@
 
 run: all
 	@$(B)/domino
@@ -106,6 +113,9 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 	@mkdir -p $(@D)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
+
+# There memory and threads run out where a test wants it.
+$(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
@@ -146,6 +156,20 @@ sanitize: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/sanitize \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 
+# Lines of the model that the unit tests and those sessions run which ask it the most.  Threads that count in
+# the same places wait for each other, so all have one processor.
+COVERED  := $(patsubst %,tests/shell/%.bats,examples precision scenes values)
+ONE_CORE  = taskset -c $$(taskset -cp $$$$ | sed 's/.*: \([0-9]*\).*/\1/')
+coverage: | $(FIRST)
+	@find $(B)/coverage -name '*.gcda' -delete 2>/dev/null || :
+	@$(MAKE) --no-print-directory B=$(B)/coverage CC=gcc CFLAGS='-O1 -g --coverage' covered
+covered: all $(UNIT_BIN)
+	@$(ONE_CORE) tests/run $(B) $(UNIT_BIN) $(COVERED)
+	@tests/coverage $(B) 95
+
+valgrind: all
+	@tests/valgrind $(B)
+
 # ---- Fuzzing and speed ----
 
 # The line interpreter under libFuzzer, ASan and UBSan, from a seeded corpus.
@@ -185,7 +209,7 @@ guard: | $(FIRST)
 
 # ---- Checks ----
 
-C_FILES := $(wildcard src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c)
+C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c)
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
@@ -196,42 +220,65 @@ lint: | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
-	clang-tidy --quiet $(MODEL) $(SHELL_C) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
+	clang-tidy --quiet $(MODEL) $(SHELL_C) $(wildcard examples/*.c) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src
-	mandoc -T lint man/domino.1
+	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src examples
+	mandoc -T lint man/domino.1 man/libdomino.3
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash src/shell/domino.bash
+	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash \
+	  src/shell/domino.bash
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
 
 # ---- Installation ----
 
-install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig \
-	  $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/man/man7 \
-	  $(DESTDIR)$(PREFIX)/share/doc/domino/examples \
-	  $(DESTDIR)$(PREFIX)/share/bash-completion/completions
-	install -m 644 src/shell/domino.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/domino
-	install -m 755 $(B)/domino $(DESTDIR)$(PREFIX)/bin/domino
-	install -m 644 include/domino.h $(DESTDIR)$(PREFIX)/include/domino.h
-	install -m 644 $(B)/libdomino.a $(DESTDIR)$(PREFIX)/lib/libdomino.a
-	install -m 644 man/domino.1 $(DESTDIR)$(PREFIX)/share/man/man1/domino.1
-	install -m 644 $(B)/domino-effects.7 $(DESTDIR)$(PREFIX)/share/man/man7/domino-effects.7
-	install -m 644 README.md $(DESTDIR)$(PREFIX)/share/doc/domino/README.md
-	install -m 755 examples/*.dom $(DESTDIR)$(PREFIX)/share/doc/domino/examples
-	install -m 644 examples/*.csv $(DESTDIR)$(PREFIX)/share/doc/domino/examples
-	sed 's|^prefix=.*|prefix=$(PREFIX)|' $(B)/domino.pc > $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc
-	chmod 644 $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc
+# What goes where under PREFIX: file:folder.
+EXAMPLES  := $(wildcard examples/*.* examples/*/*)
+INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib include/domino.h:include $(B)/domino.pc:lib/pkgconfig \
+  man/domino.1:share/man/man1 man/libdomino.3:share/man/man3 $(B)/domino-effects.7:share/man/man7 \
+  $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
+  $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f))))
+# Every file and folder that installing made, so that uninstall leaves what was there before.
+MANIFEST = "$(DESTDIR)$(PREFIX)/share/doc/domino/installed"
 
+$(B)/completion/domino: src/shell/domino.bash
+	@mkdir -p $(@D) && cp $< $@
+
+install: all $(B)/completion/domino
+	@new=$$(mktemp) && trap 'rm -f "$$new"' EXIT && \
+	folder() { [ -d "$(DESTDIR)$$1" ] || [ -z "$$1" ] || { \
+	  folder "$${1%/*}" && mkdir -m 755 "$(DESTDIR)$$1" && echo "$$1/" >> "$$new"; }; } && \
+	mkdir -p "$(DESTDIR)/" && folder "$(PREFIX)/share/doc/domino" && \
+	for entry in $(INSTALLED); do \
+	  file=$${entry%:*} to=$(PREFIX)/$${entry##*:} mode=644 && if [ -x "$$file" ]; then mode=755; fi && \
+	  echo "  INSTALL  $(DESTDIR)$$to/$${file##*/}" && folder "$$to" && \
+	  install -m $$mode "$$file" "$(DESTDIR)$$to/" && echo "$$to/$${file##*/}" >> "$$new" || exit 1; \
+	done && \
+	sed -i 's|^prefix=.*|prefix=$(PREFIX)|' "$(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc" && \
+	echo "$(PREFIX)/share/doc/domino/installed" >> "$$new" && \
+	{ cat $(MANIFEST) 2>/dev/null; cat "$$new"; } | LC_ALL=C sort -u -o "$$new" && \
+	install -m 644 "$$new" $(MANIFEST)
+
+# What others have put into a folder since then stays, and so does the folder.
 uninstall:
-	rm -f $(DESTDIR)$(PREFIX)/bin/domino $(DESTDIR)$(PREFIX)/include/domino.h \
-	  $(DESTDIR)$(PREFIX)/lib/libdomino.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc \
-	  $(DESTDIR)$(PREFIX)/share/man/man1/domino.1 $(DESTDIR)$(PREFIX)/share/man/man7/domino-effects.7 \
-	  $(DESTDIR)$(PREFIX)/share/bash-completion/completions/domino
-	rm -rf $(DESTDIR)$(PREFIX)/share/doc/domino
+	@[ -f $(MANIFEST) ] || { echo 'domino is not installed in $(DESTDIR)$(PREFIX)' >&2; exit 1; }
+	@LC_ALL=C sort -r $(MANIFEST) | while IFS= read -r path; do \
+	  case $$path in */) rmdir "$(DESTDIR)$$path" 2>/dev/null || : ;; \
+	  *) echo "  REMOVE  $(DESTDIR)$$path"; rm -f "$(DESTDIR)$$path" ;; esac; done
+
+# The tracked files; in a tree that came from such an archive, all files.  The same files make the same bytes:
+# the archive of an unpacked archive is that archive.
+DIST = domino-$(VERSION)
+dist:
+	@mkdir -p $(B)
+	@if [ -e .git ]; then git ls-files; else find * .[!.]* \
+	  -path .build -prune -o -path '$(B)' -prune -o -type f -print; fi > $(B)/dist.files
+	@date=$${SOURCE_DATE_EPOCH:-$$(if [ -e .git ]; then git log -1 --format=%ct; else stat -c %Y Makefile; fi)} && \
+	LC_ALL=C sort $(B)/dist.files | tar -cf $(B)/$(DIST).tar --no-recursion --format=ustar --mtime="@$$date" \
+	  --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --transform='s|^|$(DIST)/|' -T - && \
+	gzip -9 -n -f $(B)/$(DIST).tar && rm $(B)/dist.files && echo '  DIST  $(B)/$(DIST).tar.gz'
 
 clean:
 	rm -rf $(B)

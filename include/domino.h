@@ -535,8 +535,6 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 
 /* How precisely must it be placed? */
 struct dom_budget {
-    /* m, with its 95 % interval; infinite where no error up to the largest gap matters; low = 0 where so few
-     * rows do not tell. */
     /* m, with its 95 % interval; infinite where no error up to the largest gap matters; low is 0 where so few
      * rows do not tell. */
     double sigma, low, high;

@@ -321,7 +321,10 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         return DOM_OK;
     real of_time = 0, of_kinetic = c->launch_error.kinetic;
     real of_before = c->lean.weight * (of_kinetic + fuel_error.exact) + 5 * UNIT * before;
-    status = time_error(&m, theta, time, &of_time);
+    if (rubs)
+        of_time = REAL_NAN;
+    else
+        status = time_error(&m, theta, time, &of_time);
     *error = (struct dom_state){
         .time = of_time,
         .omegasq = omegasq_error,

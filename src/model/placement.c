@@ -198,7 +198,7 @@ static enum dom_status workers_run(struct worker *worker, unsigned n)
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *p,
                                     struct dom_study *study, size_t *stops)
 {
-    *study = (struct dom_study){.rows = p->rows};
+    struct dom_study found = {.rows = p->rows};
     if (!(p->sigma >= 0 && (double)p->sigma < HUGE_VAL && p->heights >= 0 && p->heights <= 1) ||
         p->rows == 0 || row->count == 0)
         return DOM_BAD_PARAMETER;
@@ -213,8 +213,8 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
     if (stops)
         memset(stops, 0, row->count * sizeof *stops);
     for (unsigned i = 0; worker && i < n; i++) {
-        study->fall += worker[i].fall;
-        study->unknown += worker[i].unknown;
+        found.fall += worker[i].fall;
+        found.unknown += worker[i].unknown;
         for (size_t k = 0; stops && worker[i].stops && k < row->count; k++)
             stops[k] += worker[i].stops[k];
         worker_free(&worker[i]);
@@ -223,7 +223,9 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
     if (row->work)
         row->work->entered[DOM_EFFECT_placement] += p->rows;
     if (status == DOM_OK)
-        status = study_interval(study);
+        status = study_interval(&found);
+    if (status == DOM_OK)
+        *study = found;
     gsl_set_error_handler(handler);
     return status;
 }
@@ -234,7 +236,7 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 static enum dom_status fall_share(const struct dom_row *row, struct dom_placement p, double sigma,
                                   double *share)
 {
-    struct dom_study study;
+    struct dom_study study = {.rows = p.rows};
     p.sigma = (dom_real)sigma;
     enum dom_status status = dom_placement_study(row, &p, &study, NULL);
     *share = (double)study.fall / (double)study.rows;
@@ -306,11 +308,13 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
         widest = fmax(widest, (double)row->domino[k].gap);
     chance(share, p->rows, &few, &many);
     double N = (double)p->rows;
-    budget->low = 0;
-    status = sigma_at(row, p, share, widest, &budget->sigma);
+    struct dom_budget found = {.low = 0};
+    status = sigma_at(row, p, share, widest, &found.sigma);
     if (status == DOM_OK && many <= N)
-        status = sigma_at(row, p, many / N, widest, &budget->low);
+        status = sigma_at(row, p, many / N, widest, &found.low);
     if (status == DOM_OK)
-        status = sigma_at(row, p, few / N, widest, &budget->high);
+        status = sigma_at(row, p, few / N, widest, &found.high);
+    if (status == DOM_OK)
+        *budget = found;
     return status;
 }

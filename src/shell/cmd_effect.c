@@ -29,7 +29,8 @@ static bool run_effect(struct session *session, const struct call *call)
 /* ---- effects: what each costs ---- */
 
 /* One answer of the scene: does it go on, or do all fall?  What effects are on decides what is computed. */
-static enum dom_status scene_answer(struct session *scene, const struct scene_row *row, struct dom_work *work)
+static enum dom_status scene_answer(const struct session *scene, const struct scene_row *row,
+                                    struct dom_work *work)
 {
     struct dom_floor floor;
     struct dom_barrier barrier;
@@ -51,6 +52,15 @@ static enum dom_status scene_answer(struct session *scene, const struct scene_ro
     if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
         status = dom_cycle_floor(&train, &floor);
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
+}
+
+/* Its work; what random rows enter is not counted, so that the row is asked without errors. */
+static enum dom_status scene_work(const struct session *session, const struct scene_row *row,
+                                  struct dom_work *work)
+{
+    struct session core = *session;
+    core.effect[DOM_EFFECT_placement].on = false;
+    return scene_answer(&core, row, work);
 }
 
 /* The clock ticks in nanoseconds: a batch of this length is known well. */
@@ -149,11 +159,9 @@ static bool run_effects(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
         return false;
-    enum dom_status status = scene_answer(session, &row, &work);
-    struct session core = *session; /* random rows are counted as such, not for what each enters */
-    core.effect[DOM_EFFECT_placement].on = false;
+    enum dom_status status = scene_work(session, &row, &work);
     if (status == DOM_OK && session->effect[DOM_EFFECT_placement].on)
-        status = scene_answer(&core, &row, &work);
+        status = scene_answer(session, &row, &work);
     free(row.domino);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -233,9 +241,7 @@ static bool run_scene(struct session *session, const struct call *call)
     char on[256] = "", setting[EFFECT_SETTING];
     if (is_row && !scene_row_make(session, &row))
         return false;
-    struct session core = *session; /* how many dominoes follow from the parameters alone */
-    core.effect[DOM_EFFECT_placement].on = false;
-    enum dom_status status = scene_answer(&core, &row, &work);
+    enum dom_status status = scene_work(session, &row, &work);
     size_t count = row.row.count;
     free(row.domino);
     if (status != DOM_OK)

@@ -10,30 +10,6 @@
 
 /* ---- Tables ---- */
 
-struct unit {
-    const char *name;
-    struct quantity is;
-};
-
-#define DEGREE (PI / 180)
-
-/* As quotients of whole numbers, so that they are right in the widest arithmetic. */
-#define PART(n, m) ((dom_real)(n) / (m))
-
-static const struct unit units[] = {
-    {"m", {1, 1, 0, 0}},
-    {"mm", {PART(1, 1000), 1, 0, 0}},
-    {"cm", {PART(1, 100), 1, 0, 0}},
-    {"km", {1000, 1, 0, 0}},
-    {"in", {PART(254, 10000), 1, 0, 0}},
-    {"ft", {PART(3048, 10000), 1, 0, 0}},
-    {"s", {1, 0, 1, 0}},
-    {"ms", {PART(1, 1000), 0, 1, 0}},
-    {"rad", {1, 0, 0, 1}},
-    {"deg", {DEGREE, 0, 0, 1}},
-    {NULL, {0, 0, 0, 0}},
-};
-
 /* KEEPS: the value is of the same kind as the arguments, which are of one kind. */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS };
 
@@ -57,11 +33,6 @@ static const struct function functions[] = {
     {NULL, OF_NUMBER, NULL, NULL},
 };
 
-const char *expression_unit_name(int k)
-{
-    return units[k].name;
-}
-
 /* sqrt halves dimensions, so it stands beside the table; pi is the one constant. */
 static const char *const more_names[] = {"sqrt", "pi", NULL};
 
@@ -83,113 +54,11 @@ void expression_message(struct expression *e, const char *format, ...)
     va_end(arguments);
 }
 
-static bool plain(struct quantity q)
-{
-    return q.length == 0 && q.time == 0;
-}
-
-const char *expression_unit_text(struct quantity q, char *text, size_t size)
-{
-    static const char *const base[] = {"m", "s", "rad"};
-    const int power[] = {q.length, q.time, q.angle};
-    text[0] = '\0';
-    for (int i = 0; i < 3; i++) {
-        size_t used = strlen(text);
-        if (power[i] != 0)
-            snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "", base[i],
-                     power[i]);
-    }
-    return text;
-}
-
-const char *expression_kind(struct quantity q, char *text, size_t size)
-{
-    char unit[48];
-    if (plain(q) && (q.angle == 0 || q.angle == 1))
-        return q.angle ? "an angle" : "a plain number";
-    if (q.time == 0 && q.length == 1)
-        return "a length";
-    if (q.length == 0 && q.time == 1 && q.angle == 0)
-        return "a time";
-    snprintf(text, size, "in %s", expression_unit_text(q, unit, sizeof unit));
-    return text;
-}
-
 /* ---- Scanning ---- */
 
 static const char *skip(const char *c)
 {
     return c + strspn(c, " \t\r\f\v");
-}
-
-static bool name_start(char c)
-{
-    return isalpha((unsigned char)c) || c == '_';
-}
-
-static size_t name_length(const char *c)
-{
-    size_t n = 0;
-    while (name_start(c[n]) || isdigit((unsigned char)c[n]))
-        n++;
-    return n;
-}
-
-static bool same(const char *name, const char *text, size_t length)
-{
-    return strlen(name) == length && strncmp(name, text, length) == 0;
-}
-
-static const struct unit *unit_at(const char *c, size_t length)
-{
-    for (const struct unit *u = units; u->name; u++)
-        if (same(u->name, c, length))
-            return u;
-    return NULL;
-}
-
-static void multiply(struct quantity *q, struct quantity by, int power)
-{
-    q->value *= power == 1 ? by.value : pow(by.value, (dom_real)power);
-    q->length += power * by.length;
-    q->time += power * by.time;
-    q->angle += power * by.angle;
-}
-
-/*
- * "cm", "m/s^2": units joined without blanks; the part that begins with something else is not taken,
- * so that 4.8 cm/h divides by the parameter h.
- */
-static const char *unit_scan(const char *c, struct quantity *q)
-{
-    int sign = 1;
-    for (;;) {
-        size_t length = name_length(c);
-        const struct unit *u = unit_at(c, length);
-        if (!u)
-            return NULL;
-        c += length;
-        long power = 1;
-        if (c[0] == '^' && (isdigit((unsigned char)c[1]) || (c[1] == '-' && isdigit((unsigned char)c[2])))) {
-            char *stop;
-            power = strtol(c + 1, &stop, 10);
-            if (power > 9 || power < -9)
-                return NULL;
-            c = stop;
-        }
-        multiply(q, u->is, sign * (int)power);
-        if ((*c != '/' && *c != '*') || !unit_at(c + 1, name_length(c + 1)))
-            return c;
-        sign = *c == '/' ? -1 : 1;
-        c++;
-    }
-}
-
-struct quantity expression_unit(const char *unit)
-{
-    struct quantity q = {1, 0, 0, 0};
-    const char *end = *unit ? unit_scan(unit, &q) : NULL;
-    return end && *end == '\0' ? q : (struct quantity){1, 0, 0, 0};
 }
 
 /* ---- Recursive descent ---- */
@@ -246,7 +115,7 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     e->end = at;
     if (count != wanted)
         return expression_fail(e, "%s takes %d value%s", f->name, wanted, wanted == 1 ? "" : "s");
-    bool number = plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
+    bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->one && f->kind != KEEPS && !number)
         return expression_fail(e, "%s of %s is not defined", f->name,
                                expression_kind(a[0], kind, sizeof kind));
@@ -375,7 +244,8 @@ static bool factor(struct expression *e, struct quantity *q)
             const char *at = e->end;
             good = factor(e, &power);
             bool whole = good && power.value == floor(power.value) && fabs(power.value) < 100;
-            if (good && (!plain(power) || power.angle || (!whole && (!plain(*q) || q->angle)))) {
+            if (good &&
+                (!quantity_plain(power) || power.angle || (!whole && (!quantity_plain(*q) || q->angle)))) {
                 e->end = at;
                 good = expression_fail(e, "this is no exponent for what stands before it");
             } else if (good) {
@@ -401,11 +271,7 @@ static bool product(struct expression *e, struct quantity *q)
             return expression_fail(e, "division by zero");
         }
         if (good) {
-            q->value = *op == '/' ? q->value / by.value : q->value * by.value;
-            int sign = *op == '/' ? -1 : 1;
-            q->length += sign * by.length;
-            q->time += sign * by.time;
-            q->angle += sign * by.angle;
+            quantity_multiply(q, by, *op == '/' ? -1 : 1);
             good = finite_result(e, op, q);
         }
     }
@@ -428,9 +294,9 @@ static bool sum(struct expression *e, struct quantity *q)
         if (!good)
             return false;
         /* thetac - 1: the bare one is in the session's unit of angles. */
-        if (plain(*q) && q->angle == 0 && plain(by) && by.angle == 1)
+        if (quantity_plain(*q) && q->angle == 0 && quantity_plain(by) && by.angle == 1)
             *q = (struct quantity){.value = q->value * e->angle, .angle = 1};
-        else if (plain(by) && by.angle == 0 && plain(*q) && q->angle == 1)
+        else if (quantity_plain(by) && by.angle == 0 && quantity_plain(*q) && q->angle == 1)
             by = (struct quantity){.value = by.value * e->angle, .angle = 1};
         if (q->length != by.length || q->time != by.time || q->angle != by.angle) {
             char a[48], b[48];

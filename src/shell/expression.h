@@ -2,21 +2,12 @@
 /*
  * Values as people write them: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin.
  *
- * A quantity knows its dimension, so that a length where an angle belongs is an error and not a number.
  * Where an argument ends: at a blank that no operator bridges ("1 - 2" is one value, "1 -2" are two).
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
 
-#include "domino.h"
-#include <stdbool.h>
-#include <stddef.h>
-
-/* In SI units and radians; exponents of metre, second and radian. */
-struct quantity {
-    dom_real value;
-    int length, time, angle;
-};
+#include "units.h"
 
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
@@ -44,18 +35,6 @@ void expression_message(struct expression *expression, const char *format, ...)
 
 /* The same, as the value false. */
 #define expression_fail(...) (expression_message(__VA_ARGS__), false)
-
-/* The unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1. */
-struct quantity expression_unit(const char *unit);
-
-/* "m^2 s^-1", or "" for a plain number. */
-const char *expression_unit_text(struct quantity quantity, char *text, size_t size);
-
-/* "a length", "a time", "m^2 s^-1": what a quantity is, for messages. */
-const char *expression_kind(struct quantity quantity, char *text, size_t size);
-
-/* The k-th unit; NULL behind the last. */
-const char *expression_unit_name(int k);
 
 /* The k-th name that the language itself has, for completion; NULL behind the last. */
 const char *expression_name(int k);

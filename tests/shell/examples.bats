@@ -24,6 +24,7 @@ golden() {
 @test "quiz-hollow.dom" { golden quiz-hollow; }
 @test "equal.dom" { golden equal; }
 @test "record.dom" { golden record; }
+@test "tutorial.dom" { golden tutorial; }
 
 @test "no example is without a golden transcript" {
     for example in "$root"/examples/*.dom; do
@@ -102,30 +103,4 @@ sentence() {
         sh -c "${command#\$ }" 2>&1 | digits >"$BATS_TEST_TMPDIR/says"
         diff -u "$BATS_TEST_TMPDIR/said" "$BATS_TEST_TMPDIR/says"
     done <"$BATS_TEST_TMPDIR/commands"
-}
-
-@test "make install puts everything where it belongs, and a stranger can link the library" {
-    dest=$BATS_TEST_TMPDIR/dest
-    make -s -C "$root" B="$(dirname "$DOMINO")" install DESTDIR="$dest" PREFIX=/usr
-    [ -x "$dest/usr/bin/domino" ]
-    [ -x "$dest/usr/share/doc/domino/examples/quiz.dom" ]
-    [ -f "$dest/usr/share/man/man1/domino.1" ]
-    grep -q '^prefix=/usr$' "$dest/usr/lib/pkgconfig/domino.pc"
-    cat >"$BATS_TEST_TMPDIR/use.c" <<'C'
-#include <domino.h>
-#include <stdio.h>
-int main(void)
-{
-    struct dom_train train = dom_train_default();
-    struct dom_limit limit;
-    enum dom_status status = dom_limit_rmax(&train, &limit, NULL, NULL);
-    printf("%s %.6f\n", dom_status_text(status), (double)limit.r_max);
-}
-C
-    # A sanitized library needs its runtime.
-    nm "$dest/usr/lib/libdomino.a" | grep -q __asan_init && sanitize=-fsanitize=address,undefined
-    gcc ${sanitize:-} -I"$dest/usr/include" "$BATS_TEST_TMPDIR/use.c" -L"$dest/usr/lib" -ldomino -lgsl -lgslcblas -lm \
-        -o "$BATS_TEST_TMPDIR/use"
-    run "$BATS_TEST_TMPDIR/use"
-    [ "$output" = "no error 1.644229" ]
 }

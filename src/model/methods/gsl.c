@@ -96,8 +96,10 @@ static enum dom_status gsl_barrier_find(const struct dom_train *train, struct do
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     if (status != DOM_OK || error)
         return status != DOM_OK ? status : DOM_NO_METHOD;
+    if (!(c.kinetic > 0))
+        c.kinetic = (double)DOM_NAN;
     *barrier = (struct dom_barrier){b.theta_m, b.height, c.kinetic, c.kinetic - b.height};
-    return c.kinetic >= b.height ? DOM_OK : DOM_STOPS;
+    return isnan(c.kinetic) ? DOM_NO_FUEL : c.kinetic >= b.height ? DOM_OK : DOM_STOPS;
 }
 
 static double gsl_margin(double r, void *context)
@@ -138,13 +140,14 @@ static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_
         ends = DOM_END_NONE;
         r = (double)DOM_NAN;
         if (why)
-            *why = DOM_STOPS;
+            *why = c.kinetic > 0 ? DOM_STOPS : DOM_NO_FUEL;
     } else if (c.status == DOM_OK && gsl_margin(reach, &c) < 0) {
         ends = DOM_END_BARRIER;
         c.status = gsl_root(&c, 1, reach, &r);
     }
     gsl_set_error_handler(handler);
-    *limit = (struct dom_limit){.r_max = r, .ends = ends};
+    if (c.status == DOM_OK)
+        *limit = (struct dom_limit){.r_max = r, .ends = ends};
     return c.status;
 }
 
@@ -178,7 +181,8 @@ static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_rea
         gsl_integration_qags(&f, 0, tilt_angle(c.lean.c), 0, tol, GSL_INTERVALS, space, &value, &estimate);
     gsl_set_error_handler(handler);
     gsl_integration_workspace_free(space);
-    *duration = value;
+    if (c.status == DOM_OK && code == GSL_SUCCESS)
+        *duration = value;
     return c.status != DOM_OK ? c.status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
 }
 

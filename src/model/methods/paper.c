@@ -144,8 +144,10 @@ static enum dom_status paper_limit_rmax(const struct dom_train *train, struct do
             return status;
         double margin = p.kinetic - height;
         if (margin < 0) { /* interpolate between this r and the one before */
+            if (!(before > 0))
+                return DOM_NOT_CONVERGED;
             *limit = (struct dom_limit){r - step * margin / (margin - before), DOM_END_BARRIER};
-            return before > 0 ? DOM_OK : DOM_NOT_CONVERGED;
+            return DOM_OK;
         }
         before = margin;
     }
@@ -170,7 +172,8 @@ static enum dom_status paper_cycle_duration(const struct dom_train *train, dom_r
             return DOM_STOPS;
         sum += (k == 0 || k == steps ? 0.5 : 1) / sqrt(omegasq);
     }
-    *duration = sum * p.theta_c / (double)steps;
+    if (p.status == DOM_OK)
+        *duration = sum * p.theta_c / (double)steps;
     return p.status;
 }
 

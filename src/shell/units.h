@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Units, and quantities that have one: a quantity knows its dimension, so that a length where an angle
+ * belongs is an error and not a number.
+ */
+#ifndef SHELL_UNITS_H
+#define SHELL_UNITS_H
+
+#include "domino.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+/* In SI units and radians; exponents of metre, second and radian. */
+struct quantity {
+    dom_real value;
+    int length, time, angle;
+};
+
+/* Neither a length nor a time: a number, or an angle to some power. */
+bool quantity_plain(struct quantity quantity);
+
+/* Multiplies by a power of another one. */
+void quantity_multiply(struct quantity *quantity, struct quantity by, int power);
+
+/* The unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1. */
+struct quantity expression_unit(const char *unit);
+
+/* "m^2 s^-1", or "" for a plain number. */
+const char *expression_unit_text(struct quantity quantity, char *text, size_t size);
+
+/* "a length", "a time", "m^2 s^-1": what a quantity is, for messages. */
+const char *expression_kind(struct quantity quantity, char *text, size_t size);
+
+/* The k-th unit; NULL behind the last. */
+const char *expression_unit_name(int k);
+
+/* Of names, of units and of anything else: letters, digits and '_', no digit first. */
+bool name_start(char c);
+size_t name_length(const char *text);
+
+/*
+ * "cm", "m/s^2" at the beginning of text, multiplied into the quantity: units joined without blanks; the part
+ * that begins with something else is not taken, so that 4.8 cm/h divides by the parameter h.  Where it ends,
+ * or NULL.
+ */
+const char *unit_scan(const char *text, struct quantity *quantity);
+
+#endif
