@@ -98,6 +98,9 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
 
+# How the shell writes numbers is tested as a unit, too.
+$(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,decimal.c wide.c cell.c))
+
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
