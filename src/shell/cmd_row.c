@@ -63,7 +63,7 @@ bool row_status(struct session *session, enum dom_status status)
 {
     if (status != DOM_BAD_PARAMETER)
         return session_status(session, status);
-    return session_error(
+    return session_no_answer(
         session,
         "the dominoes of this row become larger or smaller than %s precision can hold; fewer of "
         "them, a smaller r, or a wider precision",
@@ -199,8 +199,8 @@ static void floor_say(const struct session *session, struct answer *a, const str
 static bool verdict_known(struct session *session, const struct dom_verdict *v)
 {
     return (v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS) ||
-           session_error(session, "domino %zu: %s; what comes behind it is not known", v->domino,
-                         dom_row_end_text(v->end));
+           session_no_answer(session, "domino %zu: %s; what comes behind it is not known", v->domino,
+                             dom_row_end_text(v->end));
 }
 
 static bool run_fall(struct session *session, const struct call *call)

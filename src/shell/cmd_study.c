@@ -132,10 +132,10 @@ static bool run_budget(struct session *session, const struct call *call)
     enum dom_status status = dom_placement_budget(&scene.row, &p, (double)share, &budget);
     free(scene.domino);
     if (status == DOM_STOPS)
-        return session_error(session, p.heights > 0
-                                          ? "even with every gap exact fewer rows than that fall"
-                                          : "even placed without any error the row does not fall: 'mend' "
-                                            "looks for what saves it");
+        return session_no_answer(session, p.heights > 0
+                                              ? "even with every gap exact fewer rows than that fall"
+                                              : "even placed without any error the row does not fall: 'mend' "
+                                                "looks for what saves it");
     if (status != DOM_OK)
         return session_status(session, status);
     bool free_of_it = !isfinite(budget.sigma);

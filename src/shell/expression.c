@@ -83,6 +83,15 @@ void expression_message(struct expression *e, const char *format, ...)
     va_end(arguments);
 }
 
+void expression_value_message(struct expression *e, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(e->message, sizeof e->message, format, arguments);
+    va_end(arguments);
+    e->of_value = true;
+}
+
 static bool plain(struct quantity q)
 {
     return q.length == 0 && q.time == 0;
@@ -203,7 +212,7 @@ static bool finite_result(struct expression *e, const char *at, const struct qua
     if (isfinite(q->value))
         return true;
     e->end = at;
-    return expression_fail(e, "the value is not a finite number");
+    return expression_no_value(e, "the value is not a finite number");
 }
 
 static bool number(struct expression *e, struct quantity *q)
@@ -267,8 +276,10 @@ static bool root(struct expression *e, const char *at, const struct quantity *a,
     e->end = at;
     if (count != 1)
         return expression_fail(e, "sqrt takes 1 value");
-    if (a->length % 2 || a->time % 2 || a->value < 0)
+    if (a->length % 2 || a->time % 2)
         return expression_fail(e, "sqrt of this is not defined");
+    if (a->value < 0)
+        return expression_no_value(e, "sqrt of this is not defined");
     *q = (struct quantity){sqrt(a->value), a->length / 2, a->time / 2, a->angle / 2};
     return true;
 }
@@ -398,7 +409,7 @@ static bool product(struct expression *e, struct quantity *q)
         good = factor(e, &by);
         if (good && *op == '/' && by.value == 0) {
             e->end = op;
-            return expression_fail(e, "division by zero");
+            return expression_no_value(e, "division by zero");
         }
         if (good) {
             q->value = *op == '/' ? q->value / by.value : q->value * by.value;
@@ -448,5 +459,6 @@ bool expression_evaluate(struct expression *e, struct quantity *result)
     e->depth = 0;
     e->end = e->text;
     e->message[0] = '\0';
+    e->of_value = false;
     return sum(e, result);
 }

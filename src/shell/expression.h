@@ -24,6 +24,7 @@ struct expression {
     const char *text; /* where it begins */
     const char *end;  /* behind it; after an error, where the error is */
     char message[EXPRESSION_MESSAGE];
+    bool of_value; /* the error is in the values: with others the same expression may have one */
     /*
      * Names that are neither constants nor functions of the language: parameters, answers, the field's
      * functions; key is what follows a dot, or NULL.  False with a message if there is no such thing.
@@ -42,8 +43,11 @@ bool expression_evaluate(struct expression *expression, struct quantity *result)
 void expression_message(struct expression *expression, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The same, as the value false. */
-#define expression_fail(...) (expression_message(__VA_ARGS__), false)
+/* The same of an error in the values, and both as the value false. */
+void expression_value_message(struct expression *expression, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+#define expression_no_value(...) (expression_value_message(__VA_ARGS__), false)
+#define expression_fail(...)     (expression_message(__VA_ARGS__), false)
 
 /* The unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1. */
 struct quantity expression_unit(const char *unit);

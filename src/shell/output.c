@@ -50,7 +50,7 @@ static bool column_bounded(const struct answer *a, int i)
 
 static void bounds_prepare(struct answer *a, const struct cell *cells)
 {
-    for (int i = 0; a->columns[i].key && !a->begun && a->style.errors; i++)
+    for (int i = 0; a->columns[i].key && !a->begun && !a->planned && a->style.errors; i++)
         if (a->columns[i].width == 0 && (cells[i].kind == CELL_REAL || cells[i].kind == CELL_NONE))
             a->bounded |= 1u << i;
 }
@@ -324,19 +324,44 @@ static void row_lines(struct answer *a, const struct cell *cells)
     }
 }
 
-/* Before the first line: what the terminal can do, and the blank line between answers. */
+/* What the terminal can do. */
+static void answer_ask(struct answer *a)
+{
+    a->width = terminal_width(a->out);
+    a->letters = a->width && terminal_utf8();
+    a->bold = terminal_colour(a->out);
+    errno = 0; /* asking what is no terminal sets it */
+}
+
+/* Before the first line: the blank line between answers. */
 static void answer_prepare(struct answer *a)
 {
     if (a->prepared)
         return;
     a->prepared = true;
     ticker_stop(); /* before it mixes with the answer */
-    a->width = terminal_width(a->out);
-    a->letters = a->width && terminal_utf8();
-    a->bold = terminal_colour(a->out);
-    errno = 0; /* asking what is no terminal sets it */
+    if (!a->planned)
+        answer_ask(a);
     if (a->gap && a->style.output == OUTPUT_TABLE)
         putc('\n', a->out);
+}
+
+void answer_plan(struct answer *a, const struct cell *like)
+{
+    if (!a->out)
+        return;
+    answer_ask(a);
+    bounds_prepare(a, like);
+    a->planned = true;
+}
+
+struct answer answer_part(const struct answer *a, FILE *out, bool first)
+{
+    struct answer part = *a;
+    part.out = out;
+    part.kept = NULL;
+    part.begun = part.prepared = !first;
+    return part;
 }
 
 void answer_row(struct answer *a, const struct cell *cells, const char *reason)

@@ -24,7 +24,8 @@ struct answer {
     const struct column *columns; /* ends with a NULL key */
     bool rows;                    /* a table with a head, rather than a line a column */
     bool begun;
-    bool prepared; /* width and the two below are known */
+    bool prepared; /* nothing else stands before the next row any more */
+    bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
     int width;         /* of the terminal; 0 for none */
@@ -39,6 +40,13 @@ struct answer {
  * key "reason" for programs.
  */
 void answer_row(struct answer *answer, const struct cell *cells, const char *reason);
+
+/*
+ * Finds out now what the first row would, if it were like this one.  Then copies of the answer can write
+ * their rows elsewhere: answer_part gives one, whose next row is the first of all, or not.
+ */
+void answer_plan(struct answer *answer, const struct cell *like);
+struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 
 /* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
 bool answer_lost(const struct answer *answer);

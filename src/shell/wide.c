@@ -18,7 +18,8 @@ static bool quick_text(dom_real value, int digits, char text[WIDE_TEXT])
     if ((dom_real)near != value)
         return digits > 0 && digits <= SURE && decimal_near(near, digits, text);
     bool whole = near > -1e15 && near < 1e15 && near == (double)(long long)near;
-    return digits > 0 && (digits <= LONGEST || whole) && decimal_text(near, digits < LONGEST ? digits : LONGEST, text);
+    return digits > 0 && (digits <= LONGEST || whole) &&
+           decimal_text(near, digits < LONGEST ? digits : LONGEST, text);
 }
 
 const char *wide_text(dom_real value, int digits, char text[WIDE_TEXT])
