@@ -92,6 +92,7 @@ const struct command cost_commands[] = {
              "rounding of typed parameters included; times are measured in runs of their own.",
      .see = "plot",
      .columns = cost_columns,
+     .unswept = "it measures time, which points side by side would disturb",
      .principal = -1,
      .rows = true,
      .run = run_cost},

@@ -282,6 +282,7 @@ const struct command effect_commands[] = {
              "a usual one where it is off.",
      .see = "effect scene",
      .columns = effects_columns,
+     .unswept = "it measures time, which points side by side would disturb",
      .principal = -1,
      .rows = true,
      .run = run_effects},

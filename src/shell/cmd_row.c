@@ -30,7 +30,15 @@ static const char *energy_unit(const struct session *session)
 
 static const struct column row_columns[] = {
     ROW_COLUMNS,
-    {"mass", "kg", "or, where that is not known, relative: over that of the first", 0},
+    {"mass", "kg", "", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Either way. */
+static const struct column row_all_columns[] = {
+    ROW_COLUMNS,
+    {"mass", "kg", "where it is known", 0},
+    {"relative", "", "where it is not: mass over that of the first", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -54,7 +62,7 @@ static bool run_row(struct session *session, const struct call *call)
                        cell_real(d->gap), cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass)),
                    NULL);
     }
-    call->answer->columns = row_columns;
+    call->answer->columns = row_all_columns;
     free(scene.domino);
     return true;
 }
@@ -405,7 +413,7 @@ const struct command row_commands[] = {
      .help = "With 'set output csv', 'row > FILE' is a file that 'effect row FILE' reads.",
      .example = "effect row 3; row",
      .see = "effect fall",
-     .columns = row_columns,
+     .columns = row_all_columns,
      .principal = -1,
      .rows = true,
      .run = run_row},
@@ -419,6 +427,7 @@ const struct command row_commands[] = {
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
      .columns = rowmax_columns,
+     .echo = "s",
      .principal = 2,
      .run = run_rowmax},
     {.name = NULL},

@@ -10,6 +10,7 @@ const struct command_group command_groups[] = {
     {"How far it can grow", limit_commands},
     {"The train in pictures", draw_commands},
     {"Curves", plot_commands},
+    {"Any answer over a grid", sweep_commands},
     {"Effects beyond the paper", effect_commands},
     {"A row of dominoes", row_commands},
     {"Rows with random errors", study_commands},
@@ -60,8 +61,11 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    int k = names_exact(command_names, NULL, name);
-    return k < 0 ? NULL : command_at(k);
+    for (const struct command_group *g = command_groups; g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (strcmp(c->name, name) == 0)
+                return c;
+    return NULL;
 }
 
 const char *command_usage(const struct command *c, char usage[USAGE_SIZE])

@@ -234,6 +234,8 @@ static bool number(struct expression *e, struct quantity *q)
 static bool postfix_unit(struct expression *e, struct quantity *q)
 {
     const char *c = skip(e->end);
+    if (c > e->end && e->no_unit && same(e->no_unit, c, name_length(c)))
+        return true;
     if (name_start(*c)) {
         struct quantity with = *q;
         const char *stop = unit_scan(c, &with);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
+#include "swept.h"
 #include "terminal.h"
 #include "wide.h"
 #include <errno.h>
@@ -9,7 +10,6 @@
 /* What a number needs beside its digits: "-0." and "e-300". */
 enum {
     NUMBER_MARGIN = 6,
-    COLUMNS_MAX = 16,
     TEXT_LINE = 512,
     BOUND_MARGIN = 12, /* " +/- 1.2e-15" */
     WORDS_ROOM = 30,
@@ -189,7 +189,10 @@ static void row_json(struct answer *a, const struct cell *cells, const char *rea
     }
     if (reason) {
         put(a->out, ",\"reason\":");
-        quoted(a->out, reason, "\\\"");
+        if (*reason)
+            quoted(a->out, reason, "\\\"");
+        else
+            put(a->out, "null");
     }
     put(a->out, "}\n");
 }
@@ -282,8 +285,8 @@ static void row_line(struct answer *a, const struct cell *cells, int digits, con
 
 static void row_table(struct answer *a, const struct cell *cells)
 {
-    char text[COLUMNS_MAX][CELL_TEXT], line[COLUMNS_MAX][TEXT_LINE];
-    const char *said[COLUMNS_MAX];
+    char text[ANSWER_COLUMNS][CELL_TEXT], line[ANSWER_COLUMNS][TEXT_LINE];
+    const char *said[ANSWER_COLUMNS];
     int digits = row_digits(a);
     bool units = false;
     for (const struct column *c = a->columns; c->key; c++)
@@ -296,7 +299,7 @@ static void row_table(struct answer *a, const struct cell *cells)
             said[i] = head == 2   ? pretty(a, a->columns[i].key, line[i])
                       : head == 1 ? column_unit(a, &a->columns[i], text[i])
                                   : pretty(a, table_text(a, cells[i], digits, text[i]), line[i]);
-        row_line(a, cells, digits, said, head > 0);
+        row_line(a, head > 0 && a->swept && a->swept->like ? a->swept->like : cells, digits, said, head > 0);
     }
 }
 
@@ -348,7 +351,7 @@ static void answer_prepare(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *like)
 {
-    if (!a->out)
+    if (!a->out || a->swept) /* the rows of a point are as those of the sweep */
         return;
     answer_ask(a);
     bounds_prepare(a, like);
@@ -360,26 +363,22 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
     struct answer part = *a;
     part.out = out;
     part.kept = NULL;
-    part.begun = part.prepared = !first;
+    part.begun = part.begun || !first;
+    part.prepared = part.prepared || !first;
     return part;
 }
 
-void answer_row(struct answer *a, const struct cell *cells, const char *reason)
+void answer_write(struct answer *a, const struct cell *cells, const char *reason)
 {
-    struct cell shown[COLUMNS_MAX];
-    int n = 0;
-    for (; a->columns[n].key; n++) {
+    struct cell shown[ANSWER_COLUMNS];
+    for (int n = 0; a->columns[n].key; n++) {
         shown[n] = cells[n];
         shown[n].error = a->style.errors ? shown[n].error : 0;
         if (column_angle(&a->columns[n])) {
             shown[n].number = style_angle(&a->style, cells[n].number);
             shown[n].error = style_angle(&a->style, shown[n].error);
         }
-        if (a->kept)
-            a->kept[n] = cells[n];
     }
-    if (!a->out)
-        return;
     answer_prepare(a);
     bounds_prepare(a, cells);
     errno = 0;
@@ -394,8 +393,19 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
     a->begun = true;
     if (ferror(a->out) && !a->lost)
         a->lost = errno;
-    if (reason)
-        answer_say(a, "%s", reason);
+}
+
+void answer_row(struct answer *a, const struct cell *cells, const char *reason)
+{
+    for (int n = 0; a->columns[n].key && a->kept; n++)
+        a->kept[n] = cells[n];
+    if (a->swept) {
+        swept_row(a, cells, reason);
+    } else if (a->out) {
+        answer_write(a, cells, reason);
+        if (reason)
+            answer_say(a, "%s", reason);
+    }
 }
 
 bool answer_lost(const struct answer *a)
@@ -405,19 +415,24 @@ bool answer_lost(const struct answer *a)
 
 bool answer_for_people(const struct answer *a)
 {
-    return a->out && a->style.output == OUTPUT_TABLE;
+    return a->out && a->style.output == OUTPUT_TABLE && !a->swept;
 }
 
 void answer_say(struct answer *a, const char *format, ...)
 {
     char text[TEXT_LINE], line[TEXT_LINE];
-    if (!answer_for_people(a))
+    bool heard = a->swept && swept_listens(a->swept);
+    if (!answer_for_people(a) && !heard)
         return;
-    answer_prepare(a);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    if (heard) {
+        swept_hear(a->swept, text);
+        return;
+    }
+    answer_prepare(a);
     int indent = (int)strspn(text, " ");
     fprintf(a->out, "%*s", indent, "");
     output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);

@@ -18,6 +18,8 @@ struct column {
     int width;           /* of words in a table of rows; 0 for a number */
 };
 
+enum { ANSWER_COLUMNS = 24 }; /* at most */
+
 struct answer {
     FILE *out; /* NULL: the answer is only kept */
     struct output_style style;
@@ -28,11 +30,12 @@ struct answer {
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
-    int width;         /* of the terminal; 0 for none */
-    unsigned bounded;  /* bit i: csv and json have the bounds of column i behind it */
-    bool gap;          /* set a blank line between this answer and the one before, for people */
-    int lost;          /* errno of the first write that failed; 0 for none */
-    struct cell *kept; /* where the cells of the last row stay */
+    int width;           /* of the terminal; 0 for none */
+    unsigned bounded;    /* bit i: csv and json have the bounds of column i behind it */
+    bool gap;            /* set a blank line between this answer and the one before, for people */
+    int lost;            /* errno of the first write that failed; 0 for none */
+    struct cell *kept;   /* where the cells of the last row stay */
+    struct swept *swept; /* unless NULL, the answer is that of one point of a sweep: swept.h */
 };
 
 /*
@@ -47,6 +50,9 @@ void answer_row(struct answer *answer, const struct cell *cells, const char *rea
  */
 void answer_plan(struct answer *answer, const struct cell *like);
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
+
+/* The row as it is: what answer_row does where somebody reads it, and no point of a sweep is behind it. */
+void answer_write(struct answer *answer, const struct cell *cells, const char *reason);
 
 /* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
 bool answer_lost(const struct answer *answer);
