@@ -21,7 +21,7 @@ C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -D_GNU_SOURCE -Iinclude -Isrc/mode
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c src/model/placement.c \
+MODEL   := src/model/model.c src/model/train.c src/model/placement.c src/model/quiet.c \
            $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/methods/*.c)
 SHELL_C := $(wildcard src/shell/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)

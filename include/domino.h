@@ -533,6 +533,12 @@ struct dom_study {
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *placement,
                                     struct dom_study *study, size_t *stops);
 
+/*
+ * low and high from the counts: studies of other rows of one placement add up to a study of all of them.
+ * BAD_PARAMETER: rows is 0, or fewer than fall + unknown.
+ */
+enum dom_status dom_study_interval(struct dom_study *study);
+
 /* How precisely must it be placed? */
 struct dom_budget {
     /* m, with its 95 % interval; infinite where no error up to the largest gap matters; low = 0 where so few

@@ -27,7 +27,9 @@ bool sweep_read_grid(struct reader *r, struct call *call)
     r->stops = ":,";
     bool good = grid_read(r, &call->sweep->grid);
     r->stops = NULL;
-    return good;
+    return good &&
+           (*r->at == ':' || session_error(r->session, "':' and a command are missing behind the grid, "
+                                                       "such as ': rmax'"));
 }
 
 /* Where the command ends: at ';', at a comment, or at the file behind '>'. */
@@ -122,8 +124,9 @@ static bool point_ask(struct sweeper *w, struct answer *a)
     const struct sweep *s = w->sweep;
     struct call call = {.answer = a};
     struct reader r = {.session = &w->point, .text = s->text, .at = s->arguments};
+    bool done = grid_check(&s->grid, &w->point);
     w->point.command = s->command->name;
-    bool done = grid_check(&s->grid, &w->point) && read_arguments(&r, s->command, &call);
+    done = done && read_arguments(&r, s->command, &call);
     if (done) {
         w->point.column = 0;
         done = s->command->run(&w->point, &call);
@@ -357,8 +360,9 @@ static bool run_sweep(struct session *session, const struct call *call)
     bool done = sweep_rows(session, a, w);
     if (done && w->reasons > 0) {
         point_text(w->sweep, w->first, where, sizeof where);
-        answer_say(a, "%zu of %zu points have a reason, which csv and json give; the first is %s: %s.",
-                   w->reasons, session_part(session, w->sweep->grid.points).count, where, w->reason);
+        answer_say(a, "%zu of %zu points %s a reason, which csv and json give; the first is %s: %s.",
+                   w->reasons, session_part(session, w->sweep->grid.points).count,
+                   w->reasons == 1 ? "has" : "have", where, w->reason);
     }
     free(w);
     return done;
