@@ -354,7 +354,8 @@ void answer_plan(struct answer *a, const struct cell *like)
     if (!a->out || a->swept) /* the rows of a point are as those of the sweep */
         return;
     answer_ask(a);
-    bounds_prepare(a, like);
+    if (like)
+        bounds_prepare(a, like);
     a->planned = true;
 }
 

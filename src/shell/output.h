@@ -45,8 +45,9 @@ struct answer {
 void answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
 /*
- * Finds out now what the first row would, if it were like this one.  Then copies of the answer can write
- * their rows elsewhere: answer_part gives one, whose next row is the first of all, or not.
+ * Finds out now what the first row would, if it were like this one (NULL: no column has bounds).  Then copies
+ * of the answer can write their rows elsewhere: answer_part gives one, whose next row is the first of all, or
+ * not.
  */
 void answer_plan(struct answer *answer, const struct cell *like);
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
