@@ -11,7 +11,7 @@
 
 enum {
     GROWTH = 4,  /* of a block over the one before: the next points may take longer */
-    WINDOW = 4,  /* blocks a worker that may wait to be written */
+    WINDOW = 16, /* blocks a worker that may wait to be written */
     MOST = 4096, /* points in a block */
     THREADS_MAX = 256
 };
