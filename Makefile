@@ -4,7 +4,8 @@
 #   make deps test    the same, and run the tests
 #   make              .build/domino and .build/libdomino.a
 #   make install      program, library, man page, examples; PREFIX= and DESTDIR= as usual
-#   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan
+#   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan;
+#                     make race: what runs on threads under ThreadSanitizer
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
 PREFIX  ?= /usr/local
@@ -30,16 +31,16 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize fuzz bench deps lint format install uninstall clean
+.PHONY: all run test unit hard sessions sanitize race fuzz bench deps lint format install uninstall clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_RUN  := libgsl-dev libreadline-dev
-DEPS_TEST := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox
+DEPS_TEST := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox parallel
 DEPS_LINT := clang clang-format clang-tidy cppcheck mandoc shellcheck
 DEPS_FUZZ := clang libclang-rt-dev
-NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize,$(MAKECMDGOALS)),$(DEPS_TEST)) \
+NEEDED    := $(DEPS_RUN) $(if $(filter test unit hard sessions sanitize race,$(MAKECMDGOALS)),$(DEPS_TEST)) \
              $(if $(filter lint,$(MAKECMDGOALS)),$(DEPS_LINT) libcmocka-dev libmpfr-dev) \
              $(if $(filter fuzz,$(MAKECMDGOALS)),$(DEPS_FUZZ)) $(if $(filter bench,$(MAKECMDGOALS)),bc)
 
@@ -131,6 +132,11 @@ sanitize: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/sanitize \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 
+# What runs on many threads, under ThreadSanitizer, which knows no other order than what the program makes.
+race: | $(FIRST)
+	@$(MAKE) --no-print-directory B=$(B)/race CFLAGS='-O1 -g -fsanitize=thread' all
+	@tests/run $(B)/race tests/shell/sweep.bats
+
 # ---- Fuzzing and speed ----
 
 # The line interpreter under libFuzzer, ASan and UBSan, from a seeded corpus.
@@ -177,7 +183,7 @@ lint: | $(FIRST)
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src
 	mandoc -T lint man/domino.1
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run .ci/run tests/shell/*.bash src/shell/domino.bash
+	shellcheck tests/run .ci/run tests/shell/*.bash src/shell/domino.bash examples/cluster/*.sh
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
@@ -187,7 +193,7 @@ format:
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig \
 	  $(DESTDIR)$(PREFIX)/share/man/man1 $(DESTDIR)$(PREFIX)/share/man/man7 \
-	  $(DESTDIR)$(PREFIX)/share/doc/domino/examples \
+	  $(DESTDIR)$(PREFIX)/share/doc/domino/examples/cluster \
 	  $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 	install -m 644 src/shell/domino.bash $(DESTDIR)$(PREFIX)/share/bash-completion/completions/domino
 	install -m 755 $(B)/domino $(DESTDIR)$(PREFIX)/bin/domino
@@ -198,6 +204,7 @@ install: all
 	install -m 644 README.md $(DESTDIR)$(PREFIX)/share/doc/domino/README.md
 	install -m 755 examples/*.dom $(DESTDIR)$(PREFIX)/share/doc/domino/examples
 	install -m 644 examples/*.csv $(DESTDIR)$(PREFIX)/share/doc/domino/examples
+	install -m 755 examples/cluster/* $(DESTDIR)$(PREFIX)/share/doc/domino/examples/cluster
 	sed 's|^prefix=.*|prefix=$(PREFIX)|' $(B)/domino.pc > $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc
 	chmod 644 $(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc
 

@@ -188,7 +188,7 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *a)
     if (!done)
         point_none(w, k, a, w->heard.text);
     else if (!w->swept.answered)
-        point_none(w, k, a, *w->swept.said ? w->swept.said : "nothing is answered here");
+        point_none(w, k, a, "nothing is answered here");
     return true;
 }
 

@@ -72,6 +72,8 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
     else {
         FILE *out = session->out;
         bool answered = session->answered;
+        int write_error = session->write_error; /* of standard output */
+        session->write_error = 0;
         session->out = redirect.file;
         session->redirected = path;
         session->appended = append;
@@ -81,6 +83,9 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         session->redirected = NULL;
         session->answered = answered;
         wrong = redirect_close(&redirect, done);
+        if (wrong && session->write_error)
+            wrong = strerror(session->write_error);
+        session->write_error = write_error;
         if (done && wrong)
             done = session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     }

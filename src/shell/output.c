@@ -422,18 +422,13 @@ bool answer_for_people(const struct answer *a)
 void answer_say(struct answer *a, const char *format, ...)
 {
     char text[TEXT_LINE], line[TEXT_LINE];
-    bool heard = a->swept && swept_listens(a->swept);
-    if (!answer_for_people(a) && !heard)
+    if (!answer_for_people(a))
         return;
+    answer_prepare(a);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    if (heard) {
-        swept_hear(a->swept, text);
-        return;
-    }
-    answer_prepare(a);
     int indent = (int)strspn(text, " ");
     fprintf(a->out, "%*s", indent, "");
     output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);

@@ -5,7 +5,7 @@
 void swept_begin(struct swept *s)
 {
     s->answered = s->reasoned = false;
-    s->reason[0] = s->said[0] = '\0';
+    s->reason[0] = '\0';
 }
 
 /* The column with this key, or -1; nearly always it is the one that is looked at first. */
@@ -68,14 +68,4 @@ void swept_none(struct answer *a, const char *reason)
     struct cell row[ANSWER_COLUMNS] = {{.kind = CELL_NONE}};
     memcpy(row, a->swept->value, (size_t)a->swept->values * sizeof *row);
     swept_write(a, row, reason);
-}
-
-bool swept_listens(const struct swept *s)
-{
-    return !s->answered && !*s->said;
-}
-
-void swept_hear(struct swept *s, const char *sentence)
-{
-    snprintf(s->said, sizeof s->said, "%.*s", (int)strcspn(sentence, "\n"), sentence);
 }

@@ -14,7 +14,6 @@ struct swept {
     int values;
     bool answered, reasoned;           /* has it a row of an answer, and one with a reason? */
     char reason[SWEPT_REASON];         /* the first */
-    char said[SWEPT_REASON];           /* the first sentence, where no row stands before it */
     struct cell first[ANSWER_COLUMNS]; /* its first row of an answer */
     const struct cell *like;           /* a row of the kinds that most have, for the head; or NULL */
 };
@@ -25,9 +24,5 @@ void swept_begin(struct swept *swept);
 /* A row of the command's answer; one of a point that has none. */
 void swept_row(struct answer *answer, const struct cell *cells, const char *reason);
 void swept_none(struct answer *answer, const char *reason);
-
-/* Does a sentence say what no row says?  Then it is kept. */
-bool swept_listens(const struct swept *swept);
-void swept_hear(struct swept *swept, const char *sentence);
 
 #endif

@@ -118,8 +118,8 @@ static void crew_write(struct crew *c)
         *b = (struct block){.text = NULL};
         c->written++;
     }
-    if (c->written > before && out)
-        fflush(out);
+    if (c->written > before && out && fflush(out) != 0)
+        crew_end(c, (struct workers_end){.how = WORKERS_LOST, .error = errno});
     if (c->written > before)
         pthread_cond_broadcast(&c->room);
 }

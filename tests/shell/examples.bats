@@ -42,11 +42,12 @@ sentence() {
     [ "$(wc -l <"$BATS_TEST_TMPDIR/commands")" -ge 25 ]
     while IFS= read -r line; do
         usage=$(sed -E 's/  +.*//' <<<"$line")
-        summary=$(sed -E 's/^.{21}//' <<<"$line" | sentence)
+        summary=$(sed -E 's/^.{22}//' <<<"$line" | sentence)
         # "rmax [S]" is ".It Ic rmax Op Ar S" in the page.
         macro=${usage%% *}
         for word in $(cut -s -d ' ' -f 2- <<<"$usage"); do
             case $word in
+            ":") macro="$macro :" ;;
             "["*) word=${word#?} macro="$macro Op Ar ${word%?}" ;;
             *) macro="$macro Ar $word" ;;
             esac
@@ -109,6 +110,7 @@ sentence() {
     make -s -C "$root" B="$(dirname "$DOMINO")" install DESTDIR="$dest" PREFIX=/usr
     [ -x "$dest/usr/bin/domino" ]
     [ -x "$dest/usr/share/doc/domino/examples/quiz.dom" ]
+    [ -x "$dest/usr/share/doc/domino/examples/cluster/slurm.sh" ]
     [ -f "$dest/usr/share/man/man1/domino.1" ]
     grep -q '^prefix=/usr$' "$dest/usr/lib/pkgconfig/domino.pc"
     cat >"$BATS_TEST_TMPDIR/use.c" <<'C'
