@@ -221,7 +221,7 @@ static bool read_effect(struct reader *r, struct call *call, int i)
                  (length > 4 && strcmp(word + length - 4, ".csv") == 0);
     if ((turned && i == 1) || (of->or_file && (named || strchr("\"./~", *word)))) {
         call->word[i] = read_file(r);
-        return call->word[i] || session_error(r->session, unclosed);
+        return call->word[i] || session_error(r->session, "%s", unclosed);
     }
     struct argument a = {.name = of->name, .kind = ARGUMENT_EFFECT, .effect = of};
     return read_quantity(r, &a, &call->quantity[i], &call->number[i]);
@@ -268,7 +268,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     case ARGUMENT_FILE:
         call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);
         return call->word[i] ? *call->word[i] || session_error(session, "%s is missing", a->name)
-                             : session_error(session, unclosed);
+                             : session_error(session, "%s", unclosed);
     case ARGUMENT_GRID:
         return sweep_read_grid(r, call);
     case ARGUMENT_COMMAND:

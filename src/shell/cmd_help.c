@@ -21,7 +21,7 @@ static void help_list(FILE *out)
     for (const struct command_group *g = command_groups; g->title; g++) {
         fprintf(out, "%s%s\n", g == command_groups ? "" : "\n", g->title);
         for (const struct command *c = g->commands; c->name; c++)
-            fprintf(out, "  %-21s %s\n", command_usage(c, usage), c->summary);
+            fprintf(out, "  %-20s %s\n", command_usage(c, usage), c->summary);
     }
     char names[256] = "Parameters:";
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -174,7 +174,7 @@ static bool run_apropos(struct session *session, const struct call *call)
                 hit = mentions(k->key, word) || mentions(k->meaning, word);
             found += hit;
             if (hit)
-                fprintf(session->out, "%-21s %s\n", command_usage(c, usage), c->summary);
+                fprintf(session->out, "%-20s %s\n", command_usage(c, usage), c->summary);
         }
     }
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -183,14 +183,14 @@ static bool run_apropos(struct session *session, const struct call *call)
             hit = mentions(w->name, word);
         found += hit;
         if (hit)
-            fprintf(session->out, "set %-17s %s\n", p->name, p->meaning);
+            fprintf(session->out, "set %-16s %s\n", p->name, p->meaning);
     }
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
         bool hit = mentions(e->name, word) || mentions(e->adds, word) || mentions(e->help, word);
         found += hit;
         if (hit)
-            fprintf(session->out, "effect %-14s %s\n", e->name, e->adds);
+            fprintf(session->out, "effect %-13s %s\n", e->name, e->adds);
     }
     return found > 0 || session_error(session, "nothing is said about '%s'; 'help' lists everything",
                                       names_shown(word, usage));

@@ -373,20 +373,19 @@ static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
 
 const struct command sweep_commands[] = {
     {.name = "sweep",
-     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID}, {.name = ": COMMAND", .kind = ARGUMENT_COMMAND}},
+     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID}, {.name = ": ANSWER", .kind = ARGUMENT_COMMAND}},
      .summary = "what a command answers, over a grid of any parameters",
-     .help = "GRID is NAME FROM TO N for each parameter or effect: N values, evenly spaced, or with 'log' "
-             "behind N "
-             "by equal ratios; or NAME VALUE, VALUE, ... in a list. The first of them is the slowest. "
-             "COMMAND is any "
-             "that answers, its arguments being evaluated at each point: 'sweep s 0.1 0.9 9 : count 112 "
-             "0.9*rmax'. "
-             "A row is the values of the point, then the answer; an answer of several rows gives several. A "
-             "point "
-             "without an answer has a row with its reason, in csv and json. The session stays as it is. "
-             "Points are "
-             "computed on all cores ('set threads'), and the rows are the same bytes on any number of them; "
-             "'domino --shard 2/7' gives the second of seven parts.",
+     .help =
+         "GRID is NAME FROM TO N for each parameter or effect: N values, evenly spaced, or with 'log' behind "
+         "N by equal ratios; or NAME VALUE, VALUE, ... in a list. The first of them is the slowest. ANSWER "
+         "is "
+         "any command that answers, its arguments being evaluated at each point: 'sweep s 0.1 0.9 9 : count "
+         "112 0.9*rmax'. A row is the values of the point, then the answer, which may be several rows. A "
+         "point "
+         "without an answer has a row with its reason, in csv and json. The session stays as it is. Points "
+         "are "
+         "computed on all cores ('set threads'), and the rows are the same bytes on any number of them; "
+         "'domino --shard 2/7' gives the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, massive : rmax",
      .see = "curve set effect",
      .columns = sweep_answers,

@@ -77,7 +77,7 @@ static bool decimal_sure(const struct decimal *d, int digits)
 {
     enum { NEAR = 16 }; /* half a step between doubles is at most 2^-53 10^17 = 11.1 of whole */
     uint64_t unit = ten_to[DIGITS - digits], over = d->whole % unit, half = unit / 2;
-    return unit > 4 * NEAR && (over > half ? over - half : half - over) > NEAR;
+    return unit > (uint64_t)4 * NEAR && (over > half ? over - half : half - over) > NEAR;
 }
 
 /* Does q, of so many digits, lie within half a step of the format with so many bits, or at its even end? */
@@ -97,14 +97,15 @@ static bool decimal_returns(const struct decimal *d, uint64_t q, int digits, int
 /* q, of so many digits, the first of which stands for 10^exponent, without zeros at its end. */
 static void decimal_write(uint64_t q, int digits, int exponent, char *text)
 {
-    char figure[DIGITS + 1];
+    static const char figures[] = "0123456789";
+    char figure[DIGITS + 1] = "";
     if (q == ten_to[digits]) {
         q /= 10;
         exponent++;
     }
     int count = digits;
     for (int i = digits; i > 0; q /= 10)
-        figure[--i] = (char)('0' + q % 10);
+        figure[--i] = figures[q % 10];
     while (count > 1 && figure[count - 1] == '0')
         count--;
     int point = exponent < -4 || exponent >= digits ? 1 : exponent + 1; /* figures before it */
@@ -116,14 +117,14 @@ static void decimal_write(uint64_t q, int digits, int exponent, char *text)
     for (int i = 0; i < count || i < point; i++) {
         if (i == point && i > 0)
             *text++ = '.';
-        *text++ = i < count ? figure[i] : '0';
+        *text++ = (char)(i < count ? figure[i] : figures[0]);
     }
     if (exponent < -4 || exponent >= digits) {
         int size = exponent < 0 ? -exponent : exponent; /* two figures: it is at most 15 */
         *text++ = 'e';
         *text++ = exponent < 0 ? '-' : '+';
-        *text++ = (char)('0' + size / 10);
-        *text++ = (char)('0' + size % 10);
+        *text++ = figures[size / 10];
+        *text++ = figures[size % 10];
     }
     *text = '\0';
 }

@@ -163,7 +163,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
 
 static bool read_values(struct reader *r, struct axis *axis)
 {
-    dom_real first;
+    dom_real first = 0;
     bool words = axis->parameter && axis->parameter->words_only;
     if (!read_one(r, axis, words ? "a value" : "FROM", &first))
         return false;

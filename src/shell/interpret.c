@@ -59,7 +59,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
     const char *wrong = NULL;
     bool done = false;
     if (!path)
-        session_error(session, unclosed);
+        session_error(session, "%s", unclosed);
     else if (!*path)
         session_error(session, "the file behind '>' is missing");
     else if (!command_ends(r->at))

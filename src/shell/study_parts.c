@@ -10,6 +10,7 @@
 #include "study.h"
 #include "wide.h"
 #include <errno.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -240,24 +241,24 @@ static bool pool_read(struct pool *p, FILE *in)
 {
     char head[SAME_SIZE] = "", *text = NULL;
     size_t size = 0;
-    ssize_t length;
     bool good = true;
     for (const struct column *c = block_columns; c->key; c++) {
         size_t used = strlen(head);
         snprintf(head + used, sizeof head - used, "%s%s", used ? "," : "", c->key);
     }
-    while (good && (length = getline(&text, &size, in)) != -1) {
+    while (good && getline(&text, &size, in) != -1) {
         p->line++;
         text[strcspn(text, "\r\n")] = '\0';
         /* Parts stand one behind the other, in any order. */
         if (*text && strcmp(text, head) != 0)
             good = block_add(p, text);
     }
-    if (good && ferror(in))
-        good = session_error(p->session, "cannot read on in '%s': %s", p->path, strerror(errno));
     free(text);
-    return good &&
-           (p->parts > 0 || session_error(p->session, "there are no blocks of a study in '%s'", p->path));
+    if (!good)
+        return false;
+    if (ferror(in))
+        return session_error(p->session, "cannot read on in '%s': %s", p->path, strerror(errno));
+    return p->parts > 0 || session_error(p->session, "there are no blocks of a study in '%s'", p->path);
 }
 
 static int by_first(const void *a, const void *b)
@@ -292,7 +293,7 @@ bool pool_run(struct session *session, const struct call *call)
     FILE *in = standard ? stdin : line_open(p.path);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
-    bool good = pool_read(&p, in) && parts_check(&p, missing, sizeof missing);
+    bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
     if (good) {
         enum dom_status status = dom_study_interval(&p.study);
         if (status == DOM_OK)

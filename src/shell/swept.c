@@ -23,10 +23,11 @@ static int find(const struct column *columns, const char *key, int first)
 static void swept_cells(struct swept *s, const struct column *columns, const struct cell *cells,
                         struct cell *row)
 {
+    const struct cell none = {.kind = CELL_NONE};
     memcpy(row, s->value, (size_t)s->values * sizeof *row);
     for (int j = s->values, next = 0; s->column[j].key; j++) {
         int i = find(columns, s->key[j], next);
-        row[j] = i < 0 ? (struct cell){.kind = CELL_NONE} : cells[i];
+        row[j] = i < 0 ? none : cells[i];
         if (i >= 0) {
             s->column[j].unit = columns[i].unit;
             next = i + 1;

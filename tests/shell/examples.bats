@@ -42,7 +42,7 @@ sentence() {
     [ "$(wc -l <"$BATS_TEST_TMPDIR/commands")" -ge 25 ]
     while IFS= read -r line; do
         usage=$(sed -E 's/  +.*//' <<<"$line")
-        summary=$(sed -E 's/^.{22}//' <<<"$line" | sentence)
+        summary=$(sed -E 's/^.{21}//' <<<"$line" | sentence)
         # "rmax [S]" is ".It Ic rmax Op Ar S" in the page.
         macro=${usage%% *}
         for word in $(cut -s -d ' ' -f 2- <<<"$usage"); do

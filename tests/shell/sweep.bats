@@ -148,7 +148,7 @@ curve 0.02 0.9 100'
 }
 
 @test "what is wrong with a line is one message and no row" {
-    wrong 'sweep' 'GRID is missing; usage: sweep GRID : COMMAND'
+    wrong 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
     wrong 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
     wrong 'sweep s 0.1 0.9 9' "':' and a command are missing"
     wrong 'sweep s 0.1 0.9 9 :' "the command behind ':' is missing"
