@@ -135,7 +135,7 @@ sanitize: | $(FIRST)
 # What runs on many threads, under ThreadSanitizer, which knows no other order than what the program makes.
 race: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/race CFLAGS='-O1 -g -fsanitize=thread' all
-	@tests/run $(B)/race tests/shell/sweep.bats
+	@TSAN_OPTIONS=halt_on_error=1 tests/run $(B)/race tests/shell/sweep.bats
 
 # ---- Fuzzing and speed ----
 

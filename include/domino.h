@@ -132,6 +132,19 @@ struct dom_work {
     size_t entered[DOM_EFFECT_COUNT]; /* how often the code of an effect was */
 };
 
+/*
+ * Is the flag of an interrupt up?  NULL never is.  A handler of signals in one thread may raise what others
+ * look at: where both are atomic, as here, that is no race.
+ */
+static inline bool dom_raised(const volatile sig_atomic_t *flag)
+{
+#if defined __GNUC__
+    return flag && __atomic_load_n(flag, __ATOMIC_RELAXED) != 0;
+#else
+    return flag && *flag;
+#endif
+}
+
 /* A self-similar train.  Start from dom_train_default() and change what differs. */
 struct dom_train {
 #define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;

@@ -88,7 +88,7 @@ static enum dom_status chain_watch(const struct lean *g, size_t i)
 {
     if (i % 4096 != 0)
         return DOM_OK;
-    if (g->interrupt && *g->interrupt)
+    if (dom_raised(g->interrupt))
         return DOM_INTERRUPTED;
     return i < LINKS_MAX ? DOM_OK : DOM_TOO_LONG;
 }
@@ -396,7 +396,7 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
     struct link k = link_head(&g, head);
     struct bound e = bound_head(&g, &k, lean_error_head(head));
     for (;;) {
-        if (g.interrupt && *g.interrupt) /* rows may be slower to write than to compute */
+        if (dom_raised(g.interrupt)) /* rows may be slower to write than to compute */
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&g, &k), error;
         if (errors)

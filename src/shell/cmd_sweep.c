@@ -295,7 +295,7 @@ static void point_text(const struct sweep *sweep, size_t k, char *text, size_t s
 /* What a point heard, as the session says it. */
 static bool sweep_error(struct session *session, const struct sweeper *w)
 {
-    if (session->train.interrupt && *session->train.interrupt)
+    if (dom_raised(session->train.interrupt))
         return session_status(session, DOM_INTERRUPTED);
     const char *command = session->command;
     session->column = w->heard.column;

@@ -252,7 +252,7 @@ struct range session_part(const struct session *session, size_t points)
 bool session_stops(const struct session *session, long errors)
 {
     return session->quit || ferror(session->out) || (session->bail && session->errors > errors) ||
-           (session->train.interrupt && *session->train.interrupt);
+           dom_raised(session->train.interrupt);
 }
 
 bool session_status(struct session *session, enum dom_status status)

@@ -41,11 +41,6 @@ struct pace {
     double seconds;
 };
 
-static bool interrupted(const struct workers *w)
-{
-    return w->interrupt && *w->interrupt;
-}
-
 /* So many points that they take the time of a block; shorter near the end, so that all end together. */
 static size_t block_points(const struct workers *w, const struct pace *pace, size_t left)
 {
@@ -64,7 +59,7 @@ static bool block_run(const struct workers *w, void *own, size_t from, size_t po
     double begun = terminal_clock();
     bool goes_on = true;
     bool shown = progress_mute(true);
-    for (size_t k = 0; k < points && goes_on && !interrupted(w); k++)
+    for (size_t k = 0; k < points && goes_on && !dom_raised(w->interrupt); k++)
         goes_on = w->point(own, w->first + from + k, out);
     progress_mute(shown);
     *pace = (struct pace){points, terminal_clock() - begun};
@@ -82,7 +77,7 @@ static struct workers_end run_alone(const struct workers *w)
         points = block_points(w, &pace, w->points - at);
         if (!block_run(w, w->own, at, points, &pace, w->out))
             end = (struct workers_end){.how = WORKERS_ENDED, .by = w->own};
-        else if (interrupted(w))
+        else if (dom_raised(w->interrupt))
             end.how = WORKERS_INTERRUPTED;
         else if (w->out && (fflush(w->out) != 0 || ferror(w->out)))
             end = (struct workers_end){.how = WORKERS_LOST, .error = errno};
@@ -112,7 +107,7 @@ static void crew_write(struct crew *c)
             crew_end(c, (struct workers_end){.how = WORKERS_LOST, .error = errno});
         else if (b->ended)
             crew_end(c, (struct workers_end){.how = WORKERS_ENDED, .by = b->own});
-        else if (interrupted(c->asked))
+        else if (dom_raised(c->asked->interrupt))
             crew_end(c, (struct workers_end){.how = WORKERS_INTERRUPTED});
         free(b->text);
         *b = (struct block){.text = NULL};

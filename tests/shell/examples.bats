@@ -90,12 +90,12 @@ sentence() {
 }
 
 @test "the README's sessions are what the program prints" {
-    # Blocks that begin with '$ domino' are commands with their output; the last digits of the 17 may
+    # Blocks that begin with '$ domino' or '$ for' are commands with their output; the last digits of the 17 may
     # differ with the C library's sine.
     awk '/^```/ { inside = !inside; next } inside' "$root/README.md" >"$BATS_TEST_TMPDIR/blocks"
     PATH=$(dirname "$DOMINO"):$PATH
     cd "$root" || false
-    grep '^\$ domino' "$BATS_TEST_TMPDIR/blocks" >"$BATS_TEST_TMPDIR/commands"
+    grep '^\$ \(domino\|for\) ' "$BATS_TEST_TMPDIR/blocks" >"$BATS_TEST_TMPDIR/commands"
     [ -s "$BATS_TEST_TMPDIR/commands" ]
     while IFS= read -r command; do
         awk -v command="$command" '$0 == command { on = 1; next } /^\$ / { on = 0 } on' \
