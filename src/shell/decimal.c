@@ -83,8 +83,8 @@ static bool decimal_sure(const struct decimal *d, int digits)
 /* Does q, of so many digits, lie within half a step of the format with so many bits, or at its even end? */
 static bool decimal_returns(const struct decimal *d, uint64_t q, int digits, int bits)
 {
-    wide_signed off = (((wide_signed)(q * ten_to[DIGITS - digits]) - (wide_signed)d->whole) << d->shift) -
-                      (wide_signed)d->rest;
+    wide_signed whole = (wide_signed)(q * ten_to[DIGITS - digits]) - (wide_signed)d->whole,
+                off = whole * ((wide_signed)1 << d->shift) - (wide_signed)d->rest;
     wide_unsigned apart = (wide_unsigned)(off < 0 ? -off : off) << 1,
                   step = (wide_unsigned)d->five << (53 - bits);
     bool lowest = d->significand == 0x10000000000000; /* below a power of two steps are half as long */
