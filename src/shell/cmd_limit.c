@@ -54,7 +54,7 @@ static enum dom_status limit_paper(bool errors, struct dom_train train, struct b
 static const struct column rmax_columns[] = {
     {"s", "h", "separation", 0},
     {"r_max", "", "largest growth at which the train goes on", 0},
-    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 0},
+    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 7},
     {"r_max_exact", "", "with the fuel from the energy balance", 0},
     {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
     {NULL, NULL, NULL, 0},
@@ -91,7 +91,7 @@ static bool run_rmax(struct session *session, const struct call *call)
 static const struct column pair_columns[] = {
     {"s", "h", "separation", 0},
     {"r_max", "", "largest growth at which the first topples the next", 0},
-    {"ends_by", "", "barrier, reach or none", 0},
+    {"ends_by", "", "barrier, reach or none", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -208,7 +208,7 @@ static const struct column count_columns[] = {
     {"exact", "", "ln(height / first_height) / ln r", 0},
     {"first_height", "m", "height of the first domino", 0},
     {"last_height", "m", "height of the toppled one, first_height r^n", 0},
-    {"feasible", "", "does a train with these s, d, q and r go on?", 0},
+    {"feasible", "", "does a train with these s, d, q and r go on?", 8},
     {NULL, NULL, NULL, 0},
 };
 

@@ -239,7 +239,7 @@ static bool run_fall(struct session *session, const struct call *call)
 /* ---- verdict ---- */
 
 static const struct column verdict_columns[] = {
-    {"verdict", "", "falls, stops, or why it ends otherwise", 0},
+    {"verdict", "", "falls, stops, or why it ends otherwise", 12},
     {"domino", "", "the last that was hit", 0},
     {"short_by", "mgh/2", "energy that is missing there, in J where a mass is known", 0},
     {"seconds", "s", "until the last lies; counted as in 'fall'", 0},

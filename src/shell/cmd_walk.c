@@ -8,7 +8,7 @@
 enum { CYCLES_MAX = 1000 };
 
 #define WALK_COLUMNS                                                                                         \
-    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 0},                \
+    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 6},                \
         {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
         {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
         {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \

@@ -13,6 +13,7 @@ enum {
     TEXT_LINE = 512,
     BOUND_MARGIN = 12, /* " +/- 1.2e-15" */
     WORDS_ROOM = 30,
+    WORDS_SHORT = 12, /* a column of these needs no more room than it takes */
     WORDS_INDENT = 8
 };
 
@@ -250,9 +251,11 @@ static int row_digits(const struct answer *a)
 static int row_words(const struct answer *a, int digits)
 {
     int at = 0;
-    for (const struct column *c = a->columns; c[1].key; c++)
+    const struct column *c = a->columns;
+    for (; c[1].key; c++)
         at += (c->width ? c->width : number_width(a, digits)) + 2;
-    return a->width && a->width - at < WORDS_ROOM ? -1 : at;
+    int room = c->width && c->width <= WORDS_SHORT ? c->width : WORDS_ROOM;
+    return a->width && a->width - at < room ? -1 : at;
 }
 
 /* One line of a table; said gives the text of a column. */

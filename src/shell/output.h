@@ -15,7 +15,7 @@ struct column {
     const char *key;     /* name in csv and json, head of a table */
     const char *unit;    /* "" for a pure number; "rad" and "rad/s" follow the style's angle */
     const char *meaning; /* one line, for people */
-    int width;           /* of words in a table of rows; 0 for a number */
+    int width;           /* of words, or of few digits, in a table of rows; 0 for a number */
 };
 
 enum { ANSWER_COLUMNS = 24 }; /* at most */

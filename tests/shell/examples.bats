@@ -24,6 +24,7 @@ golden() {
 @test "quiz-hollow.dom" { golden quiz-hollow; }
 @test "equal.dom" { golden equal; }
 @test "record.dom" { golden record; }
+@test "sweep.dom" { golden sweep; }
 
 @test "no example is without a golden transcript" {
     for example in "$root"/examples/*.dom; do
