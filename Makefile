@@ -6,7 +6,8 @@
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
-#   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan
+#   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan;
+#                     make race: what runs on threads under ThreadSanitizer
 #   make coverage     lines of src/model that tests run; make valgrind: sessions under memcheck, helgrind and drd
 #   make deps bench   how fast, against others and against the floor; make guard: dearer than it was?
 
@@ -26,7 +27,7 @@ C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE -Iin
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c src/model/placement.c \
+MODEL   := src/model/model.c src/model/train.c src/model/placement.c src/model/quiet.c \
            $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/methods/*.c)
 SHELL_C := $(wildcard src/shell/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
@@ -35,18 +36,19 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize coverage covered valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run test unit hard sessions sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev
-DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf
+DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
 DEPS_sanitize := $(DEPS_test)
+DEPS_race     := $(DEPS_test)
 DEPS_coverage := $(DEPS_test)
 DEPS_valgrind := valgrind libc6-dbg
 DEPS_fuzz     := clang libclang-rt-dev
@@ -116,6 +118,8 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 
 # There memory and threads run out where a test wants it.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
+# How the shell writes numbers is tested as a unit, too.
+$(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,decimal.c wide.c cell.c))
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
@@ -169,6 +173,10 @@ covered: all $(UNIT_BIN)
 
 valgrind: all
 	@tests/valgrind $(B)
+# What runs on many threads, under ThreadSanitizer, which knows no other order than what the program makes.
+race: | $(FIRST)
+	@$(MAKE) --no-print-directory B=$(B)/race CFLAGS='-O1 -g -fsanitize=thread' all
+	@TSAN_OPTIONS=halt_on_error=1 tests/run $(B)/race tests/shell/sweep.bats
 
 # ---- Fuzzing and speed ----
 
@@ -226,7 +234,7 @@ lint: | $(FIRST)
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src examples
 	mandoc -T lint man/domino.1 man/libdomino.3
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash \
+	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash examples/cluster/*.sh \
 	  src/shell/domino.bash
 
 format:

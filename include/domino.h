@@ -132,6 +132,19 @@ struct dom_work {
     size_t entered[DOM_EFFECT_COUNT]; /* how often the code of an effect was */
 };
 
+/*
+ * Is the flag of an interrupt up?  NULL never is.  A handler of signals in one thread may raise what others
+ * look at: where both are atomic, as here, that is no race.
+ */
+static inline bool dom_raised(const volatile sig_atomic_t *flag)
+{
+#if defined __GNUC__
+    return flag && __atomic_load_n(flag, __ATOMIC_RELAXED) != 0;
+#else
+    return flag && *flag;
+#endif
+}
+
 /* A self-similar train.  Start from dom_train_default() and change what differs. */
 struct dom_train {
 #define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
@@ -532,6 +545,12 @@ struct dom_study {
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *placement,
                                     struct dom_study *study, size_t *stops);
+
+/*
+ * low and high from the counts: studies of other rows of one placement add up to a study of all of them.
+ * BAD_PARAMETER: rows is 0, or fewer than fall + unknown.
+ */
+enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely must it be placed? */
 struct dom_budget {

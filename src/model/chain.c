@@ -163,7 +163,7 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
     struct link k = link_head(&g, head);
     struct bound e = bound_head(&g, &k, lean_error_head(head));
     for (;;) {
-        if (g.interrupt && *g.interrupt) /* rows may be slower to write than to compute */
+        if (dom_raised(g.interrupt)) /* rows may be slower to write than to compute */
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&g, &k), error;
         if (errors)

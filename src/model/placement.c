@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, on all processors: each row has random numbers of its own, by its number alone. */
 #include "domino.h"
+#include "quiet.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_randist.h>
@@ -174,13 +175,19 @@ static enum dom_status beta_inverse(double chance, double a, double b, double *x
 }
 
 /* The exact interval for n of N: its ends are where this many or this few would be a 2.5 % chance. */
-static enum dom_status study_interval(struct dom_study *s)
+enum dom_status dom_study_interval(struct dom_study *s)
 {
+    if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
+        return DOM_BAD_PARAMETER;
     double N = (double)s->rows, few = (double)s->fall, many = (double)(s->fall + s->unknown);
     s->low = 0;
     s->high = 1;
+    quiet_begin();
     enum dom_status status = few > 0 ? beta_inverse(0.025, few, N - few + 1, &s->low) : DOM_OK;
-    return status == DOM_OK && many < N ? beta_inverse(0.975, many + 1, N - many, &s->high) : status;
+    if (status == DOM_OK && many < N)
+        status = beta_inverse(0.975, many + 1, N - many, &s->high);
+    quiet_end();
+    return status;
 }
 
 /* This thread is the first worker; where no more can be had, fewer do it. */
@@ -203,7 +210,7 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
         p->rows == 0 || row->count == 0)
         return DOM_BAD_PARAMETER;
     struct shared shared = {.row = row, .placement = p, .status = DOM_OK};
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    quiet_begin();
     unsigned n = thread_count(p);
     struct worker *worker = calloc(n, sizeof *worker);
     bool made = worker != NULL;
@@ -223,10 +230,10 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
     if (row->work)
         row->work->entered[DOM_EFFECT_placement] += p->rows;
     if (status == DOM_OK)
-        status = study_interval(&found);
+        status = dom_study_interval(&found);
     if (status == DOM_OK)
         *study = found;
-    gsl_set_error_handler(handler);
+    quiet_end();
     return status;
 }
 

@@ -311,7 +311,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         struct dom_fall fall = {.domino = k + 1, .time = run->time, .moving = run->moving};
         real before = run->carried;
         enum dom_status status;
-        if (run->row.asked->interrupt && *run->row.asked->interrupt)
+        if (dom_raised(run->row.asked->interrupt))
             return DOM_INTERRUPTED;
         status = k == 0 && tips ? tip_run(run, &d, &fall) : head_run(run, k, &d, &fall);
         if (status != DOM_OK)

@@ -51,7 +51,7 @@ KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
 {
     if (i % 4096 != 0)
         return DOM_OK;
-    if (g->interrupt && *g->interrupt)
+    if (dom_raised(g->interrupt))
         return DOM_INTERRUPTED;
     return i < LINKS_MAX ? DOM_OK : DOM_TOO_LONG;
 }

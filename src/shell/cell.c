@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cell.h"
+#include "decimal.h"
 #include "wide.h"
 #include <stdio.h>
 
@@ -74,10 +75,12 @@ static const char *real_text(struct cell cell, int digits, bool bounds, char tex
 {
     char number[WIDE_TEXT], bound[WIDE_TEXT];
     bool known = bounds && isfinite(cell.error) && cell.digits == 0;
-    if (known && cell.error != 0)
+    if (!known)
+        return wide_text(cell.number, cell.digits ? cell.digits : digits, text);
+    if (cell.error != 0)
         digits = bound_digits(cell, digits);
-    wide_text(cell.number, cell.digits ? cell.digits : digits, number);
-    dom_real error = known ? printed_error(cell, number) : 0;
+    wide_text(cell.number, digits, number);
+    dom_real error = printed_error(cell, number);
     if (error > 0)
         snprintf(text, CELL_TEXT, "%s +/- %s", number, bound_text(error, bound));
     else
@@ -117,6 +120,9 @@ const char *cell_plain(const struct output_style *style, struct cell cell, char 
     const int all = style->all_digits, few = all < 15 ? all - 2 : 15;
     cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(style, cell.number) : cell.number;
+    if (cell.kind == CELL_REAL && style->precision != DOM_QUAD &&
+        decimal_shortest((double)cell.number, all - 2, style->precision == DOM_FLOAT ? 24 : 53, text))
+        return text;
     const char *said = cell_text(cell, few, false, text);
     for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
         if (rounded(style, wide_read(text, NULL)) != cell.number)

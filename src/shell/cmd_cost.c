@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about the price of accuracy. */
+/*
+ * Commands about the price of accuracy.  They run on one thread: what they answer is time, and others at work
+ * would share caches, memory and the clock of the processor with what is measured.  The quad reference alone
+ * could go beside, and takes a fiftieth of the whole.
+ */
 #include "command.h"
 #include "cost.h"
 
@@ -92,6 +96,7 @@ const struct command cost_commands[] = {
              "rounding of typed parameters included; times are measured in runs of their own.",
      .see = "plot",
      .columns = cost_columns,
+     .unswept = "it measures time, which points side by side would disturb",
      .principal = -1,
      .rows = true,
      .run = run_cost},

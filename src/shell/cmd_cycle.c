@@ -26,7 +26,7 @@ static const struct column thetac_columns[] = {
     {"theta_inf", "rad", "far followers rest: cos theta_inf = d/(s+d) (A16)", 0},
     {"theta_f", "rad", "last angle that a follower reaches: (A18), or theta_inf", 0},
     {"theta_leave", "rad", "a follower falls off when its leader is here", 0},
-    {"falls_off", "", "are followers too short to lean to the end? (A17)", 0},
+    {"falls_off", "", "are followers too short to lean to the end? (A17)", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -224,7 +224,7 @@ static const struct column barrier_columns[] = {
     {"barrier", "mgh/2", "to climb: the maximum of H(theta) - H(0)", 0},
     {"kinetic", "mgh/2", "what there is for it, J(0) tau^2 omega(0)^2", 0},
     {"margin", "mgh/2", "kinetic - barrier, >= 0 to go on (c8, corrected)", 0},
-    {"verdict", "", "goes on, stops, locks (friction), or no fuel", 0},
+    {"verdict", "", "goes on, stops, locks (friction), or no fuel", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -261,8 +261,9 @@ static bool run_duration(struct session *session, const struct call *call)
     enum dom_status status = dom_cycle_duration(&session->train, &duration, ERROR_OF(session, e));
     const char *why = no_cycle(session, status, reason);
     if (status == DOM_NOT_CONVERGED)
-        return session_error(session, "the margin is 0 to rounding: the duration grows like ln(1/margin) and "
-                                      "has no value here; a slightly smaller r has");
+        return session_no_answer(session,
+                                 "the margin is 0 to rounding: the duration grows like ln(1/margin) and "
+                                 "has no value here; a slightly smaller r has");
     if (status != DOM_OK && !why)
         return session_status(session, status);
     dom_real speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);

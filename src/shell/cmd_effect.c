@@ -172,7 +172,7 @@ static bool run_effects(struct session *session, const struct call *call)
         enum dom_effect_name name = (enum dom_effect_name)k;
         const struct dom_effect *e = dom_effect(name);
         double without = price_with(session, name, false), with = price_with(session, name, true);
-        if (session->train.interrupt && *session->train.interrupt)
+        if (dom_raised(session->train.interrupt))
             return session_status(session, DOM_INTERRUPTED);
         answer_row(a,
                    ROW(cell_word(e->name),
@@ -288,6 +288,7 @@ const struct command effect_commands[] = {
              "a usual one where it is off.",
      .see = "effect scene",
      .columns = effects_columns,
+     .unswept = "it measures time, which points side by side would disturb",
      .principal = -1,
      .rows = true,
      .run = run_effects},

@@ -90,7 +90,7 @@ static void help_command(struct session *session, const struct command *c)
         output_wrapped(out, c->help, 0, help_width(out));
         putc('\n', out);
     }
-    if (c->columns)
+    if (c->columns && c->columns->key)
         fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
     for (const struct column *k = c->columns; k && k->key; k++) {
         output_wrapped(out, k->meaning, fprintf(out, "  %-12s %-6s ", k->key, k->unit), help_width(out));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
 #include "command.h"
-#include "terminal.h"
+#include "points.h"
 #include "wide.h"
 
 /* The i-th argument, or what stands for it where it is missing. */
@@ -35,26 +35,26 @@ static struct cell cell_limit(const struct bounded *limit)
     return cell_bound(limit->is.r_max, limit->error.r_max);
 }
 
-static enum dom_status limit_with(const struct session *session, struct dom_train train, enum dom_fuel fuel,
+static enum dom_status limit_with(bool errors, struct dom_train train, enum dom_fuel fuel,
                                   struct bounded *limit, enum dom_status *why)
 {
     train.fuel = fuel;
     limit->error.r_max = 0;
-    return dom_limit_rmax(&train, &limit->is, ERROR_OF(session, limit->error), why);
+    return dom_limit_rmax(&train, &limit->is, errors ? &limit->error : NULL, why);
 }
 
 /* With the paper's fuel, which knows no friction. */
-static enum dom_status limit_paper(const struct session *session, struct dom_train train,
-                                   struct bounded *limit, enum dom_status *why)
+static enum dom_status limit_paper(bool errors, struct dom_train train, struct bounded *limit,
+                                   enum dom_status *why)
 {
     *limit = (struct bounded){.is = {.r_max = DOM_NAN, .ends = DOM_END_NONE}};
-    return train.mu > 0 ? DOM_OK : limit_with(session, train, DOM_FUEL_PAPER, limit, why);
+    return train.mu > 0 ? DOM_OK : limit_with(errors, train, DOM_FUEL_PAPER, limit, why);
 }
 
 static const struct column rmax_columns[] = {
     {"s", "h", "separation", 0},
     {"r_max", "", "largest growth at which the train goes on", 0},
-    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 0},
+    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 7},
     {"r_max_exact", "", "with the fuel from the energy balance", 0},
     {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
     {NULL, NULL, NULL, 0},
@@ -66,9 +66,9 @@ static bool run_rmax(struct session *session, const struct call *call)
     struct bounded exact, paper;
     enum dom_status why = DOM_OK;
     train.s = argument_or(call, 0, train.s);
-    enum dom_status status = limit_with(session, train, DOM_FUEL_EXACT, &exact, &why);
+    enum dom_status status = limit_with(session->style.errors, train, DOM_FUEL_EXACT, &exact, &why);
     if (status == DOM_OK)
-        status = limit_paper(session, train, &paper, &why);
+        status = limit_paper(session->style.errors, train, &paper, &why);
     if (status != DOM_OK)
         return session_status(session, status);
     struct bounded used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
@@ -91,7 +91,7 @@ static bool run_rmax(struct session *session, const struct call *call)
 static const struct column pair_columns[] = {
     {"s", "h", "separation", 0},
     {"r_max", "", "largest growth at which the first topples the next", 0},
-    {"ends_by", "", "barrier, reach or none", 0},
+    {"ends_by", "", "barrier, reach or none", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -139,37 +139,65 @@ static const struct column curve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* A worker's; the first four are the same for all. */
+struct curve {
+    dom_real from, to, n;
+    bool errors;
+    struct dom_train train;
+    struct answer answer;
+    bool gaps;
+    enum dom_status status; /* of the point that ended it */
+};
+
+static bool curve_point(void *own, size_t k, FILE *out)
+{
+    struct curve *c = own;
+    struct bounded exact, paper, pair = {.error = {.r_max = 0}};
+    struct answer a = answer_part(&c->answer, out, k == 0);
+    dom_real f = c->n > 1 ? (dom_real)k / (c->n - 1) : 0;
+    c->train.s = (1 - f) * c->from + f * c->to;
+    c->status = limit_with(c->errors, c->train, DOM_FUEL_EXACT, &exact, NULL);
+    if (c->status == DOM_OK)
+        c->status = limit_paper(c->errors, c->train, &paper, NULL);
+    if (c->status == DOM_OK)
+        c->status = dom_limit_pair(&c->train, &pair.is, c->errors ? &pair.error : NULL);
+    if (c->status != DOM_OK)
+        return false;
+    answer_row(&a,
+               ROW(cell_real(c->train.s), cell_limit(&exact), cell_limit(&paper), cell_limit(&pair),
+                   cell_real(1 / c->train.s)),
+               NULL);
+    c->gaps = c->gaps || exact.is.ends == DOM_END_NONE || pair.is.ends == DOM_END_NONE;
+    return true;
+}
+
+static void curve_gather(void *own, const void *worker)
+{
+    struct curve *c = own;
+    c->gaps = c->gaps || ((const struct curve *)worker)->gaps;
+}
+
 static bool run_curve(struct session *session, const struct call *call)
 {
-    dom_real from = call->number[0], to = call->number[1], n = call->number[2];
-    if (n == 1 && from != to)
-        return session_error(session, "one row cannot cover %g to %g; N is at least 2", (double)from,
-                             (double)to);
-    struct dom_train train = session->train;
-    struct progress progress = {0, 0};
-    bool rows_seen = call->answer->out && terminal_width(call->answer->out); /* they are progress enough */
-    bool gaps = false;
-    for (dom_real k = 0; k < n && !answer_lost(call->answer); k++) {
-        struct bounded exact, paper, pair = {.error = {.r_max = 0}};
-        dom_real f = n > 1 ? k / (n - 1) : 0;
-        train.s = (1 - f) * from + f * to;
-        enum dom_status status = limit_with(session, train, DOM_FUEL_EXACT, &exact, NULL);
-        if (status == DOM_OK)
-            status = limit_paper(session, train, &paper, NULL);
-        if (status == DOM_OK)
-            status = dom_limit_pair(&train, &pair.is, ERROR_OF(session, pair.error));
-        if (!rows_seen)
-            progress_show(&progress, status == DOM_OK ? (double)((k + 1) / n) : 1);
-        if (status != DOM_OK)
-            return session_status(session, status);
-        answer_row(call->answer,
-                   ROW(cell_real(train.s), cell_limit(&exact), cell_limit(&paper), cell_limit(&pair),
-                       cell_real(1 / train.s)),
-                   NULL);
-        gaps = gaps || exact.is.ends == DOM_END_NONE || pair.is.ends == DOM_END_NONE;
-    }
-    if (gaps)
-        answer_say(call->answer, "-: no growth possible; 'rmax S' and 'pair S' say why");
+    struct curve c = {.from = call->number[0],
+                      .to = call->number[1],
+                      .n = call->number[2],
+                      .errors = session->style.errors,
+                      .train = session->train};
+    struct answer *a = call->answer;
+    struct cell number = cell_real(0);
+    bool by_point;
+    if (c.n == 1 && c.from != c.to)
+        return session_error(session, "one row cannot cover %g to %g; N is at least 2", (double)c.from,
+                             (double)c.to);
+    answer_plan(a, ROW(number, number, number, number, number));
+    c.answer = *a;
+    const struct points points = {
+        .total = (size_t)c.n, .point = curve_point, .own = &c, .size = sizeof c, .gather = curve_gather};
+    if (!points_answer(session, a, &points, &by_point))
+        return by_point ? session_status(session, c.status) : false;
+    if (c.gaps)
+        answer_say(a, "-: no growth possible; 'rmax S' and 'pair S' say why");
     return true;
 }
 
@@ -180,7 +208,7 @@ static const struct column count_columns[] = {
     {"exact", "", "ln(height / first_height) / ln r", 0},
     {"first_height", "m", "height of the first domino", 0},
     {"last_height", "m", "height of the toppled one, first_height r^n", 0},
-    {"feasible", "", "does a train with these s, d, q and r go on?", 0},
+    {"feasible", "", "does a train with these s, d, q and r go on?", 8},
     {NULL, NULL, NULL, 0},
 };
 
@@ -264,11 +292,11 @@ static bool run_count(struct session *session, const struct call *call)
     char number[WIDE_TEXT], growth[WIDE_TEXT];
     train.r = argument_or(call, 1, train.r);
     if (dom_count_find(train.precision, first, height, train.r, &count, ERROR_OF(session, e)) != DOM_OK)
-        return session_error(session,
-                             "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
-                             "in %s precision",
-                             wide_shown(height).text, wide_shown(first).text, wide_shown(train.r).text,
-                             dom_arithmetic(train.precision)->name);
+        return session_no_answer(session,
+                                 "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
+                                 "in %s precision",
+                                 wide_shown(height).text, wide_shown(first).text, wide_shown(train.r).text,
+                                 dom_arithmetic(train.precision)->name);
     enum dom_status status = count_feasible(&train, &feasible, &why);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -318,6 +346,7 @@ const struct command limit_commands[] = {
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
      .columns = rmax_columns,
+     .echo = "s",
      .principal = 1,
      .run = run_rmax},
     {.name = "pair",
@@ -328,6 +357,7 @@ const struct command limit_commands[] = {
      .example = "pair 0.3",
      .see = "rmax curve",
      .columns = pair_columns,
+     .echo = "s",
      .principal = 1,
      .run = run_pair},
     {.name = "best",
@@ -358,6 +388,7 @@ const struct command limit_commands[] = {
      .example = "count 112 m 2",
      .see = "rmax best",
      .columns = count_columns,
+     .echo = "r",
      .principal = 2,
      .run = run_count},
     {.name = NULL},

@@ -328,6 +328,7 @@ const struct command plot_commands[] = {
      .equation = "(c1) (c2) (c3) (A2), figures 'growth' and 'marginal'",
      .see = "curve pair energy omega chain cost draw",
      .columns = plot_columns,
+     .unswept = "it draws",
      .principal = -1,
      .rows = true,
      .files = true,

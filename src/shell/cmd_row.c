@@ -30,7 +30,15 @@ static const char *energy_unit(const struct session *session)
 
 static const struct column row_columns[] = {
     ROW_COLUMNS,
-    {"mass", "kg", "or, where that is not known, relative: over that of the first", 0},
+    {"mass", "kg", "", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Either way. */
+static const struct column row_all_columns[] = {
+    ROW_COLUMNS,
+    {"mass", "kg", "where it is known", 0},
+    {"relative", "", "where it is not: mass over that of the first", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -54,7 +62,7 @@ static bool run_row(struct session *session, const struct call *call)
                        cell_real(d->gap), cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass)),
                    NULL);
     }
-    call->answer->columns = row_columns;
+    call->answer->columns = row_all_columns;
     free(scene.domino);
     return true;
 }
@@ -63,7 +71,7 @@ bool row_status(struct session *session, enum dom_status status)
 {
     if (status != DOM_BAD_PARAMETER)
         return session_status(session, status);
-    return session_error(
+    return session_no_answer(
         session,
         "the dominoes of this row become larger or smaller than %s precision can hold; fewer of "
         "them, a smaller r, or a wider precision",
@@ -199,8 +207,8 @@ static void floor_say(const struct session *session, struct answer *a, const str
 static bool verdict_known(struct session *session, const struct dom_verdict *v)
 {
     return (v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS) ||
-           session_error(session, "domino %zu: %s; what comes behind it is not known", v->domino,
-                         dom_row_end_text(v->end));
+           session_no_answer(session, "domino %zu: %s; what comes behind it is not known", v->domino,
+                             dom_row_end_text(v->end));
 }
 
 static bool run_fall(struct session *session, const struct call *call)
@@ -231,7 +239,7 @@ static bool run_fall(struct session *session, const struct call *call)
 /* ---- verdict ---- */
 
 static const struct column verdict_columns[] = {
-    {"verdict", "", "falls, stops, or why it ends otherwise", 0},
+    {"verdict", "", "falls, stops, or why it ends otherwise", 12},
     {"domino", "", "the last that was hit", 0},
     {"short_by", "mgh/2", "energy that is missing there, in J where a mass is known", 0},
     {"seconds", "s", "until the last lies; counted as in 'fall'", 0},
@@ -405,7 +413,7 @@ const struct command row_commands[] = {
      .help = "With 'set output csv', 'row > FILE' is a file that 'effect row FILE' reads.",
      .example = "effect row 3; row",
      .see = "effect fall",
-     .columns = row_columns,
+     .columns = row_all_columns,
      .principal = -1,
      .rows = true,
      .run = run_row},
@@ -419,6 +427,7 @@ const struct command row_commands[] = {
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
      .columns = rowmax_columns,
+     .echo = "s",
      .principal = 2,
      .run = run_rowmax},
     {.name = NULL},

@@ -125,7 +125,7 @@ static bool run_source(struct session *session, const struct call *call)
 
 static const struct column print_columns[] = {
     {"value", "", "in SI units, and the unit of angles", 0},
-    {"unit", "", "", 0},
+    {"unit", "", "", 6},
     {NULL, NULL, NULL, 0},
 };
 

@@ -2,8 +2,10 @@
 /* Rows with random errors, and the floor that hinges need. */
 #include "command.h"
 #include "falling.h"
+#include "study.h"
 #include "terminal.h"
 #include "wide.h"
+#include "workers.h"
 #include <stdlib.h>
 
 static void study_progress(size_t done, size_t rows, void *context)
@@ -28,7 +30,7 @@ static bool study_make(struct session *session, dom_real rows, struct progress *
         .heights = errors->value[1],
         .seed = (unsigned long)session->seed,
         .rows = (size_t)rows,
-        .threads = (unsigned)session->threads,
+        .threads = workers_count(session->threads, (size_t)rows),
         .progress = study_progress,
         .context = progress,
     };
@@ -37,7 +39,7 @@ static bool study_make(struct session *session, dom_real rows, struct progress *
 
 /* ---- placement ---- */
 
-static const struct column placement_columns[] = {
+const struct column placement_columns[] = {
     {"sigma", "m", "standard deviation of every gap", 0},
     {"heights", "", "relative one of every height", 0},
     {"rows", "", "that were set up", 0},
@@ -76,33 +78,46 @@ static size_t stops_say(struct answer *a, const size_t *stops, size_t count, siz
     return first;
 }
 
+void study_answer(const struct call *call, dom_real sigma, dom_real heights, const struct dom_study *study,
+                  const size_t *stops, size_t count, const char *reason)
+{
+    size_t others = study->rows - study->fall - study->unknown;
+    size_t most = stops_say(call->answer, stops, count, others);
+    answer_row(call->answer,
+               ROW(cell_real(sigma), cell_real(heights), cell_count((dom_real)study->rows),
+                   cell_count((dom_real)study->fall),
+                   cell_bound((dom_real)study->fall / (dom_real)study->rows, DOM_NAN),
+                   cell_bound((dom_real)study->low, DOM_NAN), cell_bound((dom_real)study->high, DOM_NAN),
+                   cell_count((dom_real)study->unknown),
+                   most ? cell_count((dom_real)most) : cell_real(DOM_NAN)),
+               reason);
+}
+
+static bool placement_all(struct session *session, const struct call *call, const struct scene_row *scene,
+                          const struct dom_placement *p)
+{
+    struct dom_study study;
+    size_t *stops = calloc(scene->row.count, sizeof *stops);
+    enum dom_status status = stops ? dom_placement_study(&scene->row, p, &study, stops) : DOM_NO_MEMORY;
+    progress_show(p->context, 1);
+    if (status == DOM_OK)
+        study_answer(call, p->sigma, p->heights, &study, stops, scene->row.count, NULL);
+    free(stops);
+    return status == DOM_OK || row_status(session, status);
+}
+
 static bool run_placement(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct dom_placement p;
-    struct dom_study study;
     struct progress progress = {0, 0};
     dom_real rows = call->count > 0 ? call->number[0] : 2000;
     if (!study_make(session, rows, &progress, &scene, &p))
         return false;
-    size_t *stops = calloc(scene.row.count, sizeof *stops);
-    enum dom_status status = stops ? dom_placement_study(&scene.row, &p, &study, stops) : DOM_NO_MEMORY;
-    progress_show(&progress, 1);
-    if (status == DOM_OK) {
-        size_t others = study.rows - study.fall - study.unknown;
-        size_t most = stops_say(call->answer, stops, scene.row.count, others);
-        answer_row(call->answer,
-                   ROW(cell_real(p.sigma), cell_real(p.heights), cell_count((dom_real)study.rows),
-                       cell_count((dom_real)study.fall),
-                       cell_bound((dom_real)study.fall / (dom_real)study.rows, DOM_NAN),
-                       cell_bound((dom_real)study.low, DOM_NAN), cell_bound((dom_real)study.high, DOM_NAN),
-                       cell_count((dom_real)study.unknown),
-                       most ? cell_count((dom_real)most) : cell_real(DOM_NAN)),
-                   NULL);
-    }
-    free(stops);
+    bool done = session->shard.parts > 0 ? study_blocks(session, call, &scene, &p)
+                                         : placement_all(session, call, &scene, &p);
     free(scene.domino);
-    return status == DOM_OK || row_status(session, status);
+    return done;
 }
 
 /* ---- budget ---- */
@@ -132,10 +147,10 @@ static bool run_budget(struct session *session, const struct call *call)
     enum dom_status status = dom_placement_budget(&scene.row, &p, (double)share, &budget);
     free(scene.domino);
     if (status == DOM_STOPS)
-        return session_error(session, p.heights > 0
-                                          ? "even with every gap exact fewer rows than that fall"
-                                          : "even placed without any error the row does not fall: 'mend' "
-                                            "looks for what saves it");
+        return session_no_answer(session, p.heights > 0
+                                              ? "even with every gap exact fewer rows than that fall"
+                                              : "even placed without any error the row does not fall: 'mend' "
+                                                "looks for what saves it");
     if (status != DOM_OK)
         return session_status(session, status);
     bool free_of_it = !isfinite(budget.sigma);
@@ -191,12 +206,30 @@ const struct command study_commands[] = {
      .summary = "the probability that the whole row falls, and where not",
      .help = "The scene's row is set up ROWS times (2000), each gap with a random error: 'effect placement "
              "SIGMA'. "
-             "Row number i is the same for the same 'seed', whatever 'threads' is. ^C stops it.",
+             "Row number i is the same for the same 'seed', whatever 'threads' is. ^C stops it. With 'domino "
+             "--shard 2/7' it is the second of seven parts of the study, and answers with counts of blocks "
+             "of 100 "
+             "rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 8 mm; placement 500",
-     .see = "budget effect",
+     .see = "pool budget effect",
      .columns = placement_columns,
      .principal = 4,
      .run = run_placement},
+    {.name = "pool",
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "what 'placement' answers, from the parts of a study",
+     .help =
+         "FILE, or '-' for standard input, is the outputs of 'domino --shard I/N' with 'set output csv' and "
+         "'placement' for all I, one behind the other in any order. The answer is that of the whole study, "
+         "digit "
+         "for digit. Rows that are missing are told, rows that stand there twice and blocks of another study "
+         "are errors.",
+     .see = "placement",
+     .columns = placement_columns,
+     .unswept = "it reads a file",
+     .principal = 4,
+     .files = true,
+     .run = pool_run},
     {.name = "budget",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},

@@ -8,7 +8,7 @@
 enum { CYCLES_MAX = 1000 };
 
 #define WALK_COLUMNS                                                                                         \
-    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 0},                \
+    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 6},                \
         {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
         {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
         {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \
@@ -133,13 +133,14 @@ static bool walk_end(struct session *session, bool forward)
 {
     const struct walk *w = &session->walk;
     if (!forward)
-        return session_error(session, "this is the launch of the first cycle; 'step' goes on");
+        return session_no_answer(session, "this is the launch of the first cycle; 'step' goes on");
     return w->verdict == DOM_STOPS
-               ? session_error(session,
-                               "the train has stopped, it comes no further; 'why' says more, 'goto launch' "
-                               "begins again")
-               : session_error(session, "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
-                               CYCLES_MAX);
+               ? session_no_answer(
+                     session, "the train has stopped, it comes no further; 'why' says more, 'goto launch' "
+                              "begins again")
+               : session_no_answer(session,
+                                   "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
+                                   CYCLES_MAX);
 }
 
 /* Where the walk ends before the steps do, it answers for those that it could make, then says why. */
@@ -200,13 +201,13 @@ static bool run_goto(struct session *session, const struct call *call)
                       : w->events[k].theta <= place)
             found = k;
     if (found < 0)
-        return session_error(session, "there is no '%s' in this cycle; 'cycle' lists its events",
-                             dom_event_text((enum dom_event_kind)(-1 - (int)place)));
+        return session_no_answer(session, "there is no '%s' in this cycle; 'cycle' lists its events",
+                                 dom_event_text((enum dom_event_kind)(-1 - (int)place)));
     if (place > w->events[w->count - 1].theta)
-        return session_error(session,
-                             "the train stops at theta = %.10g %s, it does not come as far; 'goto stop' does",
-                             (double)style_angle(&session->style, w->events[w->count - 1].theta),
-                             style_angle_unit(&session->style));
+        return session_no_answer(
+            session, "the train stops at theta = %.10g %s, it does not come as far; 'goto stop' does",
+            (double)style_angle(&session->style, w->events[w->count - 1].theta),
+            style_angle_unit(&session->style));
     w->event = found;
     w->theta = place < 0 ? w->events[found].theta : place;
     return walk_answer(session, call, true);

@@ -10,6 +10,7 @@ const struct command_group command_groups[] = {
     {"How far it can grow", limit_commands},
     {"The train in pictures", draw_commands},
     {"Curves", plot_commands},
+    {"Any answer over a grid", sweep_commands},
     {"Effects beyond the paper", effect_commands},
     {"A row of dominoes", row_commands},
     {"Rows with random errors", study_commands},
@@ -60,8 +61,11 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    int k = names_exact(command_names, NULL, name);
-    return k < 0 ? NULL : command_at(k);
+    for (const struct command_group *g = command_groups; g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (strcmp(c->name, name) == 0)
+                return c;
+    return NULL;
 }
 
 const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
@@ -83,12 +87,12 @@ static bool tilt_check(struct session *session, const struct argument *a, struct
     /* Its end as it was answered, in degrees and with all digits, may have been rounded up. */
     dom_real slack = 2 * (dom_real)dom_arithmetic(session->train.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
-        return session_error(session,
-                             "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
-                             "%.17g], 'thetac' is its end",
-                             a->name, wide_shown(style_angle(&session->style, theta)).text,
-                             style_angle_unit(&session->style), a->name,
-                             (double)style_angle(&session->style, angles.theta_c));
+        return session_no_answer(session,
+                                 "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
+                                 "%.17g], 'thetac' is its end",
+                                 a->name, wide_shown(style_angle(&session->style, theta)).text,
+                                 style_angle_unit(&session->style), a->name,
+                                 (double)style_angle(&session->style, angles.theta_c));
     *number = fmin(fabs(theta), angles.theta_c); /* no -0 */
     return true;
 }
@@ -101,12 +105,12 @@ static bool is_tilt(const struct argument *a)
 static bool effect_check(struct session *session, const struct dom_effect_argument *a, dom_real value)
 {
     if (!(value >= a->lowest && value <= a->highest))
-        return session_error(session, "%s = %s is out of range; %s, the %s, is in %g .. %g%s%s", a->name,
-                             wide_shown(value).text, a->name, a->meaning, (double)a->lowest,
-                             (double)a->highest, *a->unit ? " " : "", a->unit);
+        return session_no_answer(session, "%s = %s is out of range; %s, the %s, is in %g .. %g%s%s", a->name,
+                                 wide_shown(value).text, a->name, a->meaning, (double)a->lowest,
+                                 (double)a->highest, *a->unit ? " " : "", a->unit);
     if (a->whole && value != floor(value))
-        return session_error(session, "%s = %s is no whole number; %s is one in %g .. %g", a->name,
-                             wide_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
+        return session_no_answer(session, "%s = %s is no whole number; %s is one in %g .. %g", a->name,
+                                 wide_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
     return true;
 }
 
@@ -134,18 +138,18 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     if (a->effect && !effect_check(session, a->effect, q.value))
         return false;
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
-        return session_error(session, "%s = %s is no height; %s is a length in metres, larger than 0",
-                             a->name, wide_shown(q.value).text, a->name);
+        return session_no_answer(session, "%s = %s is no height; %s is a length in metres, larger than 0",
+                                 a->name, wide_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (dom_real)1e9))
-        return session_error(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
-                             wide_shown(q.value).text, a->name);
+        return session_no_answer(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
+                                 wide_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= COUNT_MAX && q.value == floor(q.value)))
-        return session_error(session, "%s = %s is no count; %s is an integer in 1 .. %d", a->name,
-                             wide_shown(q.value).text, a->name, COUNT_MAX);
+        return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d", a->name,
+                                 wide_shown(q.value).text, a->name, COUNT_MAX);
     if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
-        return session_error(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
-                             wide_shown(q.value).text, a->name, p->name, (double)p->lowest,
-                             (double)p->highest);
+        return session_no_answer(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
+                                 wide_shown(q.value).text, a->name, p->name, (double)p->lowest,
+                                 (double)p->highest);
     return !p || parameter_check(session, p, q.value);
 }
 

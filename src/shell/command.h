@@ -26,6 +26,8 @@ enum argument_kind {
     ARGUMENT_WORD,      /* any word, or several between "..." */
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
     ARGUMENT_EFFECT,    /* a value for the effect before it, or on, off, or a file where it takes one */
+    ARGUMENT_GRID,      /* values of parameters and effects, up to a ':' */
+    ARGUMENT_COMMAND,   /* ':' and a command that answers */
     ARGUMENT_REST,      /* the rest of the line as it is */
 };
 
@@ -49,6 +51,7 @@ struct call {
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
+    struct sweep *sweep;       /* of ARGUMENT_GRID and ARGUMENT_COMMAND */
     struct answer *answer;
 };
 
@@ -63,8 +66,10 @@ struct command {
     const struct column *columns; /* of the answer, or NULL */
     int principal;                /* the column that it stands for in an expression; -1 for none */
     bool rows;
-    bool train;                                                    /* is about the endless train */
-    bool files;                                                    /* touches files: not in a safe session */
+    const char *echo;    /* the column that repeats this parameter, unless an argument takes its place */
+    const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
+    bool train;          /* is about the endless train */
+    bool files;          /* touches files: not in a safe session */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
 };
 
@@ -77,7 +82,7 @@ extern const struct command_group command_groups[]; /* ends with a NULL title */
 extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
     session_commands[], help_commands[];
 extern const struct command draw_commands[], plot_commands[];
-extern const struct command effect_commands[], row_commands[], study_commands[];
+extern const struct command effect_commands[], row_commands[], study_commands[], sweep_commands[];
 
 /* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */
 const char *command_names(const void *context, int k);

@@ -2,6 +2,7 @@
 #include "complete.h"
 #include "command.h"
 #include "effects.h"
+#include "grid.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,12 +68,18 @@ static struct offer offer_effect(const char *name, bool first)
     return offer;
 }
 
-static struct offer offer_for(const struct argument *a, const struct parameter *p)
+static struct offer offer_for(const struct argument *a, const struct parameter *p, bool first)
 {
     struct offer offer = {.files = a->kind == ARGUMENT_FILE};
     if (a->kind == ARGUMENT_PARAMETER)
         offer_list(&offer, parameter_names, NULL);
-    else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
+    else if (a->kind == ARGUMENT_GRID) {
+        offer_list(&offer, grid_names, NULL);
+        if (!first) {
+            offer_list(&offer, value_names, NULL);
+            offer_list(&offer, function_names, NULL);
+        }
+    } else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
         offer_list(&offer, topic_names, NULL);
     else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE)
         offer_list(&offer, a->choices, NULL);
@@ -86,8 +93,18 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     return offer;
 }
 
-/* What the words before the last one call for. */
-static struct offer offer_at(const char *line, size_t length)
+/* Commands that answer, and can be swept. */
+static const char *swept_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
+        if (command_find(name)->columns && !command_find(name)->unswept && k-- == 0)
+            return name;
+    return NULL;
+}
+
+/* What the words before the last one call for; swept: behind the ':' of a sweep. */
+static struct offer offer_at(const char *line, size_t length, bool swept)
 {
     struct offer offer = {.lists = 0};
     const struct command *c = NULL;
@@ -114,11 +131,14 @@ static struct offer offer_at(const char *line, size_t length)
         words++;
     }
     if (words == 0)
-        offer_list(&offer, command_names, NULL);
+        offer_list(&offer, swept ? swept_names : command_names, NULL);
+    else if (c && c->argument[0].kind == ARGUMENT_GRID)
+        offer = offer_for(&c->argument[0], NULL, words == 1); /* as long as it may be */
     else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_EFFECT)
         offer = offer_effect(effect, words == 2);
     else if (c && words <= ARGUMENTS_MAX)
-        offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL);
+        offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL,
+                          words == 1);
     return offer;
 }
 
@@ -138,6 +158,19 @@ static const struct command *command_before_dot(const char *text, const char *do
     return c && c->principal >= 0 ? c : NULL;
 }
 
+/* Behind the ':' of a sweep a command begins. */
+static const char *swept_command(const char *line)
+{
+    char name[32], message[NAMES_MESSAGE];
+    const char *colon = strchr(line, ':');
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(line, " \t:"), line);
+    int k = colon && *name ? names_find(command_names, NULL, "command", name, message) : -1;
+    const struct command *c = k < 0 ? NULL : command_find(command_names(NULL, k));
+    if (!c || c->argument[0].kind != ARGUMENT_GRID)
+        return line;
+    return colon + 1 + strspn(colon + 1, " \t");
+}
+
 void complete_line(const char *line, bool files, void (*emit)(const char *, void *), void *context)
 {
     const char *begin = line, *last;
@@ -145,6 +178,8 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
         if (*c == ';')
             begin = c + 1;
     begin += strspn(begin, " \t");
+    const char *line_begin = begin;
+    begin = swept_command(begin);
     last = begin + strlen(begin);
     while (last > begin && !strchr(" \t", last[-1]))
         last--;
@@ -154,7 +189,7 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
         if (*c == '"')
             quote = quote ? NULL : c + 1;
     last = quote ? quote : last;
-    struct offer offer = offer_at(begin, (size_t)(last - (quote != NULL) - begin));
+    struct offer offer = offer_at(begin, (size_t)(last - (quote != NULL) - begin), begin > line_begin);
     /* In an expression the name begins behind the operator. */
     const char *name = last;
     for (const char *c = last; *c && offer.lists == 3; c++)

@@ -102,8 +102,7 @@ static bool row_from_file(struct session *session, const char *name)
     return true;
 }
 
-/* What an effect says nothing without. */
-static bool effect_needs(struct session *session, enum dom_effect_name name)
+bool effect_needs(struct session *session, enum dom_effect_name name)
 {
     char usage[EFFECT_USAGE];
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
@@ -143,6 +142,19 @@ bool effect_turn_on(struct session *session, enum dom_effect_name name, const do
     session->effect[name] = state;
     effects_apply(session);
     return true;
+}
+
+void effect_put(struct session *session, enum dom_effect_name name, dom_real value)
+{
+    const struct dom_effect *e = dom_effect(name);
+    struct effect_state *state = &session->effect[name];
+    for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+        state->value[i] = e->argument[i].usual;
+    state->on = true;
+    state->value[0] = value;
+    if (name == DOM_EFFECT_row)
+        session->listed = (struct listed_row){.domino = NULL};
+    effects_apply(session);
 }
 
 bool effect_turn_off(struct session *session, enum dom_effect_name name)

@@ -27,6 +27,13 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
  */
 bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
                     const char *path);
+/*
+ * The first value of an effect, which is on then, into a session that borrows its row: that is not given
+ * back. effect_needs: is there what it says nothing without?  An error if not.
+ */
+void effect_put(struct session *session, enum dom_effect_name name, dom_real value);
+bool effect_needs(struct session *session, enum dom_effect_name name);
+
 bool effect_turn_off(struct session *session, enum dom_effect_name name);
 
 /* Every effect off; what the session holds for them is given back. */

@@ -54,6 +54,15 @@ void expression_message(struct expression *e, const char *format, ...)
     va_end(arguments);
 }
 
+void expression_value_message(struct expression *e, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(e->message, sizeof e->message, format, arguments);
+    va_end(arguments);
+    e->of_value = true;
+}
+
 /* ---- Scanning ---- */
 
 static const char *skip(const char *c)
@@ -72,7 +81,7 @@ static bool finite_result(struct expression *e, const char *at, const struct qua
     if (isfinite(q->value))
         return true;
     e->end = at;
-    return expression_fail(e, "the value is not a finite number");
+    return expression_no_value(e, "the value is not a finite number");
 }
 
 static bool number(struct expression *e, struct quantity *q)
@@ -94,6 +103,9 @@ static bool number(struct expression *e, struct quantity *q)
 static bool postfix_unit(struct expression *e, struct quantity *q)
 {
     const char *c = skip(e->end);
+    if (c > e->end && e->no_unit && strlen(e->no_unit) == name_length(c) &&
+        strncmp(e->no_unit, c, name_length(c)) == 0)
+        return true;
     if (name_start(*c)) {
         struct quantity with = *q;
         const char *stop = unit_scan(c, &with);
@@ -136,8 +148,10 @@ static bool root(struct expression *e, const char *at, const struct quantity *a,
     e->end = at;
     if (count != 1)
         return expression_fail(e, "sqrt takes 1 value");
-    if (a->length % 2 || a->time % 2 || a->value < 0)
+    if (a->length % 2 || a->time % 2)
         return expression_fail(e, "sqrt of this is not defined");
+    if (a->value < 0)
+        return expression_no_value(e, "sqrt of this is not defined");
     *q = (struct quantity){sqrt(a->value), a->length / 2, a->time / 2, a->angle / 2};
     return true;
 }
@@ -268,7 +282,7 @@ static bool product(struct expression *e, struct quantity *q)
         good = factor(e, &by);
         if (good && *op == '/' && by.value == 0) {
             e->end = op;
-            return expression_fail(e, "division by zero");
+            return expression_no_value(e, "division by zero");
         }
         if (good) {
             quantity_multiply(q, by, *op == '/' ? -1 : 1);
@@ -314,5 +328,6 @@ bool expression_evaluate(struct expression *e, struct quantity *result)
     e->depth = 0;
     e->end = e->text;
     e->message[0] = '\0';
+    e->of_value = false;
     return sum(e, result);
 }

@@ -15,14 +15,16 @@ struct expression {
     const char *text; /* where it begins */
     const char *end;  /* behind it; after an error, where the error is */
     char message[EXPRESSION_MESSAGE];
+    bool of_value; /* the error is in the values: with others the same expression may have one */
     /*
      * Names that are neither constants nor functions of the language: parameters, answers, the field's
      * functions; key is what follows a dot, or NULL.  False with a message if there is no such thing.
      */
     bool (*lookup)(struct expression *expression, const char *name, const char *key,
                    const struct quantity *arguments, int count, struct quantity *result);
-    void *context;  /* for lookup */
-    dom_real angle; /* what 1 is in radians where a bare number stands for an angle */
+    void *context;       /* for lookup */
+    const char *no_unit; /* a unit's name that is none behind a blank; NULL for none */
+    dom_real angle;      /* what 1 is in radians where a bare number stands for an angle */
     int depth;
 };
 
@@ -33,8 +35,11 @@ bool expression_evaluate(struct expression *expression, struct quantity *result)
 void expression_message(struct expression *expression, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The same, as the value false. */
-#define expression_fail(...) (expression_message(__VA_ARGS__), false)
+/* The same of an error in the values, and both as the value false. */
+void expression_value_message(struct expression *expression, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+#define expression_no_value(...) (expression_value_message(__VA_ARGS__), false)
+#define expression_fail(...)     (expression_message(__VA_ARGS__), false)
 
 /* The k-th name that the language itself has, for completion; NULL behind the last. */
 const char *expression_name(int k);

@@ -13,7 +13,8 @@
 
 enum { EXIT_USAGE = 2 };
 
-static const char usage[] = "usage: domino [-n] [--bail] [--safe] [-e COMMANDS | -f FILE | FILE] ...\n";
+static const char usage[] =
+    "usage: domino [-n] [--bail] [--safe] [--shard I/N] [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
     "\n"
@@ -26,6 +27,7 @@ static const char help[] =
     "  -n, --no-init           do not run the start-up file, $XDG_CONFIG_HOME/domino/init.dom\n"
     "      --bail              stop at the first error\n"
     "      --safe              commands may not read or write files\n"
+    "      --shard I/N         of a curve, sweep or placement compute the part I of N\n"
     "  -h, --help              print this help\n"
     "  -V, --version           print the version\n"
     "\n"
@@ -33,10 +35,15 @@ static const char help[] =
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
-    {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
-    {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
-    {"safe", no_argument, NULL, 's'},          {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},       {NULL, 0, NULL, 0},
+    {"execute", required_argument, NULL, 'e'},
+    {"file", required_argument, NULL, 'f'},
+    {"no-init", no_argument, NULL, 'n'},
+    {"bail", no_argument, NULL, 'b'},
+    {"safe", no_argument, NULL, 's'},
+    {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},
+    {"shard", required_argument, NULL, 'p'},
+    {NULL, 0, NULL, 0},
 };
 
 /* '-': a FILE counts in its place among the options. */
@@ -46,6 +53,25 @@ static const char short_options[] = "-e:f:nhV";
 struct plan {
     bool init, prompt, sources;
 };
+
+/* "2/7"; false, with a message, for anything else. */
+static bool shard_read(const char *text, struct shard *shard)
+{
+    enum { PARTS_MAX = 1000000000 };
+    char *slash, *end;
+    bool digits = text[strspn(text, "0123456789/")] == '\0' && *text != '/';
+    unsigned long part = strtoul(text, &slash, 10), parts = 0;
+    if (digits && *slash == '/' && slash[1] != '/' && slash[1] != '\0') {
+        parts = strtoul(slash + 1, &end, 10);
+        parts = *end == '\0' ? parts : 0;
+    }
+    *shard = (struct shard){part, parts};
+    if (part >= 1 && part <= parts && parts <= PARTS_MAX)
+        return true;
+    fprintf(stderr, "domino: --shard '%s': I/N is the part I of N, 1 <= I <= N <= %d, such as 2/7\n", text,
+            PARTS_MAX);
+    return false;
+}
 
 static bool stopped(const struct session *session)
 {
@@ -89,6 +115,8 @@ static bool options_judge(int argc, char **argv, struct session *session, struct
             session->quit = true;
             return true;
         }
+        if (option == 'p' && !shard_read(optarg, &session->shard))
+            return false;
         if (option == '?') {
             fputs(usage, stderr);
             return false;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
+#include "swept.h"
 #include "terminal.h"
 #include "wide.h"
 #include <errno.h>
@@ -9,10 +10,10 @@
 /* What a number needs beside its digits: "-0." and "e-300". */
 enum {
     NUMBER_MARGIN = 6,
-    COLUMNS_MAX = 16,
     TEXT_LINE = 512,
     BOUND_MARGIN = 12, /* " +/- 1.2e-15" */
     WORDS_ROOM = 30,
+    WORDS_SHORT = 12, /* a column of these needs no more room than it takes */
     WORDS_INDENT = 8
 };
 
@@ -50,7 +51,7 @@ static bool column_bounded(const struct answer *a, int i)
 
 static void bounds_prepare(struct answer *a, const struct cell *cells)
 {
-    for (int i = 0; a->columns[i].key && !a->begun && a->style.errors; i++)
+    for (int i = 0; a->columns[i].key && !a->begun && !a->planned && a->style.errors; i++)
         if (a->columns[i].width == 0 && (cells[i].kind == CELL_REAL || cells[i].kind == CELL_NONE))
             a->bounded |= 1u << i;
 }
@@ -103,12 +104,28 @@ static const char *pretty(const struct answer *a, const char *text, char line[TE
     return line;
 }
 
+/* Rows come by the ten thousand: nobody else writes to the stream, and nothing is formatted twice. */
+static void put(FILE *out, const char *text)
+{
+    fputs_unlocked(text, out);
+}
+
+static void put_blanks(FILE *out, int count)
+{
+    static const char blanks[] = "                                ";
+    for (int n; count > 0; count -= n) {
+        n = count < (int)sizeof blanks - 1 ? count : (int)sizeof blanks - 1;
+        fwrite_unlocked(blanks, 1, (size_t)n, out);
+    }
+}
+
 /* Text in a field, by columns rather than bytes; negative widths set it to the left. */
 static void field(FILE *out, const char *text, int width)
 {
     int blanks = (width < 0 ? -width : width) - terminal_columns(text);
-    fprintf(out, "%*s%s%*s", width > 0 && blanks > 0 ? blanks : 0, "", text,
-            width < 0 && blanks > 0 ? blanks : 0, "");
+    put_blanks(out, width > 0 ? blanks : 0);
+    put(out, text);
+    put_blanks(out, width < 0 ? blanks : 0);
 }
 
 /* Text whose lines end before the column `right`, and begin at `left`; 0 for no end. */
@@ -150,30 +167,35 @@ static void cell_json(const struct answer *a, struct cell cell)
     FILE *out = a->out;
     char text[CELL_TEXT];
     if (cell.kind == CELL_NONE)
-        fputs("null", out);
+        put(out, "null");
     else if (cell.kind == CELL_FLAG)
-        fputs(cell.number != 0 ? "true" : "false", out);
+        put(out, cell.number != 0 ? "true" : "false");
     else if (cell.kind == CELL_WORD)
         quoted(out, cell.word, "\\\"");
     else
-        fputs(cell_plain(&a->style, cell, text), out);
+        put(out, cell_plain(&a->style, cell, text));
 }
 
 static void row_json(struct answer *a, const struct cell *cells, const char *reason)
 {
     char text[CELL_TEXT];
     for (int i = 0; a->columns[i].key; i++) {
-        fprintf(a->out, "%s\"%s\":", i ? "," : "{", a->columns[i].key);
+        put(a->out, i ? ",\"" : "{\"");
+        put(a->out, a->columns[i].key);
+        put(a->out, "\":");
         cell_json(a, cells[i]);
         if (column_bounded(a, i))
             fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key,
                     cell_plain_bound(&a->style, cells[i], "null", text));
     }
     if (reason) {
-        fputs(",\"reason\":", a->out);
-        quoted(a->out, reason, "\\\"");
+        put(a->out, ",\"reason\":");
+        if (*reason)
+            quoted(a->out, reason, "\\\"");
+        else
+            put(a->out, "null");
     }
-    fputs("}\n", a->out);
+    put(a->out, "}\n");
 }
 
 static void cell_csv(const struct answer *a, struct cell cell)
@@ -181,11 +203,11 @@ static void cell_csv(const struct answer *a, struct cell cell)
     FILE *out = a->out;
     char text[CELL_TEXT];
     if (cell.kind == CELL_FLAG)
-        fputs(cell.number != 0 ? "true" : "false", out);
+        put(out, cell.number != 0 ? "true" : "false");
     else if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\"\n"))
         quoted(out, cell.word, "\"\"");
     else if (cell.kind != CELL_NONE)
-        fputs(cell_plain(&a->style, cell, text), out);
+        put(out, cell_plain(&a->style, cell, text));
 }
 
 static void row_csv(struct answer *a, const struct cell *cells, const char *reason)
@@ -199,16 +221,16 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
     }
     for (int i = 0; a->columns[i].key; i++) {
         if (i)
-            putc(',', a->out);
+            putc_unlocked(',', a->out);
         cell_csv(a, cells[i]);
         if (column_bounded(a, i))
             fprintf(a->out, ",%s", cell_plain_bound(&a->style, cells[i], "", text));
     }
     if (reason) {
-        putc(',', a->out);
+        putc_unlocked(',', a->out);
         cell_csv(a, cell_word(reason));
     }
-    putc('\n', a->out);
+    putc_unlocked('\n', a->out);
 }
 
 /* ---- Tables ---- */
@@ -229,9 +251,11 @@ static int row_digits(const struct answer *a)
 static int row_words(const struct answer *a, int digits)
 {
     int at = 0;
-    for (const struct column *c = a->columns; c[1].key; c++)
+    const struct column *c = a->columns;
+    for (; c[1].key; c++)
         at += (c->width ? c->width : number_width(a, digits)) + 2;
-    return a->width && a->width - at < WORDS_ROOM ? -1 : at;
+    int room = c->width && c->width <= WORDS_SHORT ? c->width : WORDS_ROOM;
+    return a->width && a->width - at < room ? -1 : at;
 }
 
 /* One line of a table; said gives the text of a column. */
@@ -255,7 +279,7 @@ static void row_line(struct answer *a, const struct cell *cells, int digits, con
             }
         } else {
             bool open = left && !a->columns[i + 2].key && words < 0; /* no blanks at the end of the line */
-            fputs(i ? "  " : "", a->out);
+            put(a->out, i ? "  " : "");
             field(a->out, said[i], open ? 0 : left ? -wide : wide);
         }
     }
@@ -264,8 +288,8 @@ static void row_line(struct answer *a, const struct cell *cells, int digits, con
 
 static void row_table(struct answer *a, const struct cell *cells)
 {
-    char text[COLUMNS_MAX][CELL_TEXT], line[COLUMNS_MAX][TEXT_LINE];
-    const char *said[COLUMNS_MAX];
+    char text[ANSWER_COLUMNS][CELL_TEXT], line[ANSWER_COLUMNS][TEXT_LINE];
+    const char *said[ANSWER_COLUMNS];
     int digits = row_digits(a);
     bool units = false;
     for (const struct column *c = a->columns; c->key; c++)
@@ -278,7 +302,7 @@ static void row_table(struct answer *a, const struct cell *cells)
             said[i] = head == 2   ? pretty(a, a->columns[i].key, line[i])
                       : head == 1 ? column_unit(a, &a->columns[i], text[i])
                                   : pretty(a, table_text(a, cells[i], digits, text[i]), line[i]);
-        row_line(a, cells, digits, said, head > 0);
+        row_line(a, head > 0 && a->swept && a->swept->like ? a->swept->like : cells, digits, said, head > 0);
     }
 }
 
@@ -306,37 +330,59 @@ static void row_lines(struct answer *a, const struct cell *cells)
     }
 }
 
-/* Before the first line: what the terminal can do, and the blank line between answers. */
+/* What the terminal can do. */
+static void answer_ask(struct answer *a)
+{
+    a->width = terminal_width(a->out);
+    a->letters = a->width && terminal_utf8();
+    a->bold = terminal_colour(a->out);
+    errno = 0; /* asking what is no terminal sets it */
+}
+
+/* Before the first line: the blank line between answers. */
 static void answer_prepare(struct answer *a)
 {
     if (a->prepared)
         return;
     a->prepared = true;
     ticker_stop(); /* before it mixes with the answer */
-    a->width = terminal_width(a->out);
-    a->letters = a->width && terminal_utf8();
-    a->bold = terminal_colour(a->out);
-    errno = 0; /* asking what is no terminal sets it */
+    if (!a->planned)
+        answer_ask(a);
     if (a->gap && a->style.output == OUTPUT_TABLE)
         putc('\n', a->out);
 }
 
-void answer_row(struct answer *a, const struct cell *cells, const char *reason)
+void answer_plan(struct answer *a, const struct cell *like)
 {
-    struct cell shown[COLUMNS_MAX];
-    int n = 0;
-    for (; a->columns[n].key; n++) {
+    if (!a->out || a->swept) /* the rows of a point are as those of the sweep */
+        return;
+    answer_ask(a);
+    if (like)
+        bounds_prepare(a, like);
+    a->planned = true;
+}
+
+struct answer answer_part(const struct answer *a, FILE *out, bool first)
+{
+    struct answer part = *a;
+    part.out = out;
+    part.kept = NULL;
+    part.begun = part.begun || !first;
+    part.prepared = part.prepared || !first;
+    return part;
+}
+
+void answer_write(struct answer *a, const struct cell *cells, const char *reason)
+{
+    struct cell shown[ANSWER_COLUMNS];
+    for (int n = 0; a->columns[n].key; n++) {
         shown[n] = cells[n];
         shown[n].error = a->style.errors ? shown[n].error : 0;
         if (column_angle(&a->columns[n])) {
             shown[n].number = style_angle(&a->style, cells[n].number);
             shown[n].error = style_angle(&a->style, shown[n].error);
         }
-        if (a->kept)
-            a->kept[n] = cells[n];
     }
-    if (!a->out)
-        return;
     answer_prepare(a);
     bounds_prepare(a, cells);
     errno = 0;
@@ -351,8 +397,19 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
     a->begun = true;
     if (ferror(a->out) && !a->lost)
         a->lost = errno;
-    if (reason)
-        answer_say(a, "%s", reason);
+}
+
+void answer_row(struct answer *a, const struct cell *cells, const char *reason)
+{
+    for (int n = 0; a->columns[n].key && a->kept; n++)
+        a->kept[n] = cells[n];
+    if (a->swept) {
+        swept_row(a, cells, reason);
+    } else if (a->out) {
+        answer_write(a, cells, reason);
+        if (reason)
+            answer_say(a, "%s", reason);
+    }
 }
 
 bool answer_lost(const struct answer *a)
@@ -362,7 +419,7 @@ bool answer_lost(const struct answer *a)
 
 bool answer_for_people(const struct answer *a)
 {
-    return a->out && a->style.output == OUTPUT_TABLE;
+    return a->out && a->style.output == OUTPUT_TABLE && !a->swept;
 }
 
 void answer_say(struct answer *a, const char *format, ...)

@@ -152,7 +152,7 @@ static int gnuplot_wait(const struct session *session, pid_t child)
     int status = 0;
     pid_t ended;
     while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
-        if (session->train.interrupt && *session->train.interrupt)
+        if (dom_raised(session->train.interrupt))
             kill(child, SIGKILL);
         nanosleep(&moment, NULL);
     }
@@ -199,7 +199,7 @@ static bool draw(struct session *session, const struct picture *picture, FILE *d
     int wrong = gnuplot_run(session, picture->script, drawing, complaints);
     if (wrong > 0)
         return session_error(session, "cannot run gnuplot: %s", strerror(wrong));
-    if (wrong && session->train.interrupt && *session->train.interrupt)
+    if (wrong && dom_raised(session->train.interrupt))
         return session_status(session, DOM_INTERRUPTED);
     rewind(complaints);
     while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n^") == strlen(line))

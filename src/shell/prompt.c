@@ -86,14 +86,14 @@ static volatile sig_atomic_t interrupted, resized, suspended, ended;
 
 static void on_signal(int number)
 {
-    if (number == SIGINT)
-        interrupted = 1;
-    else if (number == SIGWINCH)
+    if (number == SIGINT || number == SIGTERM || number == SIGHUP)
+        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads look at it: dom_raised */
+    if (number == SIGWINCH)
         resized = 1;
     else if (number == SIGTSTP)
         suspended = 1;
-    else
-        interrupted = ended = number;
+    else if (number != SIGINT)
+        ended = number;
 }
 
 static const int watched[] = {SIGINT, SIGWINCH, SIGTSTP, SIGTERM, SIGHUP};

@@ -107,7 +107,7 @@ const struct parameter session_parameters[] = {
      .offset = offsetof(struct session, seed)},
     {.name = "threads",
      .unit = "",
-     .meaning = "of studies; 0: as many as there are processors",
+     .meaning = "of curves, sweeps and studies; 0: as many as there are processors",
      .highest = 256,
      .whole = true,
      .offset = offsetof(struct session, threads),
@@ -176,7 +176,19 @@ static void session_caret(const struct session *session)
     fprintf(stderr, "%*s\n", above ? at : session->column + CARET_INDENT, "^");
 }
 
-bool session_error(struct session *session, const char *format, ...)
+/* A point of a sweep has no terminal: the first message is kept. */
+static void session_hear(const struct session *session, bool no_answer, const char *format, va_list arguments)
+{
+    struct heard *h = session->heard;
+    if (*h->text)
+        return;
+    h->column = session->column;
+    h->command = session->command;
+    h->no_answer = no_answer;
+    vsnprintf(h->text, sizeof h->text, format, arguments);
+}
+
+static void session_tell(struct session *session, const char *format, va_list arguments)
 {
     char text[1024];
     int n = 0;
@@ -190,41 +202,77 @@ bool session_error(struct session *session, const char *format, ...)
     n = n < (int)sizeof text / 2 ? n : (int)sizeof text / 2;
     if (session->command)
         n += snprintf(text + n, sizeof text - (size_t)n, "%s: ", session->command);
-    va_list arguments;
-    va_start(arguments, format);
     vsnprintf(text + n, sizeof text - (size_t)n, format, arguments);
-    va_end(arguments);
     bool colour = terminal_colour(stderr) && !session->source;
     fputs(colour ? "\033[31m" : "", stderr);
     output_wrapped(stderr, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
     fputs(colour ? "\033[m\n" : "\n", stderr);
     session->fresh = false;
+}
+
+static bool session_say(struct session *session, bool no_answer, const char *format, va_list arguments)
+{
+    if (session->heard)
+        session_hear(session, no_answer, format, arguments);
+    else
+        session_tell(session, format, arguments);
     session->errors++;
     return false;
+}
+
+bool session_error(struct session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    session_say(session, false, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool session_no_answer(struct session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    session_say(session, true, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+struct range session_part(const struct session *session, size_t points)
+{
+    struct shard s = session->shard;
+    if (s.parts == 0)
+        return (struct range){0, points};
+    /* points k / parts, rounded down, without the product, which may be too large. */
+    size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
+    size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
+    return (struct range){first, end - first};
 }
 
 bool session_stops(const struct session *session, long errors)
 {
     return session->quit || ferror(session->out) || (session->bail && session->errors > errors) ||
-           (session->train.interrupt && *session->train.interrupt);
+           dom_raised(session->train.interrupt);
 }
 
 bool session_status(struct session *session, enum dom_status status)
 {
     const struct dom_train *t = &session->train;
     session->column = 0;
+    if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY) /* no matter with which values */
+        return session_error(session, "%s", dom_status_text(status));
     if (status == DOM_OUT_OF_REACH)
-        return session_error(session,
-                             "r s = %s > 1: the head falls past the next domino without touching it; "
-                             "at s = %s r may be up to 1/s = %.17g",
-                             wide_shown(t->r * t->s).text, wide_shown(t->s).text, (double)(1 / t->s));
+        return session_no_answer(session,
+                                 "r s = %s > 1: the head falls past the next domino without touching it; "
+                                 "at s = %s r may be up to 1/s = %.17g",
+                                 wide_shown(t->r * t->s).text, wide_shown(t->s).text, (double)(1 / t->s));
     if (status == DOM_NO_METHOD && t->mu > 0 && t->fuel == DOM_FUEL_PAPER)
-        return session_error(session,
-                             "the paper's closed form of the fuel knows no friction; 'set fuel exact', or "
-                             "'effect friction off'");
+        return session_no_answer(
+            session, "the paper's closed form of the fuel knows no friction; 'set fuel exact', or "
+                     "'effect friction off'");
     if (status == DOM_TOO_LONG)
-        return session_error(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
-    return session_error(session, "%s", dom_status_text(status));
+        return session_no_answer(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
+    return session_no_answer(session, "%s", dom_status_text(status));
 }
 
 const char *parameter_names(const void *context, int k)
@@ -355,17 +403,17 @@ bool parameter_check(struct session *session, const struct parameter *p, dom_rea
     dom_real lowest = parameter_lowest(session, p);
     parameter_range(session, p, range, sizeof range);
     if (p->whole && value != floor(value))
-        return session_error(session, "%s = %s is no whole number; %s is one in %s", p->name,
-                             wide_shown(value).text, p->name, range);
+        return session_no_answer(session, "%s = %s is no whole number; %s is one in %s", p->name,
+                                 wide_shown(value).text, p->name, range);
     /* The doubles of the table are the nearest to decimals: both are inside. */
     if ((value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) && value <= p->highest)
         return true;
     if (p->lowest_of && value > 0 && value < lowest)
-        return session_error(session, "%s = %s is below what %s precision can give; %s is a number in %s%s",
-                             p->name, wide_shown(value).text, arithmetic->name, p->name, range,
-                             session->train.precision == DOM_QUAD ? ""
-                                                                  : ", a wider precision has a lower floor");
-    return session_error(session, "%s = %s is out of range; %s is a number in %s%s%s%s", p->name,
-                         wide_shown(value).text, p->name, range, *p->unit ? " " : "", p->unit,
-                         p->words ? ", or one of its words" : "");
+        return session_no_answer(
+            session, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
+            wide_shown(value).text, arithmetic->name, p->name, range,
+            session->train.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
+    return session_no_answer(session, "%s = %s is out of range; %s is a number in %s%s%s%s", p->name,
+                             wide_shown(value).text, p->name, range, *p->unit ? " " : "", p->unit,
+                             p->words ? ", or one of its words" : "");
 }

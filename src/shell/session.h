@@ -21,6 +21,19 @@ struct effect_state {
     dom_real value[DOM_EFFECT_ARGUMENTS];
 };
 
+/* The message of a session that is not to write it, and what it is about. */
+struct heard {
+    char text[512];
+    int column;
+    const char *command;
+    bool no_answer; /* see session_no_answer */
+};
+
+/* Which part of a sweep or study is asked for: --shard part/parts. */
+struct shard {
+    size_t part, parts;
+};
+
 /* Dominoes that are listed in a file, and gaps that were changed since. */
 struct listed_row {
     struct dom_domino *domino; /* NULL for none */
@@ -55,6 +68,8 @@ struct session {
     bool appended;          /* it is behind '>>' */
     const char *redirected; /* the name of the file behind '>' that out is; NULL for none */
     const char *command;    /* the one that runs, for messages */
+    struct heard *heard;    /* unless NULL, takes the first message: this session is a point of a sweep */
+    struct shard shard;     /* parts is 0 where the whole is asked for */
     bool bail;              /* the first error ends the session */
     bool safe;              /* commands may not touch files */
     bool quit;
@@ -80,6 +95,18 @@ dom_real session_mass(const struct session *session);
 
 /* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
 bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/*
+ * The same where the line is right, but has no answer with these values: a sweep goes on to its next point.
+ */
+bool session_no_answer(struct session *session, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Of so many points, or whatever stands in a row: the first of this session's part, and how many it has. */
+struct range {
+    size_t first, count;
+};
+struct range session_part(const struct session *session, size_t points);
 
 /*
  * Is the rest of the input not to be run?  After quit, where nobody reads the output, after ^C, and with

@@ -2,6 +2,7 @@
 #include "terminal.h"
 #include <langinfo.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
@@ -50,7 +51,8 @@ static void wipe(void)
 
 /* ---- The ticker: a signal handler that writes a few bytes ---- */
 
-static volatile sig_atomic_t ticks, ticker_quiet;
+/* Written by the handler, and by whichever thread has the first row. */
+static atomic_int ticks, ticker_quiet;
 
 static void on_tick(int number)
 {
@@ -58,7 +60,7 @@ static void on_tick(int number)
     if (ticker_quiet || ticks > 99999)
         return;
     char text[] = "\r      s; ^C stops it ";
-    int n = (int)++ticks;
+    int n = ++ticks;
     for (char *digit = text + 5; n > 0; n /= 10)
         *digit-- = (char)('0' + n % 10);
     (void)!write(STDERR_FILENO, text, sizeof text - 1);
@@ -75,7 +77,8 @@ void ticker_start(void)
     if (!isatty(STDERR_FILENO))
         return;
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
-    ticks = ticker_quiet = 0;
+    ticks = 0;
+    ticker_quiet = 0;
     sigaction(SIGALRM, &action, NULL);
     ticker_set(1);
 }
@@ -90,8 +93,19 @@ void ticker_stop(void)
     ticks = 0;
 }
 
+static _Thread_local bool muted;
+
+bool progress_mute(bool mute)
+{
+    bool before = muted;
+    muted = mute;
+    return before;
+}
+
 void progress_show(struct progress *p, double fraction)
 {
+    if (muted)
+        return;
     double now = terminal_clock();
     if (ticks > 0 && !ticker_quiet && isatty(STDERR_FILENO))
         wipe();

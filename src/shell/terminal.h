@@ -38,4 +38,7 @@ double terminal_clock(void);
  */
 void progress_show(struct progress *progress, double fraction);
 
+/* Whether this thread shows none: its work is part of other work.  What it was before. */
+bool progress_mute(bool mute);
+
 #endif

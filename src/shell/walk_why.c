@@ -6,7 +6,7 @@
 #include <string.h>
 
 const struct column why_columns[] = {
-    {"verdict", "", "goes on, stops, or no fuel", 0},
+    {"verdict", "", "goes on, stops, or no fuel", 7},
     {"fuel", "mgh/2", "P, set free by one cycle (c7)", 0},
     {"J0", "", "J(0): the collision keeps the share 1 - 1/J(0) (c4)", 0},
     {"kinetic", "mgh/2", "K after the collision, P T/(r^q (1+T) - T), T = J(0) - 1 (c6)", 0},
@@ -18,7 +18,7 @@ const struct column why_columns[] = {
 
 /* The same where dominoes rub. */
 static const struct column why_rubbing_columns[] = {
-    {"verdict", "", "goes on, stops, or no fuel", 0},
+    {"verdict", "", "goes on, stops, or no fuel", 7},
     {"fuel", "mgh/2", "P, set free by one cycle (c7), less what friction takes of it", 0},
     {"J0", "", "J(0), inertia of the train (d8, corrected)", 0},
     {"kinetic", "mgh/2", "K after the collision, of cycles that are alike", 0},

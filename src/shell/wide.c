@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wide.h"
+#include "decimal.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -9,8 +10,22 @@ extern int strfromf128(char *restrict text, size_t size, const char *restrict fo
 extern dom_real strtof128(const char *restrict text, char **restrict end);
 #endif
 
+/* The same digits sooner, where the value is a double, or one decides. */
+static bool quick_text(dom_real value, int digits, char text[WIDE_TEXT])
+{
+    enum { LONGEST = 17, SURE = 14 };
+    double near = (double)value;
+    if ((dom_real)near != value)
+        return digits > 0 && digits <= SURE && decimal_near(near, digits, text);
+    bool whole = near > -1e15 && near < 1e15 && near == (double)(long long)near;
+    return digits > 0 && (digits <= LONGEST || whole) &&
+           decimal_text(near, digits < LONGEST ? digits : LONGEST, text);
+}
+
 const char *wide_text(dom_real value, int digits, char text[WIDE_TEXT])
 {
+    if (quick_text(value, digits, text))
+        return text;
 #if defined DOM_REAL_FLOAT128
     char format[16];
     snprintf(format, sizeof format, "%%.%dg", digits < WIDE_DIGITS ? digits : WIDE_DIGITS);

@@ -25,6 +25,7 @@ golden() {
 @test "equal.dom" { golden equal; }
 @test "record.dom" { golden record; }
 @test "tutorial.dom" { golden tutorial; }
+@test "sweep.dom" { golden sweep; }
 
 @test "no example is without a golden transcript" {
     for example in "$root"/examples/*.dom; do
@@ -48,6 +49,7 @@ sentence() {
         macro=${usage%% *}
         for word in $(cut -s -d ' ' -f 2- <<<"$usage"); do
             case $word in
+            ":") macro="$macro :" ;;
             "["*) word=${word#?} macro="$macro Op Ar ${word%?}" ;;
             *) macro="$macro Ar $word" ;;
             esac
@@ -90,12 +92,12 @@ sentence() {
 }
 
 @test "the README's sessions are what the program prints" {
-    # Blocks that begin with '$ domino' are commands with their output; the last digits of the 17 may
+    # Blocks that begin with '$ domino' or '$ for' are commands with their output; the last digits of the 17 may
     # differ with the C library's sine.
     awk '/^```/ { inside = !inside; next } inside' "$root/README.md" >"$BATS_TEST_TMPDIR/blocks"
     PATH=$(dirname "$DOMINO"):$PATH
     cd "$root" || false
-    grep '^\$ domino' "$BATS_TEST_TMPDIR/blocks" >"$BATS_TEST_TMPDIR/commands"
+    grep '^\$ \(domino\|for\) ' "$BATS_TEST_TMPDIR/blocks" >"$BATS_TEST_TMPDIR/commands"
     [ -s "$BATS_TEST_TMPDIR/commands" ]
     while IFS= read -r command; do
         awk -v command="$command" '$0 == command { on = 1; next } /^\$ / { on = 0 } on' \

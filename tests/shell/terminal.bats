@@ -263,12 +263,14 @@ $prompt" "$(screen | tail -n 3)"
 
 @test "progress is shown after a second, and wiped" {
     open_session 80 24
-    type_in 'curve 0.01 0.9 10000 > /dev/null'
+    type_in 'set threads 1; effect row 20; effect placement 1 mm'
+    press Enter
+    type_in 'sweep seed 1 150 150 : placement 100 > /dev/null'
     press Enter
     see '^ *[0-9]+ %, .*left'
     see_last "$prompt"
     hides 'left'
-    same 'nothing is left of it' "$prompt curve 0.01 0.9 10000 > /dev/null
+    same 'nothing is left of it' "$prompt sweep seed 1 150 150 : placement 100 > /dev/null
 $prompt" "$(screen | tail -n 2)"
 }
 

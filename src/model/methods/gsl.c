@@ -5,6 +5,7 @@
  * adaptive quadrature.  No care is taken of second maxima, kinks or a near-stop.
  */
 #include "precision/kernel.inc"
+#include "quiet.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_min.h>
@@ -132,7 +133,7 @@ static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_
 {
     if (error)
         return DOM_NO_METHOD;
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    quiet_begin();
     struct gsl_context c = {.train = train, .lean = lean_read(train)};
     double reach = 1 / (double)train->s, r = reach, at_1 = gsl_margin(1, &c);
     enum dom_end ends = DOM_END_REACH;
@@ -145,7 +146,7 @@ static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_
         ends = DOM_END_BARRIER;
         c.status = gsl_root(&c, 1, reach, &r);
     }
-    gsl_set_error_handler(handler);
+    quiet_end();
     if (c.status == DOM_OK)
         *limit = (struct dom_limit){.r_max = r, .ends = ends};
     return c.status;
@@ -175,11 +176,11 @@ static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_rea
     if (!space)
         return DOM_NO_MEMORY;
     gsl_function f = {gsl_slowness, &c};
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    quiet_begin();
     double value = 0, estimate = 0, tol = fmax((double)train->tol, 50 * REAL_EPSILON);
     int code =
         gsl_integration_qags(&f, 0, tilt_angle(c.lean.c), 0, tol, GSL_INTERVALS, space, &value, &estimate);
-    gsl_set_error_handler(handler);
+    quiet_end();
     gsl_integration_workspace_free(space);
     if (c.status == DOM_OK && code == GSL_SUCCESS)
         *duration = value;

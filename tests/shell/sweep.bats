@@ -1,0 +1,283 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sweeps, on any number of threads and in any number of parts; studies in parts; the scripts for clusters.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+root=$BATS_TEST_DIRNAME/../..
+
+csv() { "$DOMINO" -e "set output csv; $1"; }
+
+# One message, these words, no row, and the session goes on.
+wrong() { # COMMANDS PATTERN
+    run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
+    [ "$status" -eq 1 ] || same "$1: status" 1 "$status"
+    [ "$(wc -l <<<"$stderr")" -eq 1 ] || same "$1: one line" 1 "$stderr"
+    grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
+    [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
+}
+
+# Sweeps of every kind: what is answered, in one row or several, words, gaps, effects, units, precisions.
+sweeps='sweep s 0.1 0.9 81 d 0.05 0.3 6 : rmax
+sweep s 0.02 0.98 200 : barrier
+sweep q hollow, massive s 0.001 1 40 log : launch
+sweep s 0.1 0.9 30 : count 112 0.9*rmax
+sweep s 0.1 0.9 30 : theta1 40 deg
+sweep s 0.1 0.9 9 : chain 0.05
+sweep r 1.2 2.4 13 : cycle 4
+sweep d 0.1 0.2 4 : curve 0.1 0.5 5
+sweep friction 0 0.4 5 s 0.2 0.4 3 : duration
+sweep row 3 9 3 push 5, 6.5 : fall
+sweep fuel exact, paper s 0.1 0.4 3 : fuel
+sweep precision float, double, quad : rmax
+sweep s 0.1 0.9 300 : print 112*s/r
+set mass 1; sweep s 0.4, 0.9, 0.1 : step 3
+set errors on; sweep s 0.9 0.3 13 : barrier
+set angle deg; sweep r 1.2 2 5 : thetac
+curve 0.02 0.9 100'
+
+@test "the same bytes on any number of threads" {
+    while IFS= read -r sweep; do
+        for format in csv json table; do
+            one=$("$DOMINO" -e "set output $format; set threads 1; $sweep" | sha1sum)
+            for threads in 2 3 4 0; do
+                same "$sweep: $format, $threads threads" "$one" \
+                    "$("$DOMINO" -e "set output $format; set threads $threads; $sweep" | sha1sum)"
+            done
+        done
+    done <<<"$sweeps"
+}
+
+@test "parts of any number concatenate to the whole, in csv and json" {
+    while IFS= read -r sweep; do
+        for format in csv json; do
+            "$DOMINO" -e "set output $format; $sweep" >"$BATS_TEST_TMPDIR/whole"
+            for parts in 1 2 3 7 40; do
+                for part in $(seq "$parts"); do
+                    "$DOMINO" --shard "$part/$parts" -e "set output $format; $sweep"
+                done >"$BATS_TEST_TMPDIR/parts"
+                cmp "$BATS_TEST_TMPDIR/whole" "$BATS_TEST_TMPDIR/parts" || same "$sweep" "$format" "$parts"
+            done
+        done
+    done <<<"$(grep -v 'row 3\|40 log\|print' <<<"$sweeps")"
+}
+
+@test "each row is what the command answers when asked for it alone" {
+    csv 'sweep s 0.1 0.5 5 d 0.1 0.3 3 : rmax' | tail -n +2 | while IFS=, read -r s d r ends exact paper _; do
+        same "s = $s, d = $d" "$(csv "set d $d; rmax $s" | tail -n 1)" "$s,$r,$ends,$exact,$paper"
+    done
+    same rows 16 "$(csv 'sweep s 0.1 0.5 5 d 0.1 0.3 3 : rmax' | wc -l)"
+    # The first parameter is the slowest.
+    same order '0.1 0.1,0.1 0.2,0.3 0.1,0.3 0.2' \
+        "$(json 'sweep s 0.1 0.3 2 d 0.1 0.2 2 : fuel' | sed -E 's/\{"s":([^,]*),"d":([^,]*),.*/\1 \2/' | paste -sd , -)"
+    same 'like curve' "$(csv 'curve 0.02 0.9 33' | tail -n +2 | cut -d , -f 1,2)" \
+        "$(csv 'sweep s 0.02 0.9 33 : rmax' | tail -n +2 | cut -d , -f 1,2)"
+    same effects "$(json 'effect row 6; effect push 5; verdict' | values seconds)" \
+        "$(json 'sweep row 6, 7 push 5, 6 : verdict' | head -n 1 | values seconds)"
+    same 'of a row from a file' "$(json "effect row $root/examples/record.csv; effect push 4; verdict" | values short_by)" \
+        "$(json "effect row $root/examples/record.csv; effect push 3; sweep push 3 4 2 : verdict" | tail -n 1 | values short_by)"
+}
+
+@test "grids: even, by equal ratios, lists, words, units, one point, in degrees" {
+    grid() { csv "sweep $1 : print 0" | tail -n +2 | cut -d , -f "1-${2:-1}" | paste -sd ' ' -; }
+    same even '0.1 0.3 0.5' "$(grid 's 0.1 0.5 3')"
+    same down '0.5 0.3 0.1' "$(grid 's 0.5 0.1 3')"
+    same ratios '0.001 0.01 0.1 1' "$(grid 's 0.001 1 4 log')"
+    same list '0.3 0.1 0.25' "$(grid 's 0.3, 0.1,1/4')"
+    same words '3 4' "$(grid 'q hollow, massive')"
+    same from 'exact paper' "$(grid 'fuel exact, paper')"
+    same units '0.01 0.02' "$(grid 'h 1 cm 20 mm 2')"
+    same expressions '0.2 0.4' "$(grid 's s/2 s 2')"
+    same one 0.4 "$(grid 's 0.4 0.4 1')"
+    same whole '1 4 7' "$(grid 'seed 1 7 3')"
+    same 'whole, by ratios' '5 16 50' "$(grid 'row 5 50 3 log')"
+    same 's is no second here' '0.1,0.2 0.1,0.4' "$(grid 'd 0.1 0.1 1 s 0.2 0.4 2' 2)"
+    same 'nor behind a list' '0.1,0.4 0.2,0.4' "$(grid 'd 0.1, 0.2 s 0.4 0.4 1' 2)"
+    same 'without blanks' '0.1 0.2' "$(csv 'sweep s 0.1 0.2 2: print 0' | tail -n +2 | cut -d , -f 1 | paste -sd ' ' -)"
+    same 'tol follows precision' '1e-05 1e-12 1e-30' \
+        "$(csv 'sweep precision float, double, quad : print tol' | tail -n +2 | cut -d , -f 2 | paste -sd ' ' -)"
+}
+
+@test "columns: none twice, what only repeats a parameter is left out" {
+    same rmax s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax' | head -n 1)"
+    same 'rmax S' s,rmax.s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax s/2' | head -n 1)"
+    same best s,best.s,r_max,reason "$(csv 'sweep s 0.2 0.4 2 : best' | head -n 1)"
+    same fuel fuel,fuel.fuel,fuel_exact,fuel_paper,reason "$(csv 'sweep fuel exact, paper : fuel' | head -n 1)"
+    same count r,height,dominoes,exact,first_height,last_height,feasible,reason "$(csv 'sweep r 1.2 1.5 2 : count 112 m' | head -n 1)"
+    same 'count H R' r,height,count.r "$(csv 'sweep r 1.2 1.5 2 : count 112 m r/2+1' | head -n 1 | cut -d , -f 1-3)"
+    same errors s,s_error,theta,theta_error,omegasq,omegasq_error,omega,omega_error,reason \
+        "$(csv 'set errors on; sweep s 0.001 0.4 2 : omega 0' | head -n 1)"
+    # With and without friction, and with masses or none: the same columns in every row.
+    same friction 14 "$(csv 'sweep friction 0, 0.2 : step' | awk -F , '{ print NF }' | sort -u)"
+    csv 'effect row 3; sweep mass 0, 1 : row' | awk -F , 'NR > 1 && ($1 == 0 ? $6 != "" : $7 != "") { exit 1 }'
+}
+
+@test "a point without an answer has a row with the reason, and the sweep goes on" {
+    csv 'sweep s 0.1 0.9 9 : theta1 40 deg' >"$BATS_TEST_TMPDIR/rows"
+    same rows 10 "$(wc -l <"$BATS_TEST_TMPDIR/rows")"
+    same 'tilt too large' 4 "$(grep -c '^[0-9.]*,,,,,,"T = .* is outside the cycle' "$BATS_TEST_TMPDIR/rows")"
+    same 'out of reach' 3 "$(grep -c '^[0-9.]*,,,,,,r s = .* > 1: the head falls past' "$BATS_TEST_TMPDIR/rows")"
+    same answers 2 "$(grep -c '^[0-9.]*,[^,].*,$' "$BATS_TEST_TMPDIR/rows")"
+    json 'sweep s 0.1 0.9 9 : theta1 40 deg' >"$BATS_TEST_TMPDIR/objects"
+    same null 2 "$(grep -c '"reason":null}$' "$BATS_TEST_TMPDIR/objects")"
+    same reason 7 "$(grep -c '"arm_b":null,"reason":".*"}$' "$BATS_TEST_TMPDIR/objects")"
+    run -0 "$DOMINO" -e 'sweep s 0.1 0.9 9 : theta1 40 deg'
+    same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
+    grep -q '^7 of 9 points have a reason, which csv and json give; the first is s = 0.1: T = 0.69' <<<"$output"
+    # Answers with a reason of their own, in an argument, in a command inside an expression, of a row.
+    grep -q 'lies no lower than it stood' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
+    grep -q "rmax.r_max does not exist here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
+    grep -q 'division by zero' <<<"$(csv 'sweep s 0.4 0.5 2 : print 1/(s - 0.4)')"
+    grep -q ',all fall$' <<<"$(csv 'effect row 5; effect push 6; sweep s 0.3 0.4 2 : mend')"
+    grep -q 'exclude each other\|does not give that answer\|knows no friction' <<<"$(csv 'effect friction 0.1; sweep fuel exact, paper : barrier')"
+    # A row, and why there is no more of it.
+    same 'stops' 3 "$(csv 'sweep r 1.9 1.9 1 : step 9' | wc -l)"
+    grep -q 'the train has stopped' <<<"$(csv 'sweep r 1.9 1.9 1 : step 9' | tail -n 1)"
+    run -0 "$DOMINO" -e 'sweep s 0.9 0.1 3 : cycle 2'
+    same 'the head of a table shows units though its first point has no answer' 'h s rad rad rad rad/s mgh/2 mgh/2' \
+        "$(sed -n 2p <<<"$output" | xargs)"
+}
+
+@test "a sweep leaves no trace in the session" {
+    before=$(json 'goto top; show; where; print ans.theta')
+    after=$(json 'goto top; show; where; sweep s 0.1 0.9 5 q hollow, massive friction 0, 0.1 : step 2; print ans.theta' | grep -v '"q":')
+    same 'parameters, walk and ans' "$before" "$after"
+    same 'effects' "$("$DOMINO" -e 'effect row 4; scene')" \
+        "$("$DOMINO" -e 'effect row 4; sweep row 3, 5 > /dev/null : verdict' 2>/dev/null; "$DOMINO" -e 'effect row 4; sweep row 3, 5 : verdict > /dev/null; scene')"
+}
+
+@test "what is wrong with a line is one message and no row" {
+    wrong 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
+    wrong 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
+    wrong 'sweep s 0.1 0.9 9' "':' and a command are missing"
+    wrong 'sweep s 0.1 0.9 9 :' "the command behind ':' is missing"
+    wrong 'sweep s' 's: FROM is missing'
+    wrong 'sweep s 0.1 : rmax' 's: TO is missing'
+    wrong 'sweep s 0.1 0.9 : rmax' ':17: .*s: N, the number of values, is missing'
+    wrong 'sweep s 0.1, : rmax' "a value behind ',' is missing"
+    wrong 'sweep z 0.1 0.9 9 : rmax' ":7: sweep: unknown parameter 'z'"
+    wrong 'sweep frictio 0 1 3 : foo' "unknown command 'foo'"
+    wrong 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
+    wrong 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' stands where the name of a parameter belongs"
+    wrong 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
+    wrong 'sweep s 0.1 3 cm 9 : rmax' 's is a plain number, not a length'
+    wrong 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'
+    wrong 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is no count'
+    wrong 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' stands twice"
+    wrong 'sweep fuel exact paper 2 : rmax' 'fuel has words'
+    wrong 'sweep seed 1 10 5 : rmax' 'whole numbers only'
+    wrong 'sweep mass 0 1 3 log : rmax' 'equal ratio need FROM and TO above 0'
+    wrong 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'
+    wrong 'sweep s 0.1 0.9 9 : set s 0.1' "'set' has no answer"
+    wrong 'sweep s 0.1 0.9 9 : cost rmax' "'cost' is not swept: it measures time"
+    wrong 'sweep s 0.1 0.9 9 : draw' "'draw' is not swept: it draws"
+    wrong 'sweep s 0.1 0.9 9 : sweep d 0.1 0.2 2 : rmax' 'its grid takes all parameters at once'
+    wrong 'sweep s 0.1 0.9 9 : theta1 foo' ":28: theta1: T at 'foo': 'foo' has no value"
+    wrong 'sweep s 0.1 0.9 9 : theta1' 'theta1: T is missing; usage: theta1 T'
+    wrong 'sweep s 0.1 0.9 9 : rmax 0.1 0.2' "'0.2' is one argument too many"
+    wrong 'sweep s 0.1 0.9 9 : fall' "there is no row here: 'effect row N'"
+    wrong 'sweep push 1 9 9 : fall' 'push is about a row'
+    wrong 'set errors on; set threads 4; sweep s 0.1 0.9 9 : theta1 foo' "'foo' has no value"
+}
+
+@test "';', comments and '>' end the command that is swept" {
+    same ';' '0.4 3' "$(csv "sweep s 0.1 0.3 2 : print s > $BATS_TEST_TMPDIR/out; print s # done" | tail -n 1 | cut -d , -f 1) $(wc -l <"$BATS_TEST_TMPDIR/out")"
+    same 'a comment' 3 "$(csv 'sweep s 0.1 0.3 2 : print s # : rmax' | wc -l)"
+    rm "$BATS_TEST_TMPDIR/out"
+    csv "sweep s 0.1 0.3 2 : theta1 foo > $BATS_TEST_TMPDIR/out" 2>/dev/null || true
+    [ ! -e "$BATS_TEST_TMPDIR/out" ]
+    { csv 'sweep s 0.1 0.9 200000 : print s' 2>/dev/null || true; } | head -n 2 | tail -n 1 >"$BATS_TEST_TMPDIR/first"
+    same 'a closed pipe' 0.1,0.1,, "$(cat "$BATS_TEST_TMPDIR/first")"
+    run -1 --separate-stderr "$DOMINO" -e 'set output csv; set threads 4; sweep s 0.1 0.9 20000 : print s > /dev/full'
+    grep -q 'No space left on device' <<<"$stderr"
+}
+
+@test "--shard: what is no part is one line and status 2" {
+    for shard in 0/3 4/3 3 /3 3/ a/b 1/2/3 -1/2 '' 1//2 1/0 ' 1/2' 1/99999999999999999999; do
+        run --separate-stderr "$DOMINO" --shard "$shard" -e rmax
+        same "--shard '$shard'" "2  1" "$status $output $(wc -l <<<"$stderr")"
+        grep -qF -- "--shard '$shard': I/N is the part I of N" <<<"$stderr"
+    done
+    run -2 --separate-stderr "$DOMINO" -e rmax --shard
+}
+
+# ---- Studies in parts ----
+
+study='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
+
+parts() { # PARTS ROWS
+    for part in $(seq "$1"); do "$DOMINO" --shard "$part/$1" -e "set output csv; $study; placement $2"; done
+}
+
+@test "placement in parts: the same blocks whatever their number; pool answers as the whole study" {
+    parts 1 530 >"$BATS_TEST_TMPDIR/whole"
+    same blocks 7 "$(wc -l <"$BATS_TEST_TMPDIR/whole")"
+    for n in 2 3 7; do
+        parts "$n" 530 >"$BATS_TEST_TMPDIR/parts"
+        cmp "$BATS_TEST_TMPDIR/whole" "$BATS_TEST_TMPDIR/parts"
+    done
+    same '3 threads' "$(cat "$BATS_TEST_TMPDIR/whole")" \
+        "$("$DOMINO" --shard 1/1 -e "set threads 3; set output csv; $study; placement 530")"
+    for format in csv json table; do
+        same "$format" "$("$DOMINO" -e "set output $format; $study; placement 530")" \
+            "$("$DOMINO" -e "set output $format; pool $BATS_TEST_TMPDIR/parts")"
+    done
+    same 'any order, standard input' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
+        "$(sort "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
+    # Row number i is the same in any study: the first hundred of 530 are those of 100.
+    same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p "$BATS_TEST_TMPDIR/whole" | cut -d , -f 7-)"
+}
+
+@test "pool: missing rows are told, twice and other studies are errors" {
+    parts 3 400 >"$BATS_TEST_TMPDIR/all"
+    grep -v ',101,100,' "$BATS_TEST_TMPDIR/all" >"$BATS_TEST_TMPDIR/less"
+    same missing '"reason":"100 of the 400 rows are missing, the first is number 101"}' \
+        "$(json "pool $BATS_TEST_TMPDIR/less" | grep -o '"reason".*')"
+    same 'of fewer' 300 "$(json "pool $BATS_TEST_TMPDIR/less" | values rows)"
+    pool_fails() { # PATTERN < blocks
+        cat >"$BATS_TEST_TMPDIR/blocks"
+        wrong "pool $BATS_TEST_TMPDIR/blocks" "$1"
+    }
+    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails 'row 1 of the study stands twice'
+    study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6: this block is of another study'
+    study="$study; place 3 40 mm" parts 2 400 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6: this block is of another study'
+    pool_fails 'there are no blocks' </dev/null
+    pool_fails ':1: a block of a study has other fields' <<<'height,mass'
+    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2: this is no block of a study: its counts do not fit'
+    wrong "pool $BATS_TEST_TMPDIR/none" 'No such file'
+    run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"
+    grep -q 'safe session' <<<"$stderr"
+}
+
+# ---- The scripts for clusters ----
+
+@test "examples/cluster: GNU parallel gives the whole sweep and the whole study" {
+    "$root/examples/cluster/parallel.sh" 5 "$BATS_TEST_TMPDIR"
+    "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - "$BATS_TEST_TMPDIR/sweep.csv"
+    "$DOMINO" -f "$root/examples/cluster/placement.dom" | cmp - "$BATS_TEST_TMPDIR/placement.csv"
+}
+
+@test "examples/cluster: the tasks of a job array of Slurm add up to the whole" {
+    cd "$BATS_TEST_TMPDIR"
+    for SLURM_ARRAY_TASK_ID in $(seq 11); do
+        export SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT=11
+        sh "$root/examples/cluster/slurm.sh" "$root/examples/cluster/sweep.dom"
+    done
+    same names 11 "$(find . -name 'part-??.csv' | wc -l)"
+    "$DOMINO" -f "$root/examples/cluster/sweep.dom" >whole
+    cat part-*.csv | cmp - whole
+    # What Slurm reads are comments at the top.
+    same array '#SBATCH --array=1-20' "$(grep -x '#SBATCH --array=.*' "$root/examples/cluster/slurm.sh")"
+    # A part that fails leaves none that looks whole.
+    rm part-*
+    SLURM_ARRAY_TASK_ID=12 run ! sh "$root/examples/cluster/slurm.sh" "$root/examples/cluster/sweep.dom"
+    same 'no part' 0 "$(find . -name 'part-*.csv' | wc -l)"
+}
+
+# ---- ^C ----
+
+@test "^C ends a script in the middle of a sweep; on a terminal see prompt.bats" {
+    run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'
+    same 'no answer' '' "$output"
+}

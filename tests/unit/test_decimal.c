@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The shell's quick decimals against printf and strtod, character by character. */
+#include "support.h"
+
+#include "../../src/shell/cell.h"
+#include "../../src/shell/decimal.h"
+#include "../../src/shell/wide.h"
+#undef fabs
+#undef pow
+
+static uint64_t random_bits(void)
+{
+    static uint64_t state = 88172645463325252u; /* xorshift */
+    state ^= state << 13;
+    state ^= state >> 7;
+    return state ^= state << 17;
+}
+
+/* Of any size that the quick way takes, and a bit beyond; of all bits, of few, or a decimal of few digits. */
+static double random_double(int k)
+{
+    double fraction = (double)(random_bits() >> 11) * 0x1p-53, size = (double)(random_bits() % 30) - 13;
+    if (k % 4 == 0)
+        return ldexp((double)(random_bits() % 64), (int)(random_bits() % 90) - 45);
+    if (k % 4 == 1)
+        return (double)(random_bits() % 1000000) / pow(10, (double)(random_bits() % 12));
+    return (k % 8 < 4 ? 1 : -1) * fraction * pow(10, size);
+}
+
+static void one_text(double value)
+{
+    char quick[DECIMAL_TEXT], printed[64];
+    for (int digits = 1; digits <= 17; digits++) {
+        snprintf(printed, sizeof printed, "%.*g", digits, value);
+        if (decimal_text(value, digits, quick))
+            assert_string_equal(quick, printed);
+        else
+            assert_false(fabs(value) >= 1.5e-11 && fabs(value) < 1e15);
+    }
+}
+
+static void one_shortest(double value)
+{
+    char quick[DECIMAL_TEXT], printed[64];
+    int digits = 14;
+    do
+        snprintf(printed, sizeof printed, "%.*g", ++digits, value);
+    while (digits < 17 && strtod(printed, NULL) != value);
+    if (decimal_shortest(value, 15, 53, quick))
+        assert_string_equal(quick, printed);
+    float single = (float)value;
+    digits = 6;
+    do
+        snprintf(printed, sizeof printed, "%.*g", ++digits, (double)single);
+    while (digits < 9 && strtof(printed, NULL) != single);
+    if (decimal_shortest((double)single, 7, 24, quick))
+        assert_string_equal(quick, printed);
+}
+
+static void random_numbers(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 100000; k++) {
+        double value = random_double(k);
+        one_text(value);
+        one_shortest(value);
+    }
+}
+
+/* Ties, ends of the range, powers of two and ten with their neighbours, all nines. */
+static void hard_numbers(void **state)
+{
+    (void)state;
+    static const double hard[] = {0,        -0.0,   0.5,        1.5,     2.5,      0.125,     0.375,
+                                  1e-5,     1e-4,   9.5,        99.5,    1e15,     1e14,      1.5e-11,
+                                  1.49e-11, 0.1,    0.3,        1.0 / 3, 123456.5, 1234565.0, 1e300,
+                                  1e-300,   5e-324, 0.00012345, 999999.5};
+    for (size_t i = 0; i < sizeof hard / sizeof *hard; i++) {
+        one_text(hard[i]);
+        one_shortest(hard[i]);
+        one_text(-hard[i]);
+    }
+    for (int e = -40; e <= 52; e++) {
+        double power = ldexp(1, e), ten = pow(10, e / 3.0);
+        double near[] = {power, nextafter(power, 0), nextafter(power, HUGE_VAL), round(ten),
+                         nextafter(round(ten), 0)};
+        for (size_t i = 0; i < sizeof near / sizeof *near; i++) {
+            one_text(near[i]);
+            one_shortest(near[i]);
+        }
+        /* The same of floats. */
+        one_shortest((double)nextafterf((float)power, 0));
+        one_shortest((double)nextafterf((float)power, HUGE_VALF));
+    }
+    char text[DECIMAL_TEXT];
+    assert_false(decimal_text((double)NAN, 10, text));
+    assert_false(decimal_text(HUGE_VAL, 10, text));
+    assert_false(decimal_shortest(1e300, 15, 53, text));
+}
+
+#if defined DOM_REAL_FLOAT128
+extern int strfromf128(char *restrict text, size_t size, const char *restrict format, dom_real value);
+
+/* Wider numbers in few digits, those close to a tie too, which no double tells. */
+static void wide_numbers(void **state)
+{
+    (void)state;
+    char quick[WIDE_TEXT], printed[64], format[16];
+    for (int k = 0; k < 100000; k++) {
+        dom_real value = (dom_real)random_double(k);
+        if (k % 3 == 0)
+            value += value * (dom_real)random_double(k + 1) * (dom_real)1e-17;
+        else if (k % 3 == 1)
+            value /= 3;
+        else
+            value = (dom_real)(double)((float)(k % 1000) + 0.5F) + (k % 2 ? 1 : -1) * (dom_real)1e-25;
+        for (int digits = 1; digits <= 20; digits++) {
+            snprintf(format, sizeof format, "%%.%dg", digits);
+            strfromf128(printed, sizeof printed, format, value);
+            assert_string_equal(wide_text(value, digits, quick), printed);
+        }
+    }
+}
+#else
+static void wide_numbers(void **state)
+{
+    (void)state;
+}
+#endif
+
+/* What csv and json write reads back to the same number. */
+static void cells_return(void **state)
+{
+    (void)state;
+    const struct output_style style = {.precision = DOM_DOUBLE, .all_digits = 17};
+    char text[CELL_TEXT];
+    for (int k = 0; k < 100000; k++) {
+        double value = random_double(k);
+        assert_true(strtod(cell_plain(&style, cell_real((dom_real)value), text), NULL) == value);
+    }
+    assert_string_equal(cell_plain(&style, cell_count(112), text), "112");
+    assert_string_equal(cell_plain(&style, cell_count((dom_real)1e15), text), "1000000000000000");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_numbers),
+        cmocka_unit_test(hard_numbers),
+        cmocka_unit_test(wide_numbers),
+        cmocka_unit_test(cells_return),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
