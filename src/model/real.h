@@ -36,6 +36,8 @@
     X(floor)                                                                                                 \
     X(ceil)                                                                                                  \
     X(round)                                                                                                 \
+    Y(fmax)                                                                                                  \
+    Y(fmin)                                                                                                  \
     Y(hypot)                                                                                                 \
     Y(atan2)                                                                                                 \
     Y(pow)

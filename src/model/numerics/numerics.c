@@ -209,23 +209,24 @@ static real chebyshev_weight(const real *cosine, int j, int n)
     for (int k = 1; k <= n / 2; k++) {
         int at = 2 * j * k % (2 * n);
         real c = at <= n ? cosine[at] : cosine[2 * n - at];
-        sum -= (k < n / 2 ? 2 : 1) * c / (real)(4 * k * k - 1);
+        sum -= (real)(k < n / 2 ? 2 : 1) * c / (real)(4 * k * k - 1);
     }
     return j == 0 ? sum : 2 * sum;
 }
 
 static real chebyshev_level(struct span *s, int level)
 {
-    const int n = CHEBYSHEV_FIRST << level, stride = CHEBYSHEV_MOST / n;
+    const int n = CHEBYSHEV_FIRST << level;
+    const size_t stride = CHEBYSHEV_MOST / (size_t)n;
     real cosine[CHEBYSHEV_MOST + 1], sum = 0;
     for (int j = 0; j <= n; j++)
         cosine[j] = j == n / 2 ? 0 : cos(PI * (real)j / (real)n);
     /* From level to level the odd ones are new. */
     for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
-        s->value[j * stride] = chebyshev_value(s, cosine[j]);
+        s->value[(size_t)j * stride] = chebyshev_value(s, cosine[j]);
     for (int j = 0; j <= n / 2 && !s->failed; j++) {
-        real pair = s->value[j * stride] + (j < n - j ? s->value[(n - j) * stride] : 0);
-        sum += chebyshev_weight(cosine, j, n) * pair;
+        const real *left = s->value + (size_t)j * stride, *right = s->value + (size_t)(n - j) * stride;
+        sum += chebyshev_weight(cosine, j, n) * (left < right ? *left + *right : *left);
     }
     return s->half * sum / (real)n;
 }
