@@ -205,6 +205,8 @@ static real rmax_at(real s, void *context)
 {
     struct margin_context *c = context;
     struct limit limit;
+    if (c->status != DOM_OK) /* the reason of the first failure */
+        return REAL_NAN;
     c->s = s;
     if (rmax_find(c, &limit, NULL) != DOM_OK)
         return REAL_NAN;

@@ -27,7 +27,8 @@ static enum dom_status margin_barrier(const struct lean *g, struct margin_contex
             status = barrier_tops(g, b);
     }
     if (status != DOM_OK)
-        status = barrier_search(g, tilt_angle(g->c), c->errors ? g->tol / 8 : TOP_TOL(g), b);
+        /* With friction the height is right to the second order of the tilt alone. */
+        status = barrier_search(g, tilt_angle(g->c), c->errors || g->mu > 0 ? g->tol / 8 : TOP_TOL(g), b);
     if (status == DOM_OK && c->errors)
         status = barrier_error(g, b, &b_error);
     m->barrier = b->height;

@@ -61,9 +61,11 @@ KERNEL_LOOP real far_off(const struct lean *g, struct tilt tilt)
     return part + part * part * g->far.half_cot;
 }
 
-KERNEL_LOOP bool far_done(const struct series *s, real tail, real tol)
+/* Is the last term of a tail below the tolerance of the sum with it?  rest is the first, which may cancel the
+ * sum. */
+KERNEL_LOOP bool far_done(const struct series *s, real rest, real last, real tol)
 {
-    return fabs(tail) <= TAIL_SHARE * fmax(tol * fabs(s->sum), UNIT * s->size);
+    return fabs(last) <= TAIL_SHARE * fmax(tol * fabs(s->sum + rest), UNIT * s->size);
 }
 
 /*
@@ -74,12 +76,12 @@ KERNEL_LOOP bool far_near(const struct lean *g, const struct sum_state *state, c
                           const struct link *b, real t)
 {
     const struct far *far = &g->far;
-    real off = far_off(g, b->tilt);
-    if (!far_done(&state->dH, a->weight * 2 * t * far->H3 * off * off, g->tol) || off > g->inf.x / 16)
+    real off = far_off(g, b->tilt), H = a->weight * 2 * t;
+    if (!far_done(&state->dH, H * far->H1, H * far->H3 * off * off, g->tol) || off > g->inf.x / 16)
         return false;
     real e = far_off(g, a->tilt), H1 = a->weight * a->slope, J = a->inertia * a->slope * a->slope;
-    return far_done(&state->H1, H1 * far->H3 * e * e, g->tol) &&
-           far_done(&state->J, J * far->J2 * e * e, g->tol);
+    return far_done(&state->H1, H1 * far->H1, H1 * far->H3 * e * e, g->tol) &&
+           far_done(&state->J, J * far->J0, J * far->J2 * e * e, g->tol);
 }
 
 static void far_add(const struct lean *g, struct sum_state *state, const struct link *a, const struct link *b,

@@ -4,6 +4,10 @@
 ## Reads questions, one a line and blank ones between (see the end), and answers each with the seconds that it took
 ## and a number.
 1;
+## No file is left behind where the benchmark is stopped.
+crash_dumps_octave_core (false);
+sigterm_dumps_octave_core (false);
+sighup_dumps_octave_core (false);
 
 ## The maximum of f over [0, last], f(0) = 0: the best of a few tilts, then of as many around it, and so on.  f is
 ## asked for all of them at once, which takes less time than fminbnd.

@@ -288,6 +288,87 @@ static void errors_are_normal(void **state)
     assert_true(study.low < share && share < study.high);
 }
 
+/* ---- Loose tolerances, and answers that nearly vanish: cases in which a short cut once gave a wrong one
+ * ---- */
+
+static struct dom_train train_of(double s, double r, double d, double q, double tol)
+{
+    struct dom_train train = dom_train_default();
+    train.s = s;
+    train.r = r;
+    train.d = d;
+    train.q = q;
+    train.tol = tol;
+    return train;
+}
+
+/* The tolerance is that of the fuel, not of the terms that cancel in it: the verdict is right. */
+static void nearly_no_fuel(void **state)
+{
+    (void)state;
+    struct dom_train train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);
+    struct dom_barrier barrier;
+    struct dom_limit limit;
+    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_STOPS);
+    assert_near("kinetic", barrier.kinetic, 2.08e-8, 2e-2);
+    train = train_of(0.0012625496548142601, 1, 0.085573654891847373, 4, 0.1);
+    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_int_equal(limit.ends, DOM_END_NONE);
+}
+
+static void rubbing_limits_keep_their_tolerance(void **state)
+{
+    (void)state;
+    struct dom_train train = train_of(0.019955912492509168, 1, 0.081093509197390626, 0.084354154235885, 1e-6);
+    struct dom_limit limit;
+    train.mu = 0.19177475568455454;
+    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_near("r_max, mu 0.19", limit.r_max, 31.211167857490278, 1e-6);
+    train = train_of(0.85285114301754439, 1, 0.084052372155600644, 4, 1e-12);
+    train.mu = 0.12244818425305021;
+    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_near("r_max, mu 0.12", limit.r_max, 1.1718802774146955, 1e-12);
+}
+
+/* A thin domino's slowness is a peak at 0 on a wide range: two rules agreed on it by chance. */
+static void durations_of_thin_dominoes(void **state)
+{
+    (void)state;
+    struct dom_train train =
+        train_of(0.02072704061889355, 11.027200294736572, 1.1351813090041499e-10, 4, 0.00781374);
+    dom_real duration = DOM_NAN, error = DOM_NAN;
+    train.fuel = DOM_FUEL_PAPER;
+    assert_status(dom_cycle_duration(&train, &duration, &error), DOM_OK);
+    assert_true(fabs((double)duration - 13.0849188) <= (double)error + 1e-6 && error < 0.1);
+    train.tol = 1e-12;
+    assert_status(dom_cycle_duration(&train, &duration, &error), DOM_OK);
+    assert_near("duration", duration, 13.0849188, 1e-8);
+}
+
+/* Of a short way the time is its length over omega(0), however far away the top is. */
+static void times_of_short_ways(void **state)
+{
+    (void)state;
+    for (double theta = 1e-3; theta > 1e-18; theta /= 10) {
+        struct dom_train train =
+            train_of(0.060450113348942083, 1.309076436736778, 0.071010571508516099, 3, 1e-12);
+        struct dom_state at;
+        struct dom_launch launch;
+        assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta, &at, NULL), DOM_OK);
+        double omega = sqrt((double)launch.omegasq);
+        assert_near("time", at.time * omega / theta, 1, 1e-11 + 100 * theta);
+    }
+}
+
+static void the_reason_is_the_first(void **state)
+{
+    (void)state;
+    struct dom_train train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
+    struct dom_best best;
+    assert_status(dom_limit_best(&train, &best, NULL), DOM_TOO_LONG);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -301,6 +382,11 @@ int main(void)
         cmocka_unit_test(floor_at_the_reach),
         cmocka_unit_test(budgets),
         cmocka_unit_test(errors_are_normal),
+        cmocka_unit_test(nearly_no_fuel),
+        cmocka_unit_test(rubbing_limits_keep_their_tolerance),
+        cmocka_unit_test(durations_of_thin_dominoes),
+        cmocka_unit_test(times_of_short_ways),
+        cmocka_unit_test(the_reason_is_the_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

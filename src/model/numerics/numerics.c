@@ -93,6 +93,7 @@ struct span {
     real lo, hi, half;
     real cut; /* terms of this share end the sum: they fall off faster than a geometric series */
     bool failed;
+    real tail;                          /* what the nodes of the last level do not resolve of f, as a share */
     real step, sum;                     /* of the double exponential rule */
     real peak, width, from, to, *value; /* of the other, in x = peak + width sinh u, if width is not NaN */
 };
@@ -113,14 +114,18 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     real before = next(s, 0), off_before = 1;
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
-        if (level >= 2 && (span_left(off, off_before) <= tol || off <= 4 * REAL_EPSILON)) {
+        /* Two levels may agree by chance; then the nodes do not resolve f yet. */
+        real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
+        if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
             if (error && level < levels) /* a guess is no bound: the next level shows what was left */
-                *error = 2 * fabs(next(s, level + 1) - value) + fabs(value) * (4 * s->cut + 8 * UNIT);
-            else if (error)
-                *error = off * fabs(value);
+                off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * UNIT;
+            if (error)
+                *error = (off + unseen) * fabs(value);
             return s->failed ? NUM_NOT_FINITE : NUM_OK;
         }
+        if (level >= 2 && s->tail > (real)0.01) /* far from it: another rule does better */
+            break;
         before = value;
         off_before = off;
     }
@@ -218,16 +223,22 @@ static real chebyshev_level(struct span *s, int level)
 {
     const int n = CHEBYSHEV_FIRST << level;
     const size_t stride = CHEBYSHEV_MOST / (size_t)n;
-    real cosine[CHEBYSHEV_MOST + 1], sum = 0;
+    real cosine[CHEBYSHEV_MOST + 1], sum = 0, a[3] = {0};
     for (int j = 0; j <= n; j++)
         cosine[j] = j == n / 2 ? 0 : cos(PI * (real)j / (real)n);
     /* From level to level the odd ones are new. */
     for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
         s->value[(size_t)j * stride] = chebyshev_value(s, cosine[j]);
-    for (int j = 0; j <= n / 2 && !s->failed; j++) {
-        const real *left = s->value + (size_t)j * stride, *right = s->value + (size_t)(n - j) * stride;
-        sum += chebyshev_weight(cosine, j, n) * (left < right ? *left + *right : *left);
+    for (int j = 0; j <= n && !s->failed; j++) {
+        /* The last terms of the Chebyshev series, n, n - 1 and n - 2, alternate with the nodes. */
+        real value = s->value[(size_t)j * stride], c = cosine[j];
+        real part = (real)(j % 2 ? -1 : 1) * (j == 0 || j == n ? value / 2 : value);
+        sum += chebyshev_weight(cosine, j <= n / 2 ? j : n - j, n) * value;
+        a[0] += part;
+        a[1] += 2 * part * c;
+        a[2] += 2 * part * (2 * c * c - 1);
     }
+    s->tail = fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2]))) * 2 / fabs(sum);
     return s->half * sum / (real)n;
 }
 
@@ -235,7 +246,9 @@ KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo
                                          real width, real tol, real *integral, real *error)
 {
     real value[CHEBYSHEV_MOST + 1];
-    bool flat = isfinite(width);
+    /* Nothing is peaked on a piece that is shorter than the peak is wide, or than it is away. */
+    real away = fmax(fmax(lo - peak, peak - hi), 0);
+    bool flat = isfinite(width) && hi - lo > fmax(width, away);
     struct span s = {.f = f,
                      .context = context,
                      .lo = flat ? arsinh((lo - peak) / width) : lo,
