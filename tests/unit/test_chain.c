@@ -54,6 +54,57 @@ static void the_far_tail_is_the_train(void **state)
     assert_true(shorter > TRAINS / 4);
 }
 
+/* What far_add says of the train behind two dominoes at theta_inf - e and theta_inf - 2 e, less what it is.
+ */
+static void far_errors(const struct lean *g, double e, struct sums *off)
+{
+    double theta = tilt_angle(g->inf);
+    struct link a = link_head(g, tilt_make(sin(theta - e), cos(theta - e)));
+    struct link b = link_head(g, tilt_make(sin(theta - 2 * e), cos(theta - 2 * e)));
+    struct sum_state closed = {0};
+    struct sums whole, between;
+    far_add(g, &closed, &a, &b, tan(e / 2));
+    assert_status(chain_sum(g, a.tilt, &whole), DOM_OK);
+    assert_status(chain_bend_from(g, b.tilt, a.tilt, &between), DOM_OK);
+    *off = (struct sums){.J = closed.J.sum - whole.J,
+                         .H1 = closed.H1.sum - whole.H1,
+                         .H2 = far_H2(&a, 0) - between.H2,
+                         .dH = closed.dH.sum - between.dH};
+}
+
+/* By how many powers of e: 0 where the error is rounding. */
+static double order_of(double coarse, double fine, double noise)
+{
+    return fabs(fine) > noise ? log2(fabs(coarse / fine)) : 0;
+}
+
+/* Each series is right to its last term: the error falls with e^3, e^3, e and e^4. */
+static void the_far_tail_has_its_order(void **state)
+{
+    (void)state;
+    for (int q = 3; q <= 4; q++)
+        for (double s = 0.02; s < 0.3; s *= 1.7) {
+            struct dom_train train = dom_train_default();
+            struct lean g;
+            struct sums coarse, fine;
+            train.s = s;
+            train.q = q;
+            train.r = 1 + s / 2;
+            train.tol = 1e-15;
+            assert_status(lean_make(&train, &g), DOM_OK);
+            assert_false(g.falls_off);
+            double e = g.inf.x / 64;
+            far_errors(&g, e, &coarse);
+            far_errors(&g, e / 2, &fine);
+            const double order[] = {order_of(coarse.J, fine.J, 1e-13), order_of(coarse.H1, fine.H1, 1e-13),
+                                    order_of(coarse.H2, fine.H2, 1e-13), order_of(coarse.dH, fine.dH, 1e-14)};
+            static const double expected[] = {3, 3, 1, 4};
+            for (int k = 0; k < 4; k++)
+                if (fabs(order[k] - expected[k]) > 0.35)
+                    fail_msg("s %g q %d: order %g of sum %d, not %g", s, q, order[k], k, expected[k]);
+        }
+}
+
 /* One chain that serves twice, and two that share a pass, give what passes of their own do. */
 static void shared_passes_are_the_same(void **state)
 {
@@ -156,9 +207,9 @@ static void limits_take_few_passes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_far_tail_is_the_train), cmocka_unit_test(shared_passes_are_the_same),
-        cmocka_unit_test(H2_is_the_slope_of_H1),     cmocka_unit_test(one_top_where_it_is_said),
-        cmocka_unit_test(limits_take_few_passes),
+        cmocka_unit_test(the_far_tail_is_the_train),  cmocka_unit_test(the_far_tail_has_its_order),
+        cmocka_unit_test(shared_passes_are_the_same), cmocka_unit_test(H2_is_the_slope_of_H1),
+        cmocka_unit_test(one_top_where_it_is_said),   cmocka_unit_test(limits_take_few_passes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
