@@ -279,11 +279,12 @@ uninstall:
 # The tracked files; in a tree that came from such an archive, all files.  The same files make the same bytes:
 # the archive of an unpacked archive is that archive.
 DIST = domino-$(VERSION)
+BY_GIT = [ -e .git ] && git rev-parse HEAD >/dev/null 2>&1
 dist:
 	@mkdir -p $(B)
-	@if [ -e .git ]; then git ls-files; else find * .[!.]* \
-	  -path .build -prune -o -path '$(B)' -prune -o -type f -print; fi > $(B)/dist.files
-	@date=$${SOURCE_DATE_EPOCH:-$$(if [ -e .git ]; then git log -1 --format=%ct; else stat -c %Y Makefile; fi)} && \
+	@if $(BY_GIT); then git ls-files; else find * .[!.]* \
+	  -path .git -prune -o -path .build -prune -o -path '$(B)' -prune -o -type f -print; fi > $(B)/dist.files
+	@date=$${SOURCE_DATE_EPOCH:-$$(if $(BY_GIT); then git log -1 --format=%ct; else stat -c %Y Makefile; fi)} && \
 	LC_ALL=C sort $(B)/dist.files | tar -cf $(B)/$(DIST).tar --no-recursion --format=ustar --mtime="@$$date" \
 	  --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --transform='s|^|$(DIST)/|' -T - && \
 	gzip -9 -n -f $(B)/$(DIST).tar && rm $(B)/dist.files && echo '  DIST  $(B)/$(DIST).tar.gz'
