@@ -86,7 +86,7 @@ checked() {
     plain_make -C "$root" B="$dist" dist
     archive=$(echo "$dist"/domino-*.tar.gz)
     name=$(basename "$archive" .tar.gz)
-    if [ -e "$root/.git" ]; then
+    if [ -e "$root/.git" ] && git -C "$root" rev-parse HEAD >/dev/null 2>&1; then
         tar -tzf "$archive" | sed "s|^$name/||" | sort | diff -u <(git -C "$root" ls-files | sort) -
     fi
     tar -xzf "$archive" -C "$BATS_TEST_TMPDIR"
