@@ -51,8 +51,8 @@ static void events_are_in_order(void **state)
                 for (size_t j = 1; j < events[k].domino; j++)
                     assert_status(dom_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c, NULL),
                                   DOM_OK);
-                if (events[k].domino == 1)
-                    assert_near("leader", events[k].theta, angles.theta_leave, 1e-12);
+                double leader = events[k].domino == 1 ? (double)events[k].theta : (double)c.theta_1;
+                assert_near("leader", leader, angles.theta_leave, 1e-12);
             }
         }
     }
@@ -130,6 +130,7 @@ static void acceleration_is_the_slope_of_omega(void **state)
 }
 
 struct smallest {
+    const struct dom_train *train;
     double head, force, impulse;
 };
 
@@ -139,6 +140,10 @@ static bool force_seen(const struct dom_force *force, void *context)
     if (force->i == 0)
         s->head = (double)force->force;
     s->force = fmin(s->force, (double)force->of_own);
+    /* Domino i weighs r^(q-1) less than the one before it: its mass times height is r^-q. */
+    if (!isnan((double)force->force))
+        assert_near("of its own weight", force->of_own,
+                    force->force * pow(s->train->r, (s->train->q - 1) * (double)force->i), 1e-12);
     s->impulse = fmin(s->impulse, (double)force->impulse);
     return true;
 }
@@ -160,7 +165,7 @@ static void forces_hold_the_train_together(void **state)
             continue;
         for (int k = 0; k < 4; k++) {
             double theta = k / 3.0 * (double)events[n - 1].theta;
-            struct smallest seen = {.head = 0, .force = 1, .impulse = 1};
+            struct smallest seen = {.train = &train, .head = 0, .force = 1, .impulse = 1};
             struct dom_state s;
             struct dom_contact c;
             assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
@@ -206,6 +211,50 @@ static void tilt_inverts_time(void **state)
             assert_near("duration", duration, whole, 1e-9);
     }
     assert_true(checked > 50);
+}
+
+/*
+ * d time / d theta is 1 / omega, by a central difference; just before a stop, where omega grows like a square
+ * root, twice the distance over omega is left.  With friction and without.
+ */
+static void time_is_the_sum_of_slowness(void **state)
+{
+    (void)state;
+    uint64_t seed = 47;
+    int passed = 0, stopped = 0, rubbed = 0;
+    for (int i = 0; i < 800; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        struct dom_state s, below, above;
+        int n;
+        if (!next_train(&seed, &train, events, &n) || train.s < 0.05)
+            continue;
+        train.mu = i % 2 ? random_log(&seed, 0.05, 1) : 0;
+        enum dom_status status = dom_cycle_events(&train, events, &n);
+        if (status == DOM_NO_FUEL || status == DOM_LOCKS)
+            continue;
+        assert_status(status, status == DOM_OK ? DOM_OK : DOM_STOPS);
+        double end = (double)events[n - 1].theta, theta = (0.1 + 0.8 * random_unit(&seed)) * end,
+               h = 1e-4 * end;
+        bool near_event = false;
+        for (int k = 1; k + 1 < n; k++)
+            near_event |= fabs((double)events[k].theta - theta) < 5 * h;
+        if (near_event)
+            continue;
+        assert_status(dom_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
+        assert_status(dom_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
+        assert_near("slowness", (above.time - below.time) / (2 * h), 1 / sqrt((double)s.omegasq), 1e-4);
+        passed++;
+        if (status != DOM_STOPS)
+            continue;
+        assert_status(dom_cycle_state(&train, end - h, &s, NULL), DOM_OK);
+        assert_near("the rest", events[n - 1].time - s.time, 2 * h / sqrt((double)s.omegasq), 1e-3);
+        stopped++;
+        rubbed += train.mu > 0;
+    }
+    print_message("# %d tilts, %d stops, %d with friction\n", passed, stopped, rubbed);
+    assert_true(passed > 60 && stopped > 15 && rubbed > 5);
 }
 
 /* Of a train that stops just below the top: double against quad. */
@@ -283,6 +332,7 @@ int main(void)
         cmocka_unit_test(acceleration_is_the_slope_of_omega),
         cmocka_unit_test(forces_hold_the_train_together),
         cmocka_unit_test(tilt_inverts_time),
+        cmocka_unit_test(time_is_the_sum_of_slowness),
         cmocka_unit_test(stops_to_the_digit),
         cmocka_unit_test(bounds_hold),
     };
