@@ -287,6 +287,8 @@ static void ledger_closes(void **state)
             falls += events[k].kind == DOM_EVENT_FALL;
             checked++;
         }
+        if (status == DOM_OK) /* the hitting train is this one at theta_c, made smaller by r^-q */
+            assert_near("before", s.before, pow(train.r, -train.q) * s.kinetic, 1e-9);
     }
     assert_true(checked > 150 && falls > 10);
 }
