@@ -145,6 +145,7 @@ static void cycle_closes(void **state)
         J_c = energy.J;
         T *= J_c;
         assert_near("collision", T * sqrt(train.r * w), launch.J0 * sqrt(launch.omegasq), 1e-11);
+        assert_near("keeps", launch.keeps * sqrt(train.r * w), sqrt(launch.omegasq), 1e-11);
         closed++;
     }
     assert_true(closed > TRAINS / 4);
