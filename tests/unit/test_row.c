@@ -229,8 +229,14 @@ static void uniform_rows_become_the_train(void **state)
 {
     (void)state;
     static const double some[][4] = {/* s, r, q, mu */
-                                     {0.4, 1.5, 4, 0}, {0.3, 1, 3, 0},     {0.2, 1.2, 3, 0},
-                                     {0.6, 1.5, 4, 0}, {0.4, 1.5, 4, 0.1}, {0.3, 1, 3, 0.3}};
+                                     {0.4, 1.5, 4, 0},
+                                     {0.3, 1, 3, 0},
+                                     {0.2, 1.2, 3, 0},
+                                     {0.6, 1.5, 4, 0},
+                                     {0.4, 1.5, 4, 0.1},
+                                     {0.3, 1, 3, 0.3},
+                                     /* the top stands behind the tilt where the follower has left */
+                                     {0.54, 1.85, 3, 0}};
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
         static struct run run;
         struct dom_train train = dom_train_default();
@@ -357,6 +363,13 @@ static void ends(void **state)
         assert_status(run_row(&run), DOM_OK);
         assert_int_equal(run.verdict.end, side < 0 ? DOM_ROW_LEANS : DOM_ROW_STOPS);
     }
+    /* From its edge the middle falls by this much. */
+    make_row(&run, 2, 0.4, 1, 0);
+    run.row.push = DOM_NAN;
+    assert_status(run_row(&run), DOM_OK);
+    double falls = (hypot(1, d) - sqrt(1 - 0.16) - d * 0.4) * (double)run.domino[0].height / 2;
+    assert_near("of the tip", run.fall[1].kinetic + run.fall[1].lost, (double)run.domino[0].mass * g * falls,
+                1e-13);
     /* It locks where mu d is more than the height of the blow, h cos theta_c. */
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 3, 0.4, 1, sqrt(1 - 0.16) / d * (1 + side * 1e-6));
@@ -570,6 +583,71 @@ static void verdict_sums_up(void **state)
     }
 }
 
+/*
+ * The energy that a head needs is the row's alone, however fast it comes: also where somebody falls off on
+ * the way, and what is needed behind that tilt is told in energy at the launch.
+ */
+static void barriers_do_not_depend_on_the_push(void **state)
+{
+    (void)state;
+    static struct run slow, fast;
+    uint64_t seed = 66;
+    int checked = 0, behind = 0;
+    for (int i = 0; i < 1000; i++) {
+        random_row(&slow, &seed, i % 4);
+        if (i % 4 == 0) { /* near the reach the top stands behind the tilt where the follower has left */
+            double s = 0.3 + 0.5 * random_unit(&seed);
+            make_row(&slow, 5, s, (1 - random_log(&seed, 1e-4, 0.1)) / s, slow.row.mu / 20);
+        }
+        slow.row.push = (2 + 8 * random_unit(&seed)) * push_over(slow.domino);
+        fast = slow;
+        fast.row.push *= 1.2;
+        assert_status(run_row(&slow), DOM_OK);
+        assert_status(run_row(&fast), DOM_OK);
+        for (size_t k = 0; k < slow.falls && k < fast.falls; k++) {
+            const struct dom_fall *a = &slow.fall[k], *b = &fast.fall[k];
+            if (a->margin < 0) /* what is behind a stop nobody has looked at */
+                break;
+            if (!(fabs((double)(a->barrier - b->barrier)) <= 1e-10 * (double)b->kinetic))
+                fail_msg("domino %zu of row %d: %.17g and %.17g", k + 1, i, (double)a->barrier,
+                         (double)b->barrier);
+            checked++;
+            behind += k + 1 < slow.falls && slow.fall[k + 1].moving <= a->moving;
+        }
+    }
+    print_message("# %d heads, %d with a drop\n", checked, behind);
+    assert_true(checked > 1000 && behind > 20);
+}
+
+/* A domino that weighs next to nothing does not end a sum: behind it stand others that weigh as before. */
+static void light_dominoes_hide_nobody(void **state)
+{
+    (void)state;
+    static struct run rough, fine;
+    uint64_t seed = 65;
+    int checked = 0;
+    for (int i = 0; i < 200; i++) {
+        random_row(&rough, &seed, 0);
+        if (rough.row.count < 4)
+            continue;
+        for (size_t k = 1; k + 1 < rough.row.count; k += 3)
+            rough.domino[k].mass *= 1e-9;
+        fine = rough;
+        rough.row.tol = 1e-6;
+        assert_status(run_row(&rough), DOM_OK);
+        assert_status(run_row(&fine), DOM_OK);
+        for (size_t k = 0; k < rough.falls && k < fine.falls; k++) {
+            const struct dom_fall *a = &rough.fall[k], *b = &fine.fall[k];
+            if (!(fabs((double)b->margin) > 1e-2 * (double)b->kinetic))
+                break;
+            assert_near("kinetic", a->kinetic, b->kinetic, 1e-3);
+            assert_near("barrier", a->barrier, b->barrier, 1e-3);
+            checked += k > 2;
+        }
+    }
+    assert_true(checked > 200);
+}
+
 /* As many units as the tolerance asks for, over what is left of the smallest margin. */
 static void precisions_agree(void **state)
 {
@@ -651,6 +729,8 @@ int main(void)
         cmocka_unit_test(long_and_tall),
         cmocka_unit_test(beyond_the_range),
         cmocka_unit_test(verdict_sums_up),
+        cmocka_unit_test(barriers_do_not_depend_on_the_push),
+        cmocka_unit_test(light_dominoes_hide_nobody),
         cmocka_unit_test(precisions_agree),
         cmocka_unit_test(floor_of_the_train),
     };
