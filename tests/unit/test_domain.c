@@ -126,6 +126,7 @@ static void counting(void **state)
         assert_status(dom_count_find(DOM_DOUBLE, known[i].first, known[i].height, known[i].r, &count, NULL),
                       DOM_OK);
         assert_near("dominoes", count.dominoes, known[i].n, 0);
+        assert_near("the last", count.last, known[i].first * pow(known[i].r, known[i].n), 1e-9);
     }
     /* 48 mm doubled k times, as a person would type it, with 6 to 17 digits. */
     for (int k = 1; k < 60; k++) {
@@ -161,6 +162,9 @@ static void metres_and_seconds(void **state)
     train.s = 13.0 / 48;
     assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
     assert_near("speed", dom_scale_speed(&scale, &train, duration), 1.28427, 5e-6);
+    /* In a growing train the way of a cycle is the pitch behind the next, larger domino. */
+    train.r = 1.5;
+    assert_near("speed", dom_scale_speed(&scale, &train, 2), 1.5 * 0.020 / (2 * tau), 1e-14);
 }
 
 int main(void)

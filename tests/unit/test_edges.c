@@ -264,6 +264,15 @@ static void budgets(void **state)
     p.sigma = budget.sigma;
     assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_true(study.fall >= 160 && study.fall <= 161);
+    /* Of 200 rows of which 19 in 20 fall, at most 183 or at least 197 do so in less than 2.5 % of all cases.
+     */
+    assert_status(dom_placement_budget(&seen.row, &p, 0.95, &budget), DOM_OK);
+    p.sigma = budget.low;
+    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_in_range(study.fall, 197, 198);
+    p.sigma = budget.high;
+    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_in_range(study.fall, 183, 184);
     assert_status(dom_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PARAMETER);
     seen.row.push = 2; /* not over its edge */
     assert_status(dom_placement_budget(&seen.row, &p, 0.5, &budget), DOM_STOPS);
@@ -369,6 +378,92 @@ static void the_reason_is_the_first(void **state)
     assert_status(dom_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }
 
+/* Rows by their numbers, where they stop, which of them the model does not tell, and the interval of all. */
+static void studies_add_up(void **state)
+{
+    (void)state;
+    static struct seen seen;
+    struct dom_study whole, part[2];
+    size_t stops[10], stops_part[2][10], stopped = 0;
+    struct dom_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 500};
+    alike(&seen, 10);
+    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    for (int k = 0; k < 2; k++) {
+        p.first = k == 0 ? 0 : 200;
+        p.rows = k == 0 ? 200 : 300;
+        assert_status(dom_placement_study(&seen.row, &p, &part[k], stops_part[k]), DOM_OK);
+    }
+    assert_true(whole.fall == part[0].fall + part[1].fall && whole.fall > 0 && whole.fall < 500);
+    assert_int_equal(whole.unknown, part[0].unknown + part[1].unknown);
+    for (int k = 0; k < 10; k++) {
+        assert_int_equal(stops[k], stops_part[0][k] + stops_part[1][k]);
+        stopped += stops[k];
+    }
+    assert_int_equal(stopped + whole.fall + whole.unknown, 500);
+    p.seed = 6;
+    assert_status(dom_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
+    assert_true(part[0].fall != part[1].fall);
+    /* Without errors every row is the row itself: here the third cannot reach the next. */
+    p = (struct dom_placement){.rows = 50};
+    seen.domino[3].gap = 0.05;
+    assert_status(run(&seen), DOM_OK);
+    assert_int_equal(seen.verdict.end, DOM_ROW_MISSES);
+    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
+    assert_near("Clopper and Pearson", whole.high, 1 - pow(0.025, 1.0 / 50), 1e-10);
+    /* And here its tip passes above the next. */
+    alike(&seen, 10);
+    seen.domino[3].height *= 0.8;
+    assert_status(run(&seen), DOM_OK);
+    assert_int_equal(seen.verdict.end, DOM_ROW_PASSES);
+    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_true(whole.unknown == 50 && stops[2] == 0 && whole.low == 0 && whole.high == 1);
+    alike(&seen, 10);
+    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_true(whole.fall == 50 && whole.high == 1);
+    assert_near("Clopper and Pearson", whole.low, pow(0.025, 1.0 / 50), 1e-10);
+}
+
+/* Heights are normal as gaps are, and a higher domino is heavier by as much. */
+static void heights_are_normal(void **state)
+{
+    (void)state;
+    enum { ROWS = 20000 };
+    static struct seen seen;
+    struct dom_study study;
+    struct dom_placement p = {.heights = 0.01, .seed = 9, .rows = ROWS};
+    alike(&seen, 2);
+    /* It falls short where the first is lower than the gap: one standard deviation away. */
+    seen.domino[1].gap = seen.domino[0].height * (dom_real)0.99;
+    seen.row.push = 12;
+    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    double share = (double)study.fall / ROWS, expected = 0.5 * erfc(-1 / sqrt(2));
+    assert_true(fabs(share - expected) < 4 * sqrt(expected * (1 - expected) / ROWS));
+    /* The same rows by normals of another kind (Box and Muller), where the push suffices for about half. */
+    uint64_t seed = 10;
+    size_t falls = 0;
+    p.heights = 0.6;
+    alike(&seen, 2);
+    seen.row.push = 6;
+    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    for (int i = 0; i < ROWS; i++) {
+        alike(&seen, 2);
+        seen.row.push = 6;
+        seen.row.tol = 1e-9;
+        for (int k = 0; k < 2; k++) {
+            double z = sqrt(-2 * log(1 - random_unit(&seed))) * cos(2 * acos(-1.0) * random_unit(&seed));
+            double grown = fmax(1 + 0.6 * z, 0.01);
+            seen.domino[k].height *= grown;
+            seen.domino[k].mass *= grown;
+        }
+        assert_status(run(&seen), DOM_OK);
+        falls += seen.verdict.end == DOM_ROW_FALLS;
+    }
+    print_message("# %zu and %zu of %d fall\n", study.fall, falls, ROWS);
+    assert_true(study.fall > ROWS / 10 && study.fall < ROWS * 9 / 10);
+    assert_true(fabs((double)study.fall - (double)falls) < 4 * sqrt(0.5 * ROWS));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -382,6 +477,8 @@ int main(void)
         cmocka_unit_test(floor_at_the_reach),
         cmocka_unit_test(budgets),
         cmocka_unit_test(errors_are_normal),
+        cmocka_unit_test(studies_add_up),
+        cmocka_unit_test(heights_are_normal),
         cmocka_unit_test(nearly_no_fuel),
         cmocka_unit_test(rubbing_limits_keep_their_tolerance),
         cmocka_unit_test(durations_of_thin_dominoes),

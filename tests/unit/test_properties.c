@@ -214,6 +214,26 @@ static void margin_vanishes_at_the_limit(void **state)
     assert_true(met > 10);
 }
 
+/* What is left of the energy is as sure as tol says, however small a part of the whole it is. */
+static void small_margins_keep_their_digits(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 12; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_limit limit;
+        struct dom_barrier rough, fine;
+        train.s = 0.1 + 0.1 * (i % 4);
+        train.q = 3 + 0.5 * (i % 3);
+        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        train.r = limit.r_max * (1 - (dom_real)1e-8);
+        train.tol = 1e-14;
+        assert_status(dom_barrier_find(&train, &fine, NULL), DOM_OK);
+        train.tol = 1e-3;
+        assert_status(dom_barrier_find(&train, &rough, NULL), DOM_OK);
+        assert_near("margin", rough.margin, fine.margin, 1e-2);
+    }
+}
+
 /* Where only two dominoes matter the pair, pushed at r_max of the train, is the train. */
 static void pair_is_train_of_two(void **state)
 {
@@ -408,6 +428,7 @@ int main(void)
         cmocka_unit_test(cycle_begins_at_the_reach),
         cmocka_unit_test(train_forgets_its_push),
         cmocka_unit_test(margin_vanishes_at_the_limit),
+        cmocka_unit_test(small_margins_keep_their_digits),
         cmocka_unit_test(pair_is_train_of_two),
         cmocka_unit_test(growth_is_monotone),
         cmocka_unit_test(no_fuel_below_a_separation),
