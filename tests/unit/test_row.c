@@ -217,6 +217,35 @@ static void contact_opens_before_a_stop(void **state)
     assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_PARTS));
 }
 
+/* Where masses differ much a fast head leaves its followers behind: contact opens though nothing stops. */
+static void contact_opens_without_a_stop(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct newton n;
+    uint64_t seed = 67;
+    int parted = 0;
+    for (int i = 0; i < 12000; i++) {
+        make_row(&run, 3 + (size_t)(i % 2), 0.3, 1, 0);
+        for (size_t k = 0; k < run.row.count; k++) {
+            struct dom_domino *d = &run.domino[k];
+            d->height *= 0.95 + 0.1 * random_unit(&seed);
+            d->thickness *= 0.4 + 1.2 * random_unit(&seed);
+            d->gap *= 0.2 + 2 * random_unit(&seed);
+            d->mass *= random_log(&seed, 0.1, 10);
+        }
+        run.row.push = random_log(&seed, 2, 60);
+        assert_status(run_row(&run), DOM_OK);
+        if (run.verdict.end != DOM_ROW_PARTS || run.fall[run.falls - 1].margin < 0)
+            continue;
+        newton_run(&run, &n);
+        assert_true(n.result.least_force < 0 && n.result.least_head == run.falls);
+        parted++;
+    }
+    print_message("# %d rows part\n", parted);
+    assert_true(parted > 15);
+}
+
 /* ---- Against the endless train ---- */
 
 /*
@@ -719,6 +748,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(newton_agrees),
         cmocka_unit_test(contact_opens_before_a_stop),
+        cmocka_unit_test(contact_opens_without_a_stop),
         cmocka_unit_test(uniform_rows_become_the_train),
         cmocka_unit_test(energy_is_kept),
         cmocka_unit_test(ends),
