@@ -249,6 +249,28 @@ static void pair_is_train_of_two(void **state)
     }
 }
 
+/* Below (b0) no pair succeeds, and soon above it none does any more: a scan of r must not step over the band.
+ */
+static void pairs_succeed_in_narrow_bands(void **state)
+{
+    (void)state;
+    static const double band[][4] = {
+        /* s, d, q, and its end */
+        {0.41043361309668785, 0.32266631706171017, 1.6758005526800597, 1.6906981},
+        {0.20984676777913347, 0.14262314360317227, 2.344918696588473, 1.2175004},
+        {0.01161971101033242, 0.00780759682969328, 1.9981531957259211, 1.5718772}};
+    for (size_t i = 0; i < sizeof band / sizeof *band; i++) {
+        struct dom_train train = dom_train_default();
+        struct dom_limit limit;
+        train.s = band[i][0];
+        train.d = band[i][1];
+        train.q = band[i][2];
+        assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+        assert_int_equal(limit.ends, DOM_END_BARRIER);
+        assert_near("r_max of the pair", limit.r_max, band[i][3], 1e-4);
+    }
+}
+
 /* A massive tail is worse than a hollow one; closer to the best separation is better. */
 static void growth_is_monotone(void **state)
 {
@@ -430,6 +452,7 @@ int main(void)
         cmocka_unit_test(margin_vanishes_at_the_limit),
         cmocka_unit_test(small_margins_keep_their_digits),
         cmocka_unit_test(pair_is_train_of_two),
+        cmocka_unit_test(pairs_succeed_in_narrow_bands),
         cmocka_unit_test(growth_is_monotone),
         cmocka_unit_test(no_fuel_below_a_separation),
         cmocka_unit_test(tolerance_decides_the_work),
