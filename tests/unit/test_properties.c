@@ -249,6 +249,23 @@ static void pair_is_train_of_two(void **state)
     }
 }
 
+/* A domino that has not tipped over its edge before it hits is still held by whoever holds it (b0). */
+static void pairs_tip_over_before_they_hit(void **state)
+{
+    (void)state;
+    uint64_t seed = 8;
+    int ends[3] = {0};
+    for (int i = 0; i < 2 * TRAINS; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_limit limit;
+        assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+        if (limit.ends != DOM_END_NONE)
+            assert_true((double)(limit.r_max * train.s) * hypot(1, (double)train.d) > (double)train.d);
+        ends[limit.ends]++;
+    }
+    assert_true(ends[DOM_END_NONE] > TRAINS / 10 && ends[DOM_END_BARRIER] > TRAINS / 10);
+}
+
 /* Below (b0) no pair succeeds, and soon above it none does any more: a scan of r must not step over the band.
  */
 static void pairs_succeed_in_narrow_bands(void **state)
@@ -452,6 +469,7 @@ int main(void)
         cmocka_unit_test(margin_vanishes_at_the_limit),
         cmocka_unit_test(small_margins_keep_their_digits),
         cmocka_unit_test(pair_is_train_of_two),
+        cmocka_unit_test(pairs_tip_over_before_they_hit),
         cmocka_unit_test(pairs_succeed_in_narrow_bands),
         cmocka_unit_test(growth_is_monotone),
         cmocka_unit_test(no_fuel_below_a_separation),
