@@ -472,6 +472,11 @@ static void refusals(void **state)
         assert_status(dom_launch_find(&train, &launch, NULL), DOM_BAD_PARAMETER);
         assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_BAD_PARAMETER);
     }
+    /* It locks, also where the sums behind such a hit would have no end. */
+    train = rubbing_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);
+    train.d = 0.61451534241036898;
+    train.q = 2.9636499594514638;
+    assert_status(dom_launch_find(&train, &launch, NULL), DOM_LOCKS);
     /* The struck domino is hit at Y / r, and dragged down at mu d: it locks where they meet. */
     train = rubbing_train(0.5, 1, 1);
     train.d = 0.1;
