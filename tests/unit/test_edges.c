@@ -3,13 +3,20 @@
 #include "direct.h"
 #include "support.h"
 
+static struct dom_train train_of(double s, double r, double d, double q, double tol)
+{
+    struct dom_train train = dom_train_default();
+    train.s = s;
+    train.r = r;
+    train.d = d;
+    train.q = q;
+    train.tol = tol;
+    return train;
+}
+
 static struct dom_train rubbing(double s, double r, double d, double q, double mu)
 {
-    struct dom_train t = dom_train_default();
-    t.s = s;
-    t.r = r;
-    t.d = d;
-    t.q = q;
+    struct dom_train t = train_of(s, r, d, q, (double)dom_train_default().tol);
     t.mu = mu;
     return t;
 }
@@ -297,19 +304,7 @@ static void errors_are_normal(void **state)
     assert_true(study.low < share && share < study.high);
 }
 
-/* ---- Loose tolerances, and answers that nearly vanish: cases in which a short cut once gave a wrong one
- * ---- */
-
-static struct dom_train train_of(double s, double r, double d, double q, double tol)
-{
-    struct dom_train train = dom_train_default();
-    train.s = s;
-    train.r = r;
-    train.d = d;
-    train.q = q;
-    train.tol = tol;
-    return train;
-}
+/* ---- Loose tolerances, and answers that nearly vanish: where a short cut once gave a wrong one ---- */
 
 /* The tolerance is that of the fuel, not of the terms that cancel in it: the verdict is right. */
 static void nearly_no_fuel(void **state)
