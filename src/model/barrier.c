@@ -232,7 +232,7 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
 static enum dom_status barrier_pieces(const struct lean *g, real end, real tol, struct barrier *b)
 {
     enum dom_status status = chain_edges(g, end, b->edge, &b->edges);
-    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = b->half > 0 ? b->half : -1};
+    struct slope_context c = {.lean = g, .from = standing, .known = b->half > 0 ? b->half : -1};
     real lo = b->edge[0];
     if (status == DOM_OK && barrier_single(g))
         status = c.known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(g)), tol, b);
@@ -284,7 +284,7 @@ KERNEL struct tilt barrier_near(const struct lean *g, const struct barrier *b)
 
 KERNEL bool barrier_follow(const struct lean *g, const struct sums *at, struct barrier *b)
 {
-    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = -1};
+    struct slope_context c = {.lean = g, .from = standing, .known = -1};
     struct top top = {.hi = half_of_highest(g), .p = half_near(g, b)};
     if (barrier_climb(&c, at, &top, TOP_TOL(g)) != DOM_OK)
         return false;
@@ -342,7 +342,7 @@ KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier 
 {
     struct tilt head;
     struct sums at, e;
-    struct slope_context c = {.lean = g, .from = {0, 1, 0}, .known = -1};
+    struct slope_context c = {.lean = g, .from = standing, .known = -1};
     *error = (struct barrier){.theta_m = 0, .height = 0};
     if (g->mu > 0)
         error->theta_m = error->height = REAL_NAN;

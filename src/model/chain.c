@@ -83,7 +83,7 @@ KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct ti
     *leaves = false;
     if (!g->falls_off)
         return DOM_OK;
-    struct link b = link_head(g, (struct tilt){0, 1, 0});
+    struct link b = link_head(g, standing);
     real passed = 1; /* S_i: where dominoes rub it need not vanish with the slope */
     while (b.leads) {
         enum dom_status status = chain_watch(g, b.i);

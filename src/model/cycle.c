@@ -115,11 +115,10 @@ static real energy_short(real theta, void *context)
 static enum dom_status cycle_rest(struct cycle cycle, real *theta)
 {
     const struct barrier *b = &cycle.barrier;
-    const struct tilt upright = {0, 1, 0};
     real lo = b->edge[0], hi = b->theta_m;
     enum dom_status status = DOM_OK;
     if (cycle.lean.mu > 0 && hi <= b->edge[1]) /* nobody falls off before */
-        status = friction_flow_spent(&cycle.lean, upright, lo, cycle.launch.omegasq, &hi);
+        status = friction_flow_spent(&cycle.lean, standing, lo, cycle.launch.omegasq, &hi);
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.lean.tol / 8, theta);
@@ -189,8 +188,7 @@ static enum dom_status cycle_integral(struct cycle *cycle, num_function *f, real
                                       real *sum, real *error)
 {
     const struct barrier *b = &cycle->barrier;
-    const struct tilt upright = {0, 1, 0};
-    real width = barrier_width(&cycle->lean, upright, b, cycle->launch.kinetic - b->height);
+    real width = barrier_width(&cycle->lean, standing, b, cycle->launch.kinetic - b->height);
     *sum = 0;
     for (int i = 1; i < b->edges; i++) {
         real lo = fmax(b->edge[i - 1], from), hi = fmin(b->edge[i], to), part = 0, part_error = 0;

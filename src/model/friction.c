@@ -141,7 +141,7 @@ static enum dom_status flow_collision(const struct lean *g, struct flow *flow)
     struct law at_c;
     struct sums sums;
     struct lean hitting = *g;
-    struct link upright = link_head(g, (struct tilt){0, 1, 0});
+    struct link upright = link_head(g, standing);
     hitting.n = g->n == CHAIN_ENDLESS ? CHAIN_ENDLESS : g->n - 1;
     enum dom_status status = friction_arm_a(&upright) > 0 ? friction_law(&hitting, g->c, &at_c) : DOM_LOCKS;
     if (status == DOM_OK)

@@ -15,6 +15,9 @@ struct tilt {
     real v;    /* 1 - cos theta */
 };
 
+/* A domino that nobody has touched yet. */
+static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
+
 struct flow; /* friction.h */
 
 /*

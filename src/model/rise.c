@@ -222,8 +222,6 @@ KERNEL_LOOP enum dom_status rise_between(const struct lean *g, struct tilt from,
     return sum_result(g, &state, H2, a.i + 1, sums);
 }
 
-static const struct tilt standing = {0, 1, 0};
-
 /* tan of half the difference; exact where it is the whole tilt. */
 static real half_turn(struct tilt from, struct tilt head)
 {

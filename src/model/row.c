@@ -184,7 +184,7 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     const struct block block = block_of(run->row.asked, k);
     const real end = tilt_angle(run->row.lean[k].c);
     *d = (struct descent){
-        .st = {.g = run->row.lean[k], .from = {0, 1, 0}, .omegasq = run->omegasq, .T = run->T},
+        .st = {.g = run->row.lean[k], .from = standing, .omegasq = run->omegasq, .T = run->T},
         .stay = run->moving,
         .least_margin = (real)INFINITY,
         .least_force = (real)INFINITY};
@@ -255,7 +255,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
         *end = DOM_ROW_PASSES;
     if (*end != DOM_ROW_FALLS)
         return DOM_OK;
-    struct link upright = link_head(g, (struct tilt){0, 1, 0});
+    struct link upright = link_head(g, standing);
     enum dom_status status = g->mu > 0 ? friction_law(&d->st.g, d->st.from, &law) : DOM_OK;
     real T = g->inertia * law.A * (g->mu > 0 ? friction_share(&upright) : 1), keeps = T / (1 + T);
     if (!(T > 0) && g->mu == 0)
