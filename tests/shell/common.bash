@@ -75,3 +75,13 @@ close() { # WHAT EXPECTED OBTAINED
         exit !(error <= 1e-10 * size + 1e-15)
     }' || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "${2:-null}" "$3" && false; }
 }
+
+# Fails with this message, in one line, and the session goes on; for the tests, 'run' sets what it looks at.
+# shellcheck disable=SC2154
+wrong() { # COMMANDS PATTERN
+    run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
+    [ "$status" -eq 1 ] || same "$1: status" 1 "$status"
+    [ "$(wc -l <<<"$stderr")" -eq 1 ] || same "$1: one line" 1 "$stderr"
+    grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
+    [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
+}

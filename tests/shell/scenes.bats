@@ -11,15 +11,6 @@ file() { # NAME < text
     cat >"$BATS_TEST_TMPDIR/$1"
 }
 
-# Fails with this message, in one line, and the session goes on.
-wrong() { # COMMANDS PATTERN
-    run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
-    [ "$status" -eq 1 ] || same "$1: status" 1 "$status"
-    [ "$(wc -l <<<"$stderr")" -eq 1 ] || same "$1: one line" 1 "$stderr"
-    grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
-    [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
-}
-
 @test "effects are off, and entered 0 times; each alone enters its own code" {
     run -0 json effects
     same states 'off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"

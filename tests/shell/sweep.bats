@@ -9,12 +9,9 @@ root=$BATS_TEST_DIRNAME/../..
 
 csv() { "$DOMINO" -e "set output csv; $1"; }
 
-# One message, these words, no row, and the session goes on.
-wrong() { # COMMANDS PATTERN
-    run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
-    [ "$status" -eq 1 ] || same "$1: status" 1 "$status"
-    [ "$(wc -l <<<"$stderr")" -eq 1 ] || same "$1: one line" 1 "$stderr"
-    grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
+# The same, and no row.
+wrong_line() { # COMMANDS PATTERN
+    wrong "$@"
     [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
 }
 
@@ -148,37 +145,37 @@ curve 0.02 0.9 100'
 }
 
 @test "what is wrong with a line is one message and no row" {
-    wrong 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
-    wrong 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
-    wrong 'sweep s 0.1 0.9 9' "':' and a command are missing"
-    wrong 'sweep s 0.1 0.9 9 :' "the command behind ':' is missing"
-    wrong 'sweep s' 's: FROM is missing'
-    wrong 'sweep s 0.1 : rmax' 's: TO is missing'
-    wrong 'sweep s 0.1 0.9 : rmax' ':17: .*s: N, the number of values, is missing'
-    wrong 'sweep s 0.1, : rmax' "a value behind ',' is missing"
-    wrong 'sweep z 0.1 0.9 9 : rmax' ":7: sweep: unknown parameter 'z'"
-    wrong 'sweep frictio 0 1 3 : foo' "unknown command 'foo'"
-    wrong 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
-    wrong 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' stands where the name of a parameter belongs"
-    wrong 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
-    wrong 'sweep s 0.1 3 cm 9 : rmax' 's is a plain number, not a length'
-    wrong 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'
-    wrong 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is no count'
-    wrong 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' stands twice"
-    wrong 'sweep fuel exact paper 2 : rmax' 'fuel has words'
-    wrong 'sweep seed 1 10 5 : rmax' 'whole numbers only'
-    wrong 'sweep mass 0 1 3 log : rmax' 'equal ratio need FROM and TO above 0'
-    wrong 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'
-    wrong 'sweep s 0.1 0.9 9 : set s 0.1' "'set' has no answer"
-    wrong 'sweep s 0.1 0.9 9 : cost rmax' "'cost' is not swept: it measures time"
-    wrong 'sweep s 0.1 0.9 9 : draw' "'draw' is not swept: it draws"
-    wrong 'sweep s 0.1 0.9 9 : sweep d 0.1 0.2 2 : rmax' 'its grid takes all parameters at once'
-    wrong 'sweep s 0.1 0.9 9 : theta1 foo' ":28: theta1: T at 'foo': 'foo' has no value"
-    wrong 'sweep s 0.1 0.9 9 : theta1' 'theta1: T is missing; usage: theta1 T'
-    wrong 'sweep s 0.1 0.9 9 : rmax 0.1 0.2' "'0.2' is one argument too many"
-    wrong 'sweep s 0.1 0.9 9 : fall' "there is no row here: 'effect row N'"
-    wrong 'sweep push 1 9 9 : fall' 'push is about a row'
-    wrong 'set errors on; set threads 4; sweep s 0.1 0.9 9 : theta1 foo' "'foo' has no value"
+    wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
+    wrong_line 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
+    wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing"
+    wrong_line 'sweep s 0.1 0.9 9 :' "the command behind ':' is missing"
+    wrong_line 'sweep s' 's: FROM is missing'
+    wrong_line 'sweep s 0.1 : rmax' 's: TO is missing'
+    wrong_line 'sweep s 0.1 0.9 : rmax' ':17: .*s: N, the number of values, is missing'
+    wrong_line 'sweep s 0.1, : rmax' "a value behind ',' is missing"
+    wrong_line 'sweep z 0.1 0.9 9 : rmax' ":7: sweep: unknown parameter 'z'"
+    wrong_line 'sweep frictio 0 1 3 : foo' "unknown command 'foo'"
+    wrong_line 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
+    wrong_line 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' stands where the name of a parameter belongs"
+    wrong_line 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
+    wrong_line 'sweep s 0.1 3 cm 9 : rmax' 's is a plain number, not a length'
+    wrong_line 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'
+    wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is no count'
+    wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' stands twice"
+    wrong_line 'sweep fuel exact paper 2 : rmax' 'fuel has words'
+    wrong_line 'sweep seed 1 10 5 : rmax' 'whole numbers only'
+    wrong_line 'sweep mass 0 1 3 log : rmax' 'equal ratio need FROM and TO above 0'
+    wrong_line 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'
+    wrong_line 'sweep s 0.1 0.9 9 : set s 0.1' "'set' has no answer"
+    wrong_line 'sweep s 0.1 0.9 9 : cost rmax' "'cost' is not swept: it measures time"
+    wrong_line 'sweep s 0.1 0.9 9 : draw' "'draw' is not swept: it draws"
+    wrong_line 'sweep s 0.1 0.9 9 : sweep d 0.1 0.2 2 : rmax' 'its grid takes all parameters at once'
+    wrong_line 'sweep s 0.1 0.9 9 : theta1 foo' ":28: theta1: T at 'foo': 'foo' has no value"
+    wrong_line 'sweep s 0.1 0.9 9 : theta1' 'theta1: T is missing; usage: theta1 T'
+    wrong_line 'sweep s 0.1 0.9 9 : rmax 0.1 0.2' "'0.2' is one argument too many"
+    wrong_line 'sweep s 0.1 0.9 9 : fall' "there is no row here: 'effect row N'"
+    wrong_line 'sweep push 1 9 9 : fall' 'push is about a row'
+    wrong_line 'set errors on; set threads 4; sweep s 0.1 0.9 9 : theta1 foo' "'foo' has no value"
 }
 
 @test "';', comments and '>' end the command that is swept" {
@@ -237,7 +234,7 @@ parts() { # PARTS ROWS
     same 'of fewer' 300 "$(json "pool $BATS_TEST_TMPDIR/less" | values rows)"
     pool_fails() { # PATTERN < blocks
         cat >"$BATS_TEST_TMPDIR/blocks"
-        wrong "pool $BATS_TEST_TMPDIR/blocks" "$1"
+        wrong_line "pool $BATS_TEST_TMPDIR/blocks" "$1"
     }
     cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails 'row 1 of the study stands twice'
     study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6: this block is of another study'
@@ -245,7 +242,7 @@ parts() { # PARTS ROWS
     pool_fails 'there are no blocks' </dev/null
     pool_fails ':1: a block of a study has other fields' <<<'height,mass'
     sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2: this is no block of a study: its counts do not fit'
-    wrong "pool $BATS_TEST_TMPDIR/none" 'No such file'
+    wrong_line "pool $BATS_TEST_TMPDIR/none" 'No such file'
     run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"
     grep -q 'safe session' <<<"$stderr"
 }
