@@ -97,7 +97,6 @@ const struct command cost_commands[] = {
      .see = "plot",
      .columns = cost_columns,
      .unswept = "it measures time, which points side by side would disturb",
-     .principal = -1,
      .rows = true,
      .run = run_cost},
     {.name = NULL},

@@ -96,8 +96,8 @@ static void help_command(struct session *session, const struct command *c)
         output_wrapped(out, k->meaning, fprintf(out, "  %-12s %-6s ", k->key, k->unit), help_width(out));
         putc('\n', out);
     }
-    if (c->columns && c->principal >= 0)
-        fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->columns[c->principal].key);
+    if (c->principal)
+        fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->principal);
     if (strcmp(c->name, "set") == 0) {
         fputs("\nThe parameters now:\n", out);
         run_topic(session, "show");
@@ -277,26 +277,22 @@ const struct command help_commands[] = {
      .summary = "the commands, or one command or parameter",
      .example = "help tol",
      .see = "apropos show",
-     .principal = -1,
      .run = run_help},
     {.name = "apropos",
      .argument = {{.name = "WORD", .kind = ARGUMENT_WORD}},
      .summary = "commands and parameters that mention WORD",
      .example = "apropos barrier",
      .see = "help",
-     .principal = -1,
      .run = run_apropos},
     {.name = "manual",
      .summary = "the manual page of the effects, for man(1)",
      .help = "domino-effects(7), made from what each effect tells of itself; 'make install' installs it.",
      .see = "help effects",
-     .principal = -1,
      .run = run_manual},
     {.name = "complete",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
      .summary = "how LINE may go on, a line each, as <TAB> does",
      .example = "complete set output j",
-     .principal = -1,
      .run = run_complete},
     {.name = NULL},
 };

@@ -329,7 +329,6 @@ const struct command plot_commands[] = {
      .see = "curve pair energy omega chain cost draw",
      .columns = plot_columns,
      .unswept = "it draws",
-     .principal = -1,
      .rows = true,
      .files = true,
      .run = run_plot},

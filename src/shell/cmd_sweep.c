@@ -390,7 +390,6 @@ const struct command sweep_commands[] = {
      .see = "curve set effect",
      .columns = sweep_answers,
      .unswept = "its grid takes all parameters at once",
-     .principal = -1,
      .rows = true,
      .run = run_sweep},
     {.name = NULL},

@@ -68,6 +68,11 @@ const struct command *command_find(const char *name)
     return NULL;
 }
 
+int command_principal(const struct command *c)
+{
+    return names_exact(command_keys, c, c->principal);
+}
+
 const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
 {
     int n = snprintf(usage, USAGE_SIZE, "%s", c->name);

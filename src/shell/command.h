@@ -64,7 +64,7 @@ struct command {
     const char *example;          /* commands that show it, or NULL */
     const char *see;              /* other commands, or NULL */
     const struct column *columns; /* of the answer, or NULL */
-    int principal;                /* the column that it stands for in an expression; -1 for none */
+    const char *principal;        /* the key of the column that it stands for in an expression; NULL: none */
     bool rows;
     const char *echo;    /* the column that repeats this parameter, unless an argument takes its place */
     const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
@@ -93,6 +93,9 @@ const char *command_keys(const void *command, int k);
 const struct command *command_find(const char *name);
 
 enum { USAGE_SIZE = 96 };
+
+/* The column that a command with a principal one stands for in an expression. */
+int command_principal(const struct command *command);
 
 /* "rmax [S]". */
 const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);

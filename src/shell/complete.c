@@ -28,7 +28,7 @@ static const char *value_names(const void *context, int k)
 {
     const char *name;
     for (int i = 0; (name = command_names(context, i)) != NULL; i++)
-        if (command_find(name)->principal >= 0 && k-- == 0)
+        if (command_find(name)->principal && k-- == 0)
             return name;
     return k == 0 ? "ans" : NULL;
 }
@@ -155,7 +155,7 @@ static const struct command *command_before_dot(const char *text, const char *do
     char name[32];
     snprintf(name, sizeof name, "%.*s", (int)(end - begin), begin);
     const struct command *c = command_find(name);
-    return c && c->principal >= 0 ? c : NULL;
+    return c && c->principal ? c : NULL;
 }
 
 /* Behind the ':' of a sweep a command begins. */

@@ -18,7 +18,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
         .columns = c->columns,
         .rows = c->rows,
         .gap = session->answered && session->source,
-        .kept = c->principal >= 0 ? kept : NULL,
+        .kept = c->principal ? kept : NULL,
     };
     call->answer = &answer;
     session->column = 0;
@@ -34,7 +34,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
                    "(This is the endless train at these parameters, not the row: 'fall' runs that.)");
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
-    if (done && c->principal >= 0) {
+    if (done && c->principal) {
         session->ans.command = c;
         memcpy(session->ans.cells, kept, sizeof kept);
     }

@@ -21,7 +21,7 @@ static bool key_quantity(struct expression *e, const char *name, const char *key
                          const struct cell *cells, struct quantity *result)
 {
     char message[NAMES_MESSAGE], what[64];
-    int i = c->principal;
+    int i = command_principal(c);
     if (key) {
         snprintf(what, sizeof what, "key of %s", c->name);
         i = names_find(command_keys, c, what, key, message);
@@ -76,7 +76,7 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
                    ? key_quantity(e, name, key, session->ans.command, session->ans.cells, result)
                    : expression_fail(e, "there is no earlier answer");
     const struct command *c = command_find(name);
-    if (c && c->principal >= 0)
+    if (c && c->principal)
         return command_quantity(e, c, key, arguments, count, result);
     const char *close = names_closest(value_names, NULL, name);
     return expression_fail(
