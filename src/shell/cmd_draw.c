@@ -119,14 +119,6 @@ static void canvas_write(const struct canvas *c, FILE *out)
 
 enum { TITLE_SIZE = 256 };
 
-/* The walk through the cycles, if it stands in this train; else NULL. */
-static const struct walk *walk_now(const struct session *session)
-{
-    const struct walk *walk = &session->walk;
-    const struct dom_train *a = &walk->train, *b = &session->train;
-    return walk->count > 0 && a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q ? walk : NULL;
-}
-
 /* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale". */
 static const char *title_text(const struct session *session, dom_real theta, const char *letter,
                               char text[TITLE_SIZE])
@@ -285,20 +277,21 @@ static bool run_draw(struct session *session, const struct call *call)
     static struct scene scene;
     /* 'draw forces' has its word in the place of T. */
     bool word = call->count > 0 && call->number[0] < 0, forces = word || call->count > 1;
-    dom_real theta = call->count > 0 && !word ? call->number[0]
-                     : walk_now(session)      ? walk_now(session)->theta
-                                              : 0;
+    /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
+    const struct walk *walk = call->count == 0 || word ? walk_now(session) : NULL;
+    const struct dom_train *train = walk ? &walk->train : &session->train;
+    dom_real theta = walk ? walk->theta : call->count > 0 && !word ? call->number[0] : 0;
     if (word && call->count > 1)
         return session_error(session, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
     bool people = answer_for_people(call->answer);
-    if (!picture_comes_to(session, theta))
+    if (!walk && !picture_comes_to(session, theta))
         return false;
-    enum dom_status status = scene_make(&session->train, theta, 0, &scene);
+    enum dom_status status = scene_make(train, theta, 0, &scene);
     if (status != DOM_OK)
         return session_status(session, status);
     /* Data has forces where there are any; the margin may be too small for them. */
     if (forces || !people)
-        status = scene_forces(&session->train, theta, &scene);
+        status = scene_forces(train, theta, &scene);
     if (status != DOM_OK && forces)
         return session_status(session, status);
     if (!people)

@@ -29,18 +29,12 @@ static const struct column rubbing_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool same_train(const struct dom_train *a, const struct dom_train *b)
-{
-    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->fuel == b->fuel &&
-           a->tol == b->tol && a->precision == b->precision && a->mu == b->mu;
-}
-
 /* The walk of the session's train, begun if there is none; *begun tells.  False: an error was reported. */
 static bool walk_ready(struct session *session, struct answer *answer, bool *begun)
 {
     struct walk *w = &session->walk;
     *begun = false;
-    if (w->count > 0 && same_train(&w->asked, &session->train))
+    if (walk_now(session))
         return true;
     if (w->count > 0)
         answer_say(answer, "The parameters have changed: the walk begins anew.");

@@ -26,6 +26,19 @@ struct walk_units walk_units(const struct session *session, int cycle)
     };
 }
 
+/* Compares everything that an answer depends on. */
+static bool same_train(const struct dom_train *a, const struct dom_train *b)
+{
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->tol == b->tol &&
+           a->precision == b->precision && a->fuel == b->fuel && a->method == b->method && a->mu == b->mu;
+}
+
+const struct walk *walk_now(const struct session *session)
+{
+    const struct walk *walk = &session->walk;
+    return walk->count > 0 && same_train(&walk->asked, &session->train) ? walk : NULL;
+}
+
 const char walk_no_start[] =
     "no domino effect: the fuel P is not positive (c7), no cycle begins; 'why' says more";
 

@@ -31,6 +31,9 @@ struct walk_units {
 struct session;
 struct walk_units walk_units(const struct session *session, int cycle);
 
+/* Returns the session's walk, or NULL where none has begun in the train that the session has now. */
+const struct walk *walk_now(const struct session *session);
+
 /* Energies in J where a mass is known: the answer gets its columns, in J, in the room. */
 enum { COLUMNS_ROOM = 16 };
 void walk_columns_in(const struct session *session, struct answer *answer, struct column room[COLUMNS_ROOM]);
