@@ -128,7 +128,8 @@ void script_domino(FILE *script, const struct drawn *k, struct place at, double 
         k->corner[0].x + 0.3 * (k->corner[1].x - k->corner[0].x) + (k->corner[3].x - k->corner[0].x) / 2;
     double y = 0.3 * k->corner[1].y + 0.7 * k->corner[0].y + k->corner[3].y / 2;
     if (k->number >= 0 && x > from)
-        fprintf(script, "set label '%d' at %.7g,%.7g center front\n", k->number, x, y);
+        fprintf(script, "set label '%d' at %.7g,%.7g center front\n", k->number, at.shift + at.scale * x,
+                at.scale * y);
     if (k->touched && k->height > 0.04)
         fprintf(script, "set label '' at %.7g,%.7g point pt 7 ps 0.6 lc rgb 'black' front\n",
                 at.shift + at.scale * k->contact.x, at.scale * k->contact.y);
