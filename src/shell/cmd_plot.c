@@ -329,6 +329,7 @@ const struct command plot_commands[] = {
      .see = "curve pair energy omega chain cost draw",
      .columns = plot_columns,
      .unswept = "it draws",
+     .draws = true,
      .rows = true,
      .files = true,
      .run = run_plot},

@@ -69,6 +69,7 @@ struct command {
     const char *echo;    /* the column that repeats this parameter, unless an argument takes its place */
     const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
     bool train;          /* is about the endless train */
+    bool draws;          /* gives a picture where people read */
     bool files;          /* touches files: not in a safe session */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
 };

@@ -1,12 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs lines: the commands in them, with their answers in files behind '>'. */
 #include "arguments.h"
+#include "picture.h"
 #include "redirect.h"
 #include "terminal.h"
 #include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+
+/*
+ * Tells a person that the answer is not about the row: below the answer, or on standard error where a picture
+ * takes the answer's file, whose format has no room for sentences.
+ */
+static void say_train(const struct session *session, struct answer *answer)
+{
+    static const char note[] =
+        "(This is the endless train at these parameters, not the row: 'fall' runs that.)";
+    if (!answer_for_people(answer))
+        return;
+    if (session->redirected && picture_named(session->redirected))
+        fprintf(stderr, "%s\n", note);
+    else
+        answer_say(answer, "%s", note);
+}
 
 /* The command has been read, and nothing was wrong with it. */
 static bool run_call(struct session *session, const struct command *c, struct call *call)
@@ -29,9 +46,8 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     call->answer = NULL;
     double seconds = terminal_clock() - begun;
     session->fresh = session->fresh && done && !c->columns;
-    if (done && c->train && session->effect[DOM_EFFECT_row].on && answer_for_people(&answer))
-        answer_say(&answer,
-                   "(This is the endless train at these parameters, not the row: 'fall' runs that.)");
+    if (done && c->train && session->effect[DOM_EFFECT_row].on)
+        say_train(session, &answer);
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
     if (done && c->principal) {
@@ -67,6 +83,9 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
                       "only one word may stand behind '>'; a file name with blanks stands between \"...\"");
     else if (session->safe)
         session_error(session, "files are off in a safe session");
+    else if (!c->draws && picture_named(path))
+        session_error(session, "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
+                      names_shown(path, shown), c->name);
     else if ((wrong = redirect_open(&redirect, path, append)) != NULL)
         session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     else {

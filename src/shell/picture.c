@@ -32,6 +32,11 @@ static const char *terminal_for(const char *path)
     return NULL;
 }
 
+bool picture_named(const char *path)
+{
+    return terminal_for(path) != NULL;
+}
+
 bool picture_is_text(const struct session *session)
 {
     const char *path = session->redirected;
@@ -153,7 +158,7 @@ static int gnuplot_wait(const struct session *session, pid_t child)
     pid_t ended;
     while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
         if (dom_raised(session->train.interrupt))
-            kill(child, SIGKILL);
+            kill(-child, SIGKILL); /* the whole group */
         nanosleep(&moment, NULL);
     }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
@@ -165,16 +170,29 @@ static int gnuplot_run(const struct session *session, FILE *script, FILE *drawin
     extern char **environ;
     char *const argv[] = {"gnuplot", "-d", "-", NULL};
     posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
     pid_t child;
     fflush(script);
     rewind(script);
     lseek(fileno(script), 0, SEEK_SET);
+    /* gnuplot tries the terminal of the environment before it reads the script, and gives up if it has none.
+     */
+    if (setenv("GNUTERM", "unknown", 1) != 0)
+        return errno;
+    /*
+     * In a process group of its own gnuplot gets no ^Z: it would stop, and this program, which stops when the
+     * command is done, would wait for it without end.
+     */
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, fileno(drawing), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, fileno(complaints), STDERR_FILENO);
-    int failed = posix_spawnp(&child, argv[0], &actions, NULL, argv, environ);
+    int failed = posix_spawnp(&child, argv[0], &actions, &attributes, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     return failed ? failed : gnuplot_wait(session, child);
 }
 

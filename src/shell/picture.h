@@ -28,6 +28,9 @@ bool picture_end(struct session *session, struct picture *picture);
 /* Closes without a picture; false, for the caller to return. */
 bool picture_drop(struct picture *picture);
 
+/* Returns true if the name of a file promises a picture: .svg, .png, .pdf. */
+bool picture_named(const char *path);
+
 /* Is the answer to be a picture in characters?  And what room it has, the line of the next prompt not
  * counted. */
 bool picture_is_text(const struct session *session);

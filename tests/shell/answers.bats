@@ -47,3 +47,92 @@ load common
             "$("$DOMINO" -e "$change; set r 1.7; goto stop > /dev/null; draw")"
     done
 }
+
+# ---- Pictures ----
+
+answers_at_a_terminal() { timeout 300 expect -f "$BATS_TEST_DIRNAME/answers.exp" "$@" </dev/null; }
+
+@test "a file with a picture holds the picture alone, also where a row is on and times are asked for" {
+    cd "$BATS_TEST_TMPDIR" || false
+    local row='effect row 5; set timing on' what
+    for what in draw 'draw 0.3 forces' 'plot energy' 'plot omega' 'plot chain' 'plot growth' 'plot marginal' \
+        'plot cost fuel'; do
+        "$DOMINO" -e "$row; $what > a.svg; $what > a.png; $what > a.pdf" >said 2>notes
+        same "$what: standard output" '' "$(cat said)"
+        xmllint --noout a.svg
+        same "$what: the end of the svg" '</svg>' "$(grep . a.svg | tail -n 1)"
+        # Width and height, then bit depth, colour type; the last chunk is IEND with its checksum.
+        same "$what: the first chunk of the png" 000003e8000002bc "$(od -An -tx1 -j 16 -N 8 a.png | tr -d ' ')"
+        same "$what: the last chunk of the png" 0000000049454e44ae426082 "$(tail -c 12 a.png | od -An -tx1 | tr -d ' \n')"
+        same "$what: the end of the pdf" '%%EOF' "$(tail -n 1 a.pdf)"
+        if [[ $what = draw* ]]; then
+            same "$what: the note is for people" 3 "$(grep -c "^(This is the endless train" notes)"
+        fi
+        rm a.*
+    done
+    "$DOMINO" -e "$row; animate a.gif 2" >said
+    same 'the end of the gif' '3b' "$(tail -c 1 a.gif | od -An -tx1 | tr -d ' \n')"
+    same 'the same picture' "$("$DOMINO" -e 'animate b.gif 2' && cksum <b.gif)" "$(cksum <a.gif)"
+    # Where people read the file, it has the note.
+    "$DOMINO" -e 'effect row 5; draw > a.txt; barrier > b.txt'
+    for what in a b; do grep -q '^(This is the endless train' $what.txt; done
+}
+
+@test "the name of a picture is no name for another answer" {
+    cd "$BATS_TEST_TMPDIR" || false
+    echo draw >s.dom
+    for what in rmax 'source s.dom' show 'sweep s 0.1 0.3 3 : rmax' help; do
+        for name in a.svg a.PNG a.pdf; do
+            wrong "$what > $name" "'$name' is the name of a picture, and '${what%% *}' draws none; 'draw' and 'plot' do"
+            wrong "$what >> $name" "'$name' is the name of a picture"
+        done
+    done
+    same 'nothing is left' s.dom "$(ls -I 'separate-stderr-*')"
+}
+
+@test "GNUTERM in the environment changes no picture" {
+    local expected gif
+    expected=$("$DOMINO" -e 'plot energy')
+    "$DOMINO" -e "animate $BATS_TEST_TMPDIR/a.gif 1"
+    gif=$(cksum <"$BATS_TEST_TMPDIR/a.gif")
+    for GNUTERM in x11 dumb png 'svg enhanced' 'no such terminal' ''; do
+        export GNUTERM
+        same "GNUTERM=$GNUTERM" "$expected" "$("$DOMINO" -e 'plot energy')"
+        "$DOMINO" -e "animate $BATS_TEST_TMPDIR/a.gif 1"
+        same "GNUTERM=$GNUTERM" "$gif" "$(cksum <"$BATS_TEST_TMPDIR/a.gif")"
+    done
+}
+
+@test "^Z while gnuplot draws: the picture is finished, then the program stops" { answers_at_a_terminal suspend_drawing; }
+
+# A gnuplot that keeps the script which it gets.
+keep_scripts() {
+    mkdir "$BATS_TEST_TMPDIR/bin"
+    printf '#!/bin/sh\ntee "%s/script" | exec "%s" "$@"\n' "$BATS_TEST_TMPDIR" "$(command -v gnuplot)" \
+        >"$BATS_TEST_TMPDIR/bin/gnuplot"
+    chmod +x "$BATS_TEST_TMPDIR/bin/gnuplot"
+    PATH=$BATS_TEST_TMPDIR/bin:$PATH
+}
+
+@test "animate: the number of the head stands on the head in every frame of every cycle" {
+    keep_scripts
+    local scene
+    for scene in '' 'set r 1.1' 'set r 1.3; set q hollow; set d 0.05' 'set r 1.7'; do
+        "$DOMINO" -e "$scene; animate $BATS_TEST_TMPDIR/a.gif"
+        # The colour of the head marks its polygon, of which the label is the only one.
+        awk '/^set object polygon .*#f0d080/ { head = $0; heads++ }
+            /^set label .0. at/ {
+                labels++
+                split($5, at, ","); n = split(head, word, " "); k = 0
+                for (i = 5; k < 4; i += 2) { split(word[i], p, ","); x[k] = p[1]; y[k++] = p[2] }
+                for (k = 0; k < 4; k++) { # to the right of each edge, all four being walked clockwise
+                    j = (k + 1) % 4
+                    side = (x[j] - x[k]) * (at[2] - y[k]) - (y[j] - y[k]) * (at[1] - x[k])
+                    if (!(k == 0 ? side > 0 : side * sign > 0)) outside++
+                    if (k == 0) sign = side
+                }
+            }
+            END { if (heads < 26 || labels != heads || outside) { print heads, labels, outside + 0; exit 1 } }' \
+            "$BATS_TEST_TMPDIR/script"
+    done
+}
