@@ -136,3 +136,62 @@ keep_scripts() {
             "$BATS_TEST_TMPDIR/script"
     done
 }
+
+# ---- Pipes ----
+
+# A program that writes a command and waits for its answer: each of the table, and what stands in for a line.
+# The timeout is for the failure alone.
+talk() { # READ-FROM WRITE-TO: descriptors
+    local call line
+    while IFS='|' read -r call _; do
+        printf '%s\n' "${call##*; }" >&"$2"
+        read -r -t 60 -u "$1" line || same "an answer of '${call##*; }'" something "$line"
+        printf 'print 7\n' >&"$2"
+        while [ "$line" != '{"value":7,"unit":""}' ]; do
+            read -r -t 60 -u "$1" line || same "what follows '${call##*; }'" 'print 7' "$line"
+        done
+    done <<<"$commands"
+}
+
+@test "a program that waits for each answer gets it: standard input" {
+    coproc CALCULATOR { "$DOMINO"; }
+    local in=${CALCULATOR[0]} out=${CALCULATOR[1]} process=$CALCULATOR_PID
+    echo 'set output json; effect row 4; effect placement 5 mm' >&"$out"
+    talk "$in" "$out"
+    echo quit >&"$out"
+    wait "$process"
+}
+
+@test "a program that waits for each answer gets it: a pipe with a name, by -f and by 'source'" {
+    cd "$BATS_TEST_TMPDIR" || false
+    mkfifo commands answers
+    local by
+    for by in '-f commands' '-e source\ commands'; do
+        eval "'$DOMINO' $by >answers &"
+        exec 6<answers 5>commands # in the order in which the program opens them
+        echo 'set output json; effect row 4; effect placement 5 mm' >&5
+        talk 6 5
+        exec 5>&- 6<&-
+        wait
+    done
+}
+
+@test "answers are not sent one by one where nobody waits" {
+    # dd counts what it is given at a time; a read takes one write or more of them.
+    for way in stdin file; do
+        printf 'print 12345\n%.0s' {1..20000} >"$BATS_TEST_TMPDIR/lines"
+        [ $way = stdin ] && ask=("$DOMINO") || ask=("$DOMINO" -f "$BATS_TEST_TMPDIR/lines")
+        "${ask[@]}" <"$BATS_TEST_TMPDIR/lines" | dd bs=1M of=/dev/null 2>"$BATS_TEST_TMPDIR/counted"
+        same "$way: bytes" "$((20000 * 7 - 1))" "$(sed -n 's/ bytes.*//p' "$BATS_TEST_TMPDIR/counted")"
+        awk -F + '/records in/ && $1 + $2 > 60 { print; exit 1 }' "$BATS_TEST_TMPDIR/counted"
+    done
+}
+
+@test "what was not run is left to the program that reads on" {
+    cd "$BATS_TEST_TMPDIR" || false
+    printf 'print 1\nquit\nthe rest\n' >lines
+    same 'quit' $'1\nthe rest' "$({ "$DOMINO"; cat; } <lines)"
+    same '-f -' $'1\nthe rest' "$({ "$DOMINO" -f -; cat; } <lines)"
+    printf 'print 1\nfoo\nthe rest\n' >lines
+    same 'an error' $'1\nthe rest' "$({ "$DOMINO" --bail 2>/dev/null; cat; } <lines)"
+}
