@@ -21,8 +21,8 @@ FILE *line_open(const char *name)
 }
 
 /*
- * Reads what is there.  Where nothing is, the program at the other end may wait for answers before it writes the
- * next command: they are sent before this one waits, and not after each command.
+ * Reads what is there.  Where nothing is, the program at the other end may wait for answers before it writes
+ * the next command: they are sent before this one waits, and not after each command.
  */
 static ssize_t read_on(void *cookie, char *block, size_t size)
 {
@@ -41,8 +41,9 @@ static int seek_on(void *cookie, off64_t *offset, int whence)
 
 void line_stream(struct session *session, FILE *file, const char *name)
 {
-    int descriptor = fileno(file);
-    FILE *in = fopencookie(&descriptor, "r", (cookie_io_functions_t){.read = read_on, .seek = seek_on});
+    int descriptor = fileno(file); /* a text in memory has none, and never waits */
+    cookie_io_functions_t patient = {.read = read_on, .seek = seek_on};
+    FILE *in = descriptor < 0 ? file : fopencookie(&descriptor, "r", patient);
     if (!in) {
         session_error(session, "cannot read '%s': %s", name, strerror(errno));
         return;
@@ -73,7 +74,8 @@ void line_stream(struct session *session, FILE *file, const char *name)
         session_error(session, "cannot read on: %s", strerror(errno));
     free(text);
     fflush(in); /* takes back what was read ahead, where that can be */
-    fclose(in);
+    if (in != file)
+        fclose(in);
     session->source = outer.source;
     session->line = outer.line;
     session->prompt_width = outer.prompt_width;
