@@ -328,7 +328,11 @@ const struct command draw_commands[] = {
     {.name = "animate",
      .train = true,
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
-                  {.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
+                  {.name = "N",
+                   .kind = ARGUMENT_COUNT,
+                   .optional = true,
+                   .most = film_most,
+                   .most_of = "the most cycles that one picture can show at this r"}},
      .summary = "N cycles as they run in time, animated, into FILE.gif",
      .help = "All frames are equally far apart in time: each cycle lasts sqrt(r) times as long as the one "
              "before, and is r times larger. A train that does not go on is shown to its stop. It needs "

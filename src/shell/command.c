@@ -148,9 +148,11 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (dom_real)1e9))
         return session_no_answer(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
                                  wide_shown(q.value).text, a->name);
-    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= COUNT_MAX && q.value == floor(q.value)))
-        return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d", a->name,
-                                 wide_shown(q.value).text, a->name, COUNT_MAX);
+    int most = a->most ? a->most(session) : COUNT_MAX;
+    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == floor(q.value)))
+        return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d%s%s", a->name,
+                                 wide_shown(q.value).text, a->name, most, a->most ? ", " : "",
+                                 a->most ? a->most_of : "");
     if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
         return session_no_answer(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
                                  wide_shown(q.value).text, a->name, p->name, (double)p->lowest,

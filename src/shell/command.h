@@ -38,8 +38,10 @@ struct argument {
     enum argument_kind kind;
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
-    names_list *choices;                      /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
-    const struct dom_effect_argument *effect; /* of ARGUMENT_EFFECT, once the effect is known */
+    names_list *choices;                        /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
+    int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
+    const char *most_of;                        /* what that is the largest number of */
+    const struct dom_effect_argument *effect;   /* of ARGUMENT_EFFECT, once the effect is known */
 };
 
 enum { ARGUMENTS_MAX = 3 };

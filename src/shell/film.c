@@ -54,9 +54,9 @@ static int film_cycles(double r)
     return n;
 }
 
-/* So many that the first head can still be seen, and the film has an end. */
-static int film_most(double r)
+int film_most(const struct session *session)
 {
+    double r = (double)session->train.r;
     int n = 1;
     for (double grown = r * r; grown <= GROWN_MOST && n < CYCLES_MOST; grown *= r)
         n++;
@@ -77,10 +77,6 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->pitch = (double)(t->s + t->d);
     film->tau = (double)dom_scale_tau(&session->scale, t->d);
     film->cycles = film_cycles(film->r);
-    if (call->count > 1 && call->number[1] > film_most(film->r))
-        return session_error(
-            session, "N = %.0f cycles are too many to be seen in one picture; at r = %.4g N is at most %d",
-            (double)call->number[1], film->r, film_most(film->r));
     if (call->count > 1)
         film->cycles = (int)call->number[1];
     enum dom_status status = dom_cycle_events(t, events, &count);

@@ -235,8 +235,11 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
     one_line 'FILE is missing; usage: animate FILE [N]' animate
-    one_line 'at r = 1.5 N is at most 9' 'animate a.gif 10'
-    one_line 'N is an integer in 1' 'animate a.gif 0'
+    for what in 0 2.5 10 1e7; do
+        one_line 'N is an integer in 1 .. 9, the most cycles that one picture can show at this r' "animate a.gif $what"
+    done
+    one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate a.gif 31'
+    one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate a.gif 2'
     one_line "takes no name behind it" 'plot energy rmax'
     one_line "needs the NAME of an answer: fuel, launch" 'plot cost'
     one_line 'those are: chain, cost, energy, growth, marginal, omega' 'plot foo'
