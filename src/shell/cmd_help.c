@@ -8,6 +8,8 @@
 #include <ctype.h>
 #include <string.h>
 
+enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */
+
 /* Of the terminal, but not wider than reads well. */
 static int help_width(FILE *out)
 {
@@ -15,13 +17,27 @@ static int help_width(FILE *out)
     return width && width < 100 ? width : 100;
 }
 
+/* The column in which summaries begin: behind the longest usage of a command. */
+static int summary_column(void)
+{
+    char usage[USAGE_SIZE];
+    int widest = 0;
+    for (const struct command_group *g = command_groups; g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++) {
+            int wide = (int)strlen(command_usage(c, usage));
+            widest = wide > widest ? wide : widest;
+        }
+    return widest + 1;
+}
+
 static void help_list(FILE *out)
 {
     char usage[USAGE_SIZE];
+    int column = summary_column();
     for (const struct command_group *g = command_groups; g->title; g++) {
         fprintf(out, "%s%s\n", g == command_groups ? "" : "\n", g->title);
         for (const struct command *c = g->commands; c->name; c++)
-            fprintf(out, "  %-20s %s\n", command_usage(c, usage), c->summary);
+            fprintf(out, "  %-*s %s\n", column, command_usage(c, usage), c->summary);
     }
     char names[256] = "Parameters:";
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -43,8 +59,8 @@ static void help_parameter(const struct session *session, const struct parameter
     parameter_range(session, p, range, sizeof range);
     parameter_text(p, parameter_get(session, p), session_style(session).all_digits, value, sizeof value);
     parameter_text(p, parameter_fallback(session, p), 6, fallback, sizeof fallback);
-    fprintf(out, "%s: %s\n\n  value    %s %s\n  range    %s\n  default  %s\n", p->name, p->meaning, value,
-            p->unit, range, fallback);
+    fprintf(out, "%s: %s\n\n  value    %s%s%s\n  range    %s\n  default  %s\n", p->name, p->meaning, value,
+            *p->unit ? " " : "", p->unit, range, fallback);
     for (const struct word *w = p->words; !p->words_only && w && w->name; w++)
         fprintf(out, "  %-8s %g\n", w->name, (double)w->value);
     if (p->help) {
@@ -78,6 +94,22 @@ static void run_topic(struct session *session, const char *name)
     c->run(session, &(struct call){.answer = &answer});
 }
 
+/* Keys, units and meanings below each other, however long they are. */
+static void help_columns(FILE *out, const struct column *columns)
+{
+    int key = KEY_WIDTH, unit = UNIT_WIDTH;
+    for (const struct column *c = columns; c && c->key; c++) {
+        int key_wide = (int)strlen(c->key), unit_wide = (int)strlen(c->unit);
+        key = key_wide > key ? key_wide : key;
+        unit = unit_wide > unit ? unit_wide : unit;
+    }
+    for (const struct column *c = columns; c && c->key; c++) {
+        int left = fprintf(out, "  %-*s %-*s ", key, c->key, unit, c->unit);
+        output_wrapped(out, c->meaning, left, help_width(out));
+        putc('\n', out);
+    }
+}
+
 static void help_command(struct session *session, const struct command *c)
 {
     char usage[USAGE_SIZE];
@@ -92,10 +124,7 @@ static void help_command(struct session *session, const struct command *c)
     }
     if (c->columns && c->columns->key)
         fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
-    for (const struct column *k = c->columns; k && k->key; k++) {
-        output_wrapped(out, k->meaning, fprintf(out, "  %-12s %-6s ", k->key, k->unit), help_width(out));
-        putc('\n', out);
-    }
+    help_columns(out, c->columns);
     if (c->principal)
         fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->principal);
     if (strcmp(c->name, "set") == 0) {
@@ -165,7 +194,7 @@ static bool run_apropos(struct session *session, const struct call *call)
 {
     const char *word = call->word[0];
     char usage[USAGE_SIZE];
-    int found = 0;
+    int found = 0, column = summary_column();
     for (const struct command_group *g = command_groups; g->title; g++) {
         for (const struct command *c = g->commands; c->name; c++) {
             bool hit = mentions(c->name, word) || mentions(c->summary, word) || mentions(c->help, word) ||
@@ -174,7 +203,7 @@ static bool run_apropos(struct session *session, const struct call *call)
                 hit = mentions(k->key, word) || mentions(k->meaning, word);
             found += hit;
             if (hit)
-                fprintf(session->out, "%-20s %s\n", command_usage(c, usage), c->summary);
+                fprintf(session->out, "%-*s %s\n", column, command_usage(c, usage), c->summary);
         }
     }
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -183,14 +212,14 @@ static bool run_apropos(struct session *session, const struct call *call)
             hit = mentions(w->name, word);
         found += hit;
         if (hit)
-            fprintf(session->out, "set %-16s %s\n", p->name, p->meaning);
+            fprintf(session->out, "set %-*s %s\n", column - (int)strlen("set "), p->name, p->meaning);
     }
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
         bool hit = mentions(e->name, word) || mentions(e->adds, word) || mentions(e->help, word);
         found += hit;
         if (hit)
-            fprintf(session->out, "effect %-13s %s\n", e->name, e->adds);
+            fprintf(session->out, "effect %-*s %s\n", column - (int)strlen("effect "), e->name, e->adds);
     }
     return found > 0 || session_error(session, "nothing is said about '%s'; 'help' lists everything",
                                       names_shown(word, usage));

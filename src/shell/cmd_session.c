@@ -47,27 +47,48 @@ static const struct column show_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static void show_row(const struct session *session, const struct call *call, const struct parameter *p)
-{
+enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
+
+/* A parameter as it is shown: the cells of its row, and the words in them. */
+struct shown {
     char range[64], value[WIDE_TEXT], fallback[WIDE_TEXT];
-    dom_real otherwise = parameter_fallback(session, p);
-    bool people = session->style.output == OUTPUT_TABLE, words = people || p->words_only;
-    parameter_range(session, p, range, sizeof range);
-    parameter_text(p, parameter_get(session, p), (int)session->style.digits, value, sizeof value);
-    parameter_text(p, otherwise, 6, fallback, sizeof fallback);
-    answer_row(call->answer,
-               ROW(cell_word(p->name), words ? cell_word(value) : cell_real(parameter_get(session, p)),
-                   cell_word(p->unit), cell_word(range), words ? cell_word(fallback) : cell_real(otherwise),
-                   cell_word(p->meaning)),
-               NULL);
+    struct cell cell[SHOW_COLUMNS];
+};
+
+static void shown_make(const struct session *session, const struct parameter *p, struct shown *shown)
+{
+    dom_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
+    bool words = session->style.output == OUTPUT_TABLE || p->words_only;
+    parameter_range(session, p, shown->range, sizeof shown->range);
+    parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
+    parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
+    const struct cell cells[] = {cell_word(p->name),
+                                 words ? cell_word(shown->value) : cell_real(value),
+                                 cell_word(p->unit),
+                                 cell_word(shown->range),
+                                 words ? cell_word(shown->fallback) : cell_real(fallback),
+                                 cell_word(p->meaning)};
+    memcpy(shown->cell, cells, sizeof cells);
 }
 
 static bool run_show(struct session *session, const struct call *call)
 {
-    if (call->count == 1)
-        show_row(session, call, parameter_of(call, 0));
-    for (const struct parameter *p = session_parameters; call->count == 0 && p->name; p++)
-        show_row(session, call, p);
+    struct column fitted[SHOW_COLUMNS];
+    struct shown shown;
+    memcpy(fitted, show_columns, sizeof fitted);
+    for (int pass = 0; pass < 2; pass++) {
+        for (const struct parameter *p = session_parameters; p->name; p++) {
+            if (call->count == 1 && p != parameter_of(call, 0))
+                continue;
+            shown_make(session, p, &shown);
+            for (int i = 0; pass == 0 && fitted[i + 1].key; i++) /* the last one is wrapped */
+                if (shown.cell[i].kind == CELL_WORD)
+                    column_fit(&fitted[i], shown.cell[i].word);
+            if (pass == 1)
+                answer_row(call->answer, shown.cell, NULL);
+        }
+        call->answer->columns = pass == 0 ? fitted : show_columns;
+    }
     return true;
 }
 

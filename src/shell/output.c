@@ -32,6 +32,12 @@ static bool column_angle(const struct column *c)
     return strncmp(c->unit, "rad", 3) == 0;
 }
 
+void column_fit(struct column *c, const char *word)
+{
+    int wide = terminal_columns(word);
+    c->width = wide > c->width ? wide : c->width;
+}
+
 /* The unit that people see. */
 static const char *column_unit(const struct answer *a, const struct column *c, char text[CELL_TEXT])
 {
@@ -235,6 +241,13 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
 
 /* ---- Tables ---- */
 
+/* What a column of a table of rows takes: few digits leave room enough for its head, too. */
+static int column_width(const struct answer *a, const struct column *c, int digits)
+{
+    int number = number_width(a, digits), head = terminal_columns(c->key);
+    return c->width ? c->width : number > head ? number : head;
+}
+
 /* Digits that leave room for every column of a table of rows in the width of the terminal. */
 static int row_digits(const struct answer *a)
 {
@@ -253,7 +266,7 @@ static int row_words(const struct answer *a, int digits)
     int at = 0;
     const struct column *c = a->columns;
     for (; c[1].key; c++)
-        at += (c->width ? c->width : number_width(a, digits)) + 2;
+        at += column_width(a, c, digits) + 2;
     int room = c->width && c->width <= WORDS_SHORT ? c->width : WORDS_ROOM;
     return a->width && a->width - at < room ? -1 : at;
 }
@@ -268,7 +281,7 @@ static void row_line(struct answer *a, const struct cell *cells, int digits, con
     for (int i = 0; i < end; i++) {
         const struct column *c = &a->columns[i];
         bool left = cells[i].kind == CELL_WORD, last = !a->columns[i + 1].key;
-        int wide = c->width ? c->width : number_width(a, digits);
+        int wide = column_width(a, c, digits);
         if (left && last && words >= 0) {
             fputs("  ", a->out);
             output_wrapped(a->out, said[i], words, a->width);

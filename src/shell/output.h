@@ -20,6 +20,9 @@ struct column {
 
 enum { ANSWER_COLUMNS = 24 }; /* at most */
 
+/* Makes a column of words, in a copy of an answer's columns, as wide as a word that it is to hold. */
+void column_fit(struct column *column, const char *word);
+
 struct answer {
     FILE *out; /* NULL: the answer is only kept */
     struct output_style style;

@@ -195,3 +195,81 @@ talk() { # READ-FROM WRITE-TO: descriptors
     printf 'print 1\nfoo\nthe rest\n' >lines
     same 'an error' $'1\nthe rest' "$({ "$DOMINO" --bail 2>/dev/null; cat; } <lines)"
 }
+
+# ---- Tables ----
+
+# Every row of a table whose words are set to the left has a blank before each column, and something in the given ones.
+columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
+    awk -v what="$1" -v filled=" $2 " '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = index(" " $0 " ", " " $i " ") }
+        NR > 1 {
+            rows++
+            for (key in at) {
+                before = at[key] > 1 ? substr($0, at[key] - 1, 1) : " "
+                here = substr($0, at[key], 1)
+                if (before != " " || (index(filled, " " key " ") && (here == " " || here == ""))) { print what ", " key ": " $0; bad = 1 }
+            }
+        }
+        END { exit bad || rows == 0 }'
+}
+
+@test "show: every column begins where its head does, however long the values are" {
+    for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
+        'set density 700; set output table'; do
+        "$DOMINO" -e "${scene:+$scene > /dev/null; }show" | grep -v '^tol is now\|^$' |
+            columns_in_line "show after '$scene'" 'name value range default meaning'
+    done
+    "$DOMINO" -e 'show density' | columns_in_line 'show density' 'name value unit range default meaning'
+    "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
+}
+
+@test "effects: every column is in line, however long the settings are" {
+    for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
+        # The heads of numbers end where the numbers do.
+        "$DOMINO" -e "$scene; effects" | sed '/^The answer/,$d' | awk '
+            NR == 1 { for (i = 3; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
+            NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
+            END { exit bad || rows != 5 }'
+    done
+}
+
+@test "few digits: a column is as wide as its head" {
+    for what in 'sweep s 0.1 0.3 3 : rmax' 'sweep r 1.2 2.2 3 : count 112'; do
+        "$DOMINO" -e "set digits 3; $what" | awk 'NR == 1 { wide = length($0) } /^ .*[0-9]/ { rows++; if (length($0) != wide) { print; bad = 1 } } END { exit bad || rows != 3 }'
+    done
+}
+
+@test "help: on every page keys, units and meanings begin below each other" {
+    local topic pages=0
+    for topic in $("$DOMINO" -e 'complete help '); do
+        "$DOMINO" -e "help $topic" | sed -n '/^It answers/,/^$\|^In an/{/^  /p}' >"$BATS_TEST_TMPDIR/page"
+        [ -s "$BATS_TEST_TMPDIR/page" ] || continue
+        pages=$((pages + 1))
+        # The unit begins behind the longest key, the meaning behind the longest unit: where rows without one have it.
+        awk -v topic="$topic" '
+            { if (length($1) > key) key = length($1) }
+            NF > 1 { line[++n] = $0 }
+            END {
+                unit = 2 + (key > 12 ? key : 12) + 2
+                for (k = 1; k <= n; k++)
+                    if (substr(line[k], unit, 1) == " ") {
+                        match(substr(line[k], unit), /[^ ]/)
+                        if (meaning && RSTART != meaning) { print topic ": " line[k]; exit 1 }
+                        meaning = RSTART
+                    }
+                meaning = meaning ? unit + meaning - 1 : unit + 7
+                for (k = 1; k <= n; k++)
+                    if (substr(line[k], unit - 1, 1) != " " || substr(line[k], meaning - 1, 1) != " " ||
+                        (length(line[k]) >= meaning && substr(line[k], meaning, 1) == " ")) { print topic ": " line[k]; exit 1 }
+            }' "$BATS_TEST_TMPDIR/page"
+    done
+    [ "$pages" -ge 30 ]
+}
+
+@test "help and apropos: every summary begins in one column" {
+    "$DOMINO" -e help | sed '/^Parameters/,$d' | grep '^  ' >"$BATS_TEST_TMPDIR/list"
+    "$DOMINO" -e 'apropos e' | sed 's/^/  /' >>"$BATS_TEST_TMPDIR/list"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/list")" -gt 80 ]
+    same 'out of line' '' "$(grep -vE '^  .{20} [^ ]' "$BATS_TEST_TMPDIR/list")"
+    same 'no blank before it' '' "$(grep -vE '^  .{20} ' "$BATS_TEST_TMPDIR/list")"
+}
