@@ -166,7 +166,7 @@ static bool is_expression_topic(const char *word)
 /* One of the argument's names; what is none of them hears which there are. */
 static bool read_choice(struct reader *r, const struct argument *a, char **word, dom_real *number)
 {
-    char message[NAMES_MESSAGE], shown[NAMES_SHOWN], all[128] = "";
+    char message[NAMES_MESSAGE] = "out of memory", shown[NAMES_SHOWN], all[128] = "";
     *word = read_word(r, false);
     int k = *word ? names_find(a->choices, NULL, a->of, *word, message) : -1;
     *number = k;
@@ -177,7 +177,7 @@ static bool read_choice(struct reader *r, const struct argument *a, char **word,
         size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", n ? ", " : "", name);
     }
-    if (*word && !strstr(message, "did you mean"))
+    if (*word && k != NAMES_CLOSE)
         return session_error(r->session, "'%s' is no %s; those are: %s", names_shown(*word, shown), a->of,
                              all);
     return session_error(r->session, "%s", message);
@@ -186,7 +186,7 @@ static bool read_choice(struct reader *r, const struct argument *a, char **word,
 /* One of the names, as -1 - its number; or an angle. */
 static bool read_place(struct reader *r, const struct argument *a, struct call *call, int i)
 {
-    char message[NAMES_MESSAGE];
+    char message[NAMES_MESSAGE] = "out of memory";
     const char *begin = r->at;
     char *name = read_word(r, false);
     bool letters =
@@ -234,7 +234,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     const struct argument *a = &c->argument[i];
     session->column = call->column[i] = reader_column(r, r->at);
     r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind;
-    char message[NAMES_MESSAGE];
+    char message[NAMES_MESSAGE] = "out of memory";
     switch (a->kind) {
     case ARGUMENT_OF:
         return read_value(r, parameter_find(a->of), a->name, &call->number[i]);
@@ -319,19 +319,18 @@ void call_free(struct call *call)
 const struct command *read_command(struct reader *r)
 {
     struct session *session = r->session;
-    char message[NAMES_MESSAGE];
+    char message[NAMES_MESSAGE] = "out of memory";
     session->column = reader_column(r, r->at);
     size_t length = strcspn(r->at, " \t\r\f\v;>");
     char *name = strndup(r->at, length);
     r->at += length;
     int k = name ? names_find(command_names, NULL, "command", name, message) : -1;
     if (k < 0) {
-        bool known = name && strstr(message, "did you mean");
-        if (name && strcspn(name, "0123456789(+-*/^=") == 0)
+        bool expression = name && strcspn(name, "0123456789(+-*/^=") == 0;
+        if (expression)
             snprintf(message, sizeof message, "an expression is no command; 'print' evaluates it");
-        known = (name && effect_hint(name, message)) || known;
-        session_error(session, known || !strstr(message, "unknown") ? "%s" : "%s; 'help' lists the commands",
-                      message);
+        bool said = !name || effect_hint(name, message) || expression || k != NAMES_UNKNOWN;
+        session_error(session, said ? "%s" : "%s; 'help' lists the commands", message);
     }
     free(name);
     return k < 0 ? NULL : command_find(command_names(NULL, k));

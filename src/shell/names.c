@@ -77,7 +77,7 @@ int names_find(names_list *list, const void *context, const char *what, const ch
         snprintf(message, NAMES_MESSAGE, "unknown %s '%s'; did you mean '%s'?", what, shown, close);
     else
         snprintf(message, NAMES_MESSAGE, "unknown %s '%s'", what, shown);
-    return -1;
+    return matches > 1 ? NAMES_SEVERAL : close ? NAMES_CLOSE : NAMES_UNKNOWN;
 }
 
 const char *names_shown(const char *text, char shown[NAMES_SHOWN])

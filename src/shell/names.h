@@ -10,9 +10,16 @@ typedef const char *names_list(const void *context, int k);
 
 enum { NAMES_MESSAGE = 256 };
 
+/* What names_find answers where there is no name; all are negative. */
+enum {
+    NAMES_UNKNOWN = -1, /* nothing is like it */
+    NAMES_CLOSE = -2,   /* the message says what was meant */
+    NAMES_SEVERAL = -3, /* the message says which names begin so */
+};
+
 /*
- * Index of the name that text is, or is the only beginning of; -1 with a message ("unknown command
- * 'barier'; did you mean 'barrier'?") if there is none.  what names the kind of thing.
+ * Index of the name that text is, or is the only beginning of; else one of the above, with a message
+ * ("unknown command 'barier'; did you mean 'barrier'?").  what names the kind of thing.
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE]);

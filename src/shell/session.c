@@ -61,18 +61,24 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
     return arithmetic->digits;
 }
 
+/* What the shell adds to a number of the library's lists: members of its row.  One for each number. */
+#define MORE_s
+#define MORE_r
+#define MORE_d
+#define MORE_q   .words = mass_words,
+#define MORE_tol .help = tol_help, .fallback_of = tol_default, .lowest_of = tol_floor,
+#define MORE_h
+#define MORE_g
+
 #define NUMBER(member, name_, default_, lowest_, highest_, unit_, meaning_)                                  \
     {.name = #name_,                                                                                         \
      .unit = unit_,                                                                                          \
      .meaning = meaning_,                                                                                    \
-     .help = #name_[0] == 't' ? tol_help : NULL,                                                             \
      .fallback = (dom_real)(default_),                                                                       \
      .lowest = (dom_real)(lowest_),                                                                          \
      .highest = (dom_real)(highest_),                                                                        \
-     .words = #name_[0] == 'q' ? mass_words : NULL,                                                          \
-     .fallback_of = #name_[0] == 't' ? tol_default : NULL,                                                   \
-     .lowest_of = #name_[0] == 't' ? tol_floor : NULL,                                                       \
-     .offset = offsetof(struct session, member.name_)},
+     .offset = offsetof(struct session, member.name_),                                                       \
+     MORE_##name_},
 #define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
 #define WORDS(name_, member, words_, fallback_, setting_, meaning_, help_)                                   \

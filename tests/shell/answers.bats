@@ -273,3 +273,33 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
     same 'out of line' '' "$(grep -vE '^  .{20} [^ ]' "$BATS_TEST_TMPDIR/list")"
     same 'no blank before it' '' "$(grep -vE '^  .{20} ' "$BATS_TEST_TMPDIR/list")"
 }
+
+# ---- Names ----
+
+@test "an unknown name: what was meant, which there are, or where they are listed, never two of these" {
+    while IFS='|' read -r line message; do
+        run -1 "$DOMINO" -e "$line"
+        same "$line" "$message" "${output#-e:*: }"
+    done <<'END'
+foo|unknown command 'foo'; 'help' lists the commands
+barier|unknown command 'barier'; did you mean 'barrier'?
+ba|'ba' may be barrier, back
+2+2|an expression is no command; 'print' evaluates it
+friction|'friction' is an effect: 'effect friction MU'
+plot foo|plot: 'foo' is no picture; those are: chain, cost, energy, growth, marginal, omega
+plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
+plot c|plot: 'c' is no picture; those are: chain, cost, energy, growth, marginal, omega
+goto lanch|goto: unknown event 'lanch'; did you mean 'launch'?
+set foo 1|set: unknown parameter 'foo'
+END
+}
+
+@test "among the numbers of the model only q has words, and only tol has help of its own" {
+    same q 3 "$("$DOMINO" -e 'set q hollow; print q')"
+    for name in s r d tol h g mass; do
+        wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"
+        same "help $name" '' "$("$DOMINO" -e "help $name" | grep -E '^  (hollow|massive) ' || true)"
+    done
+    for name in s r d q h g; do [[ $("$DOMINO" -e "help $name") != *'It decides how far'* ]]; done
+    [[ $("$DOMINO" -e 'help tol') == *'It decides how far'* ]]
+}
