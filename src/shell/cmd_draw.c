@@ -272,11 +272,17 @@ static const char *forces_names(const void *context, int k)
     return k == 0 ? "forces" : NULL;
 }
 
+/* A word in the place of T is -1 or less. */
+static bool forces_follow(dom_real place)
+{
+    return place >= 0;
+}
+
 static bool run_draw(struct session *session, const struct call *call)
 {
     static struct scene scene;
     /* 'draw forces' has its word in the place of T. */
-    bool word = call->count > 0 && call->number[0] < 0, forces = word || call->count > 1;
+    bool word = call->count > 0 && !forces_follow(call->number[0]), forces = word || call->count > 1;
     /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
     const struct walk *walk = call->count == 0 || word ? walk_now(session) : NULL;
     const struct dom_train *train = walk ? &walk->train : &session->train;
@@ -311,7 +317,8 @@ const struct command draw_commands[] = {
                    .kind = ARGUMENT_CHOICE,
                    .of = "word behind T",
                    .optional = true,
-                   .choices = forces_names}},
+                   .choices = forces_names,
+                   .follows = forces_follow}},
      .summary = "the train to scale, at tilt T or now, with contact forces",
      .help = "'draw 0.3 forces' and 'draw forces' add the contact forces. In the terminal it is drawn in "
              "characters; 'draw 0.3 > train.svg' needs gnuplot. The ending of "

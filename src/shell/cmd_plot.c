@@ -279,6 +279,12 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
+/* Only the picture of costs is one of an answer. */
+static bool name_follows(dom_real plot)
+{
+    return plots[(int)plot].run == plot_cost;
+}
+
 enum { KEYS_MAX = 8 };
 
 /* The columns of one picture, in the order of its keys. */
@@ -299,7 +305,7 @@ static bool run_plot(struct session *session, const struct call *call)
 {
     const struct plot *plot = &plots[(int)call->number[0]];
     struct column chosen[KEYS_MAX];
-    if (call->count > 1 && plot->run != plot_cost) {
+    if (call->count > 1 && !name_follows(call->number[0])) {
         session->column = call->column[1];
         return session_error(session, "'plot %s' takes no name behind it", plot->name);
     }
@@ -318,7 +324,8 @@ const struct command plot_commands[] = {
                    .kind = ARGUMENT_CHOICE,
                    .of = "command with a tolerance",
                    .optional = true,
-                   .choices = cost_names}},
+                   .choices = cost_names,
+                   .follows = name_follows}},
      .summary = "a picture, in the terminal or in the file behind '>'",
      .help = "'plot growth > growth.svg' draws the largest growth against s, 'plot marginal' that of two "
              "dominoes; 'plot energy', 'plot omega' and 'plot chain' a cycle with its events; 'plot cost "

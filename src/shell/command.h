@@ -39,6 +39,8 @@ struct argument {
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
     names_list *choices;                        /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
+    /* Unless NULL: whether it may stand behind the argument before it, whose choice or place this is. */
+    bool (*follows)(dom_real before);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                        /* what that is the largest number of */
     const struct dom_effect_argument *effect;   /* of ARGUMENT_EFFECT, once the effect is known */

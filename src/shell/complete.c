@@ -93,6 +93,18 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     return offer;
 }
 
+/* Whether an argument may stand behind this word, which is the argument before it. */
+static bool may_follow(const struct argument *a, const char *word)
+{
+    char message[NAMES_MESSAGE];
+    const struct argument *before = a - 1;
+    if (!a->follows)
+        return true;
+    int k = names_find(before->choices, NULL, before->of, word, message);
+    return k < 0 ? before->kind == ARGUMENT_PLACE && a->follows(0)
+                 : a->follows(before->kind == ARGUMENT_PLACE ? -1 - k : k);
+}
+
 /* Commands that answer, and can be swept. */
 static const char *swept_names(const void *context, int k)
 {
@@ -109,7 +121,7 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
     struct offer offer = {.lists = 0};
     const struct command *c = NULL;
     const struct parameter *p = NULL;
-    char word[64], message[NAMES_MESSAGE], effect[64] = "";
+    char word[64], last[64] = "", message[NAMES_MESSAGE], effect[64] = "";
     int words = 0;
     for (size_t i = 0; i < length;) {
         size_t n = strcspn(line + i, " \t");
@@ -128,6 +140,7 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
             p = k < 0 ? NULL : &session_parameters[k];
         } else if (words == 1)
             memcpy(effect, word, sizeof effect);
+        memcpy(last, word, sizeof last);
         words++;
     }
     if (words == 0)
@@ -136,7 +149,7 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
         offer = offer_for(&c->argument[0], NULL, words == 1); /* as long as it may be */
     else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_EFFECT)
         offer = offer_effect(effect, words == 2);
-    else if (c && words <= ARGUMENTS_MAX)
+    else if (c && words <= ARGUMENTS_MAX && (words == 1 || may_follow(&c->argument[words - 1], last)))
         offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL,
                           words == 1);
     return offer;

@@ -303,3 +303,26 @@ END
     for name in s r d q h g; do [[ $("$DOMINO" -e "help $name") != *'It decides how far'* ]]; done
     [[ $("$DOMINO" -e 'help tol') == *'It decides how far'* ]]
 }
+
+# ---- Completion ----
+
+@test "what is offered behind a word is not refused there" {
+    local line word refused=''
+    same 'draw' forces "$("$DOMINO" -e 'complete draw ')"
+    same 'plot cost' 'fuel launch barrier duration rmax pair' "$("$DOMINO" -e 'complete plot cost ' | paste -sd ' ' -)"
+    same 'an abbreviation' 'rmax' "$("$DOMINO" -e 'complete plot co r')"
+    for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \
+        'plot gr' 'plot marginal' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \
+        'effect friction 0.2' 'effect row 5' 'set q' 'set output' 'set output csv' reset 'reset s' show; do
+        for word in $("$DOMINO" -e "complete $line "); do
+            run --separate-stderr "$DOMINO" -e "set output csv; set r 1.4; $line $word > /dev/null"
+            case $stderr in
+            *'too many'* | *'said twice'* | *'takes no name'* | *unknown* | *' is no '*) refused+=" '$line $word'" ;;
+            esac
+        done
+    done
+    same 'offered, then refused' '' "$refused"
+    for line in 'draw forces' 'draw forces f' 'draw 0.3 forces' 'plot growth' 'plot energy r' 'reset s'; do
+        same "complete $line" '' "$("$DOMINO" -e "complete $line ")"
+    done
+}
