@@ -43,7 +43,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev
-DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel
+DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel jq
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
