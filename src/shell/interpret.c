@@ -34,7 +34,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
                    "(This is the endless train at these parameters, not the row: 'fall' runs that.)");
     const char *unsaid = done ? answer_unsaid(&answer) : NULL;
     if (unsaid)
-        done = session_error(session, "%s", unsaid);
+        session_note(session, "%s", unsaid);
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
     if (done && c->principal >= 0) {

@@ -370,31 +370,40 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 }
 
 /*
- * The one place where numbers that the precision does not hold become cells without a value.  Where some did,
- * the reason, unless the row has its own; the row of a table of csv has no column for it then, nor a table
- * for people.
+ * The one place where numbers that the precision does not hold become cells without a value; the reason of
+ * that, unless the row has its own.
  */
 static const char *row_finite(struct answer *a, struct cell *shown, const char *reason,
                               char lost[ANSWER_REASON])
 {
     const enum dom_precision precision = a->style.precision;
-    int i = 0;
-    for (; a->columns[i].key && cell_finite(&a->style, shown[i]); i++)
-        ;
-    if (!a->columns[i].key)
+    const char *key = NULL;
+    for (int i = 0; a->columns[i].key; i++)
+        if (!cell_finite(&a->style, shown[i])) {
+            shown[i].kind = CELL_NONE;
+            key = key ? key : a->columns[i].key;
+        }
+    if (!key)
         return reason;
-    snprintf(lost, ANSWER_REASON, "%s is beyond what %s precision can hold%s", a->columns[i].key,
+    snprintf(lost, ANSWER_REASON, "%s is beyond what %s precision can hold%s", key,
              dom_arithmetic(precision)->name,
              precision == DOM_QUAD ? "" : "; 'set precision quad' holds more");
-    for (; a->columns[i].key; i++)
-        if (!cell_finite(&a->style, shown[i]))
-            shown[i].kind = CELL_NONE;
-    bool place = a->style.output == OUTPUT_JSON || (a->style.output == OUTPUT_CSV && (!a->rows || reason));
-    if (place)
-        return reason && *reason ? reason : lost;
-    if (!*a->unsaid)
+    if (a->style.output == OUTPUT_TABLE && !*a->unsaid) /* said below it, once */
         memcpy(a->unsaid, lost, sizeof a->unsaid);
-    return reason;
+    return a->style.output == OUTPUT_TABLE || (reason && *reason) ? reason : lost;
+}
+
+/* In csv the first of the rows decides whether there is a column for reasons. */
+static const char *row_reason(struct answer *a, const char *reason)
+{
+    if (a->style.output != OUTPUT_CSV || a->swept)
+        return reason;
+    a->reasoned = a->begun ? a->reasoned : reason != NULL;
+    if (a->reasoned)
+        return reason ? reason : "";
+    if (reason && !*a->unsaid)
+        snprintf(a->unsaid, sizeof a->unsaid, "%s", reason);
+    return NULL;
 }
 
 const char *answer_unsaid(struct answer *a)
@@ -435,7 +444,7 @@ void answer_write(struct answer *a, const struct cell *cells, const char *reason
             shown[n].error = style_angle(&a->style, shown[n].error);
         }
     }
-    reason = row_finite(a, shown, reason, lost);
+    reason = row_reason(a, row_finite(a, shown, reason, lost));
     if (a->style.output != OUTPUT_JSON)
         reason = row_escape(a, shown, reason, own);
     answer_prepare(a);

@@ -35,6 +35,7 @@ struct answer {
     bool gap;                   /* set a blank line between this answer and the one before, for people */
     int lost;                   /* errno of the first write that failed; 0 for none */
     struct cell *kept;          /* where the cells of the last row stay */
+    bool reasoned;              /* the head of csv has a column for reasons */
     char unsaid[ANSWER_REASON]; /* why a number is missing in rows that had no place to say it; "" for none */
     struct swept *swept;        /* unless NULL, the answer is that of one point of a sweep: swept.h */
 };

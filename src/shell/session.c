@@ -244,6 +244,14 @@ bool session_error(struct session *session, const char *format, ...)
     return false;
 }
 
+void session_note(struct session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    session_tell(session, format, arguments);
+    va_end(arguments);
+}
+
 bool session_no_answer(struct session *session, const char *format, ...)
 {
     va_list arguments;
