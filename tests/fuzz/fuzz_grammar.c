@@ -21,16 +21,18 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 struct maker {
     const uint8_t *data;
     size_t size;
+    unsigned at;
     FILE *line;
 };
 
-/* A number below n, n up to 256; 0 where no bytes are left. */
+/* A number below n, n up to 256; 0 where no bytes are left.  The same byte chooses otherwise at another
+ * place: what a mutation repeats is not the same line again. */
 static unsigned pick(struct maker *m, unsigned n)
 {
     if (m->size == 0)
         return 0;
     m->size--;
-    return *m->data++ % n;
+    return (*m->data++ + 37 * m->at++) % 256 % n;
 }
 
 #define PICK(m, list) (list)[pick(m, sizeof(list) / sizeof *(list))]
@@ -64,8 +66,8 @@ static void put_number(struct maker *m)
         "1e39",       "1e308",    "1e400", "1e4000", "1e4932", "1e-39", "1e-320", "1e-4900",
         "4294967295", "10000000", "0x10",  ".5",     "5.",     "1e",    "99",     "1.7976931348623157e308",
         "3.4e38"};
-    if (pick(m, 2))
-        fprintf(m->line, "%u.%u", pick(m, 4), pick(m, 256));
+    if (pick(m, 4))
+        fprintf(m->line, "%u.%u", pick(m, 8) / 4, pick(m, 256));
     else
         put(m, PICK(m, numbers));
 }
@@ -114,7 +116,7 @@ static void put_value(struct maker *m, int depth)
         break;
     default:
         put_number(m);
-        if (pick(m, 3) == 0) {
+        if (pick(m, 6) == 0) {
             put(m, " ");
             put_name(m, expression_unit_names, NULL);
         }
@@ -124,7 +126,7 @@ static void put_value(struct maker *m, int depth)
 static void put_expression(struct maker *m, int depth)
 {
     static const char *const operators[] = {" + ", "-", "*", "/", "^", " - ", "\xe2\x88\x92", "\xc3\x97"};
-    switch (depth > 4 ? 0 : pick(m, 6)) {
+    switch (depth > 4 ? 0 : pick(m, 8)) {
     case 1:
         put(m, "(");
         put_expression(m, depth + 1);
@@ -273,7 +275,8 @@ static void put_command(struct maker *m, const struct command *c, int depth)
 
 static void put_line(struct maker *m)
 {
-    static const char *const ends[] = {"\n", "\n", "\n", "; ", " # what\n", " ;; ", "\r\n", " extra\n"};
+    static const char *const ends[] = {"\n", "\n", "\n", "\n", "\n", "\n",        "\n",   "\n",
+                                       "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " extra\n"};
     unsigned way = pick(m, 8);
     /* What decides how the rest is answered comes more often than one in fifty. */
     if (way == 0) {
