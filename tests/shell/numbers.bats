@@ -10,7 +10,7 @@ setup() { cd "$BATS_TEST_TMPDIR" || exit; }
 
 # Where lengths, forces, masses or frictions leave the numbers, or the train stands, hangs or flies.
 scenes='set s 1; set r 1
-set s 1e-6; set r 1
+set s 1e-4; set r 1
 set r 1e6
 set h 1e9; set g 1e-9; set mass 1e9
 set h 1e-9; set g 1e9; set mass 1e-9
