@@ -43,7 +43,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev
-DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils
+DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
@@ -180,17 +180,21 @@ race: | $(FIRST)
 
 # ---- Fuzzing and speed ----
 
-# The line interpreter under libFuzzer, ASan and UBSan, from a seeded corpus.
+# The line interpreter under libFuzzer, ASan and UBSan: on bytes, from a seeded corpus, then on grammatical lines
+# that bytes choose from the tables of commands.  FUZZ_SHOW=1 with an input of the second shows its lines.
 FUZZ_SECONDS ?= 600
+FUZZ         := fuzz_line fuzz_grammar
+FUZZ_RUN     := -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
+                -print_final_stats=1
 FUZZ_FLAGS   := -O1 -g -Wno-double-promotion -fsanitize=address,undefined -fno-sanitize-recover=all
 fuzz: | $(FIRST)
 	$(Q)$(MAKE) --no-print-directory B=$(B)/fuzz CC=clang CFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' \
-	  $(B)/fuzz/fuzz_line
-	$(Q)rm -rf $(B)/fuzz/corpus && cp -r tests/fuzz/corpus $(B)/fuzz/corpus
-	$(B)/fuzz/fuzz_line -seed=1 -max_total_time=$(FUZZ_SECONDS) -max_len=400 -timeout=10 -rss_limit_mb=2048 \
-	  -close_fd_mask=3 -dict=tests/fuzz/words.dict -artifact_prefix=$(B)/fuzz/ -print_final_stats=1 $(B)/fuzz/corpus
+	  $(FUZZ:%=$(B)/fuzz/%)
+	$(Q)rm -rf $(B)/fuzz/corpus $(B)/fuzz/lines && cp -r tests/fuzz/corpus $(B)/fuzz/corpus && mkdir $(B)/fuzz/lines
+	$(B)/fuzz/fuzz_line $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=400 -dict=tests/fuzz/words.dict $(B)/fuzz/corpus
+	$(B)/fuzz/fuzz_grammar $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=300 -len_control=0 $(abspath $(B))/fuzz/lines
 
-$(B)/fuzz_line: $(B)/obj/tests/fuzz/fuzz_line.o $(filter-out %/main.o,$(call OBJ,$(SHELL_C))) $(B)/libdomino.a
+$(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/main.o,$(call OBJ,$(SHELL_C))) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 

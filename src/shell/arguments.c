@@ -27,25 +27,67 @@ bool command_ends(const char *c)
 
 const char unclosed[] = "this '\"' is never closed";
 
-char *read_word(struct reader *r, bool quotes)
+/* What stands in a message until names_find writes one: there was no word to find. */
+#define NO_MEMORY "out of memory"
+
+/* Where a word stands in the line, without its quotes. */
+struct place {
+    const char *begin, *end;
+    bool quoted;
+};
+
+/* Passes a word.  False where a '"' is never closed. */
+static bool pass_word(struct reader *r, bool quotes, struct place *word)
 {
-    const char *begin = r->at;
     char ends[16];
     snprintf(ends, sizeof ends, " \t\r\f\v;%s", r->stops ? r->stops : "");
-    size_t length = strcspn(begin, ends);
-    if (quotes && *begin == '"') {
-        length = strcspn(++begin, "\"");
-        if (begin[length] == '\0')
-            return NULL;
+    *word = (struct place){.begin = r->at, .quoted = quotes && *r->at == '"'};
+    if (!word->quoted) {
+        r->at = word->end = word->begin + strcspn(word->begin, ends);
+        return true;
     }
-    r->at = begin + length + (quotes && begin[length] == '"');
-    return strndup(begin, length);
+    const char *c = ++word->begin;
+    for (; *c != '"' || c[1] == '"'; c++) {
+        if (*c == '\0')
+            return false;
+        c += *c == '"'; /* the second of two */
+    }
+    word->end = c;
+    r->at = c + 1;
+    return true;
 }
 
+/* A copy of the text, where between quotes '""' is one '"'. */
+static char *copy_word(const char *begin, const char *end, bool quoted)
+{
+    char *copy = strndup(begin, (size_t)(end - begin)), *to = copy;
+    for (const char *c = copy; c && *c; c++) {
+        *to++ = *c;
+        c += quoted && *c == '"' && c[1] == '"';
+    }
+    if (copy)
+        *to = '\0';
+    return copy;
+}
+
+char *read_word(struct reader *r, bool quotes)
+{
+    struct place word;
+    return pass_word(r, quotes, &word) ? copy_word(word.begin, word.end, word.quoted) : NULL;
+}
+
+/* A name keeps its bytes: what the field's letters are in commands, they are not there. */
 char *read_file(struct reader *r)
 {
-    char *word = read_word(r, true), *path = word ? tilde_expand(word) : NULL;
-    free(word);
+    struct place word;
+    if (!pass_word(r, true, &word))
+        return NULL;
+    const struct text *t = r->text;
+    char *name = copy_word(t->typed + t->from[word.begin - t->line], t->typed + t->from[word.end - t->line],
+                           word.quoted);
+    char *path = name && *name == '~' ? tilde_expand_word(name) : name;
+    if (path != name)
+        free(name);
     return path;
 }
 
@@ -166,7 +208,7 @@ static bool is_expression_topic(const char *word)
 /* One of the argument's names; what is none of them hears which there are. */
 static bool read_choice(struct reader *r, const struct argument *a, char **word, dom_real *number)
 {
-    char message[NAMES_MESSAGE] = "out of memory", shown[NAMES_SHOWN], all[128] = "";
+    char message[NAMES_MESSAGE] = NO_MEMORY, shown[NAMES_SHOWN], all[128] = "";
     *word = read_word(r, false);
     int k = *word ? names_find(a->choices, NULL, a->of, *word, message) : -1;
     *number = k;
@@ -186,7 +228,7 @@ static bool read_choice(struct reader *r, const struct argument *a, char **word,
 /* One of the names, as -1 - its number; or an angle. */
 static bool read_place(struct reader *r, const struct argument *a, struct call *call, int i)
 {
-    char message[NAMES_MESSAGE] = "out of memory";
+    char message[NAMES_MESSAGE] = NO_MEMORY;
     const char *begin = r->at;
     char *name = read_word(r, false);
     bool letters =
@@ -234,7 +276,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     const struct argument *a = &c->argument[i];
     session->column = call->column[i] = reader_column(r, r->at);
     r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind;
-    char message[NAMES_MESSAGE] = "out of memory";
+    char message[NAMES_MESSAGE] = NO_MEMORY;
     switch (a->kind) {
     case ARGUMENT_OF:
         return read_value(r, parameter_find(a->of), a->name, &call->number[i]);
@@ -319,7 +361,7 @@ void call_free(struct call *call)
 const struct command *read_command(struct reader *r)
 {
     struct session *session = r->session;
-    char message[NAMES_MESSAGE] = "out of memory";
+    char message[NAMES_MESSAGE] = NO_MEMORY;
     session->column = reader_column(r, r->at);
     size_t length = strcspn(r->at, " \t\r\f\v;>");
     char *name = strndup(r->at, length);

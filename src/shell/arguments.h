@@ -22,7 +22,10 @@ const char *skip_blanks(const char *c);
 /* Does the command end here?  Comments begin at a blank. */
 bool command_ends(const char *c);
 
-/* A run of characters without blanks, or what stands between "..."; NULL where a '"' is never closed. */
+/*
+ * A run of characters without blanks, or what stands between "...", where '""' is one '"'; NULL where a '"'
+ * is never closed, or without memory.
+ */
 char *read_word(struct reader *reader, bool quotes);
 extern const char unclosed[];
 

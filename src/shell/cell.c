@@ -113,10 +113,23 @@ static dom_real rounded(const struct output_style *style, dom_real value)
                                             : value;
 }
 
+/* What is brief is known in double at best, and a count is more than a float holds. */
+static const struct output_style *style_of(const struct output_style *style, struct cell cell)
+{
+    static const struct output_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
+    bool count = cell.kind == CELL_COUNT && style->precision == DOM_FLOAT;
+    return cell.digits || count ? &in_double : style;
+}
+
+bool cell_finite(const struct output_style *style, struct cell cell)
+{
+    bool number = cell.kind == CELL_REAL || cell.kind == CELL_COUNT;
+    return !number || isfinite(rounded(style_of(style, cell), cell.number));
+}
+
 const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT])
 {
-    const struct output_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
-    style = cell.digits ? &in_double : style; /* what is brief is known in double at best */
+    style = style_of(style, cell);
     const int all = style->all_digits, few = all < 15 ? all - 2 : 15;
     cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(style, cell.number) : cell.number;
@@ -134,7 +147,8 @@ const char *cell_plain_bound(const struct output_style *style, struct cell cell,
                              char text[CELL_TEXT])
 {
     char number[CELL_TEXT];
-    return cell.kind == CELL_REAL && isfinite(cell.error)
+    /* In bound_text it grows by 6 %. */
+    return cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2))
                ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text)
                : none;
 }

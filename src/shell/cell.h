@@ -37,6 +37,9 @@ struct cell cell_count(dom_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
+/* Returns true unless the number is none, or too large, in the arithmetic in which csv and json write it. */
+bool cell_finite(const struct output_style *style, struct cell cell);
+
 enum { CELL_TEXT = 128 }; /* enough for any cell that is not a word */
 
 /* In a table, in so many digits at most, with its bound if those are shown. */

@@ -145,14 +145,25 @@ static const char *next_cut(const struct scene *scene, char text[32])
 
 enum { FORCES_MOST = 6 }; /* in characters: the others are hardly seen */
 
+/* Returns true where the domino behind touches this one at its hinge (r s = 1): no push there, however large,
+ * turns it. */
+static bool force_lost(const struct drawn *k)
+{
+    return k->touched && !isfinite(k->of_own);
+}
+
 /* "0: 0.12, 1: 0.14". */
 static void forces_write(const struct scene *scene, int width, FILE *out)
 {
     char text[TITLE_SIZE];
     int at = snprintf(text, sizeof text, "contact forces, in weights of the one that is pushed:");
-    for (int k = 1; k <= FORCES_MOST && k < scene->count && scene->domino[k].touched; k++)
-        at += snprintf(text + at, sizeof text - (size_t)at, "%s %d: %.3g", k > 1 ? "," : "",
-                       scene->domino[k].number, scene->domino[k].of_own);
+    for (int k = 1; k <= FORCES_MOST && k < scene->count && scene->domino[k].touched; k++) {
+        char force[32] = "none is enough";
+        if (!force_lost(&scene->domino[k]))
+            snprintf(force, sizeof force, "%.3g", scene->domino[k].of_own);
+        at += snprintf(text + at, sizeof text - (size_t)at, "%s %d: %s", k > 1 ? "," : "",
+                       scene->domino[k].number, force);
+    }
     output_wrapped(out, text, 0, width);
     putc('\n', out);
 }
@@ -198,10 +209,10 @@ static void script_arrows(FILE *script, const struct scene *scene)
 {
     double largest = 0;
     for (int k = 1; k < scene->count; k++)
-        if (scene->domino[k].of_own > largest)
+        if (isfinite(scene->domino[k].of_own) && scene->domino[k].of_own > largest)
             largest = scene->domino[k].of_own;
     for (int k = 1; k < scene->count; k++)
-        if (scene->domino[k].height > 0.1 && scene->domino[k].of_own > 0)
+        if (scene->domino[k].height > 0.1 && scene->domino[k].of_own > 0 && !force_lost(&scene->domino[k]))
             script_arrow(script, &scene->domino[k], 0.4 * scene->domino[k].of_own / largest);
 }
 
@@ -250,19 +261,21 @@ static struct cell cell_double(double value)
     return cell_real((dom_real)value);
 }
 
-static void draw_rows(struct answer *answer, const struct scene *scene)
+static void draw_rows(struct answer *answer, const struct scene *scene, enum dom_status forces)
 {
     answer->style.errors = 0; /* a picture needs no bounds */
     for (int n = 0; n < scene->count; n++) {
         const struct drawn *k = &scene->domino[n];
         const struct point *p = k->corner;
-        answer_row(answer,
-                   ROW(cell_count((dom_real)k->number), cell_double(k->height), cell_double(k->foot),
-                       cell_double(k->theta), cell_double(p[1].x), cell_double(p[1].y), cell_double(p[2].x),
-                       cell_double(p[2].y), cell_double(p[3].x), cell_double(p[3].y),
-                       cell_double(k->contact.x), cell_double(k->contact.y), cell_double(k->force),
-                       cell_double(k->of_own)),
-                   NULL);
+        answer_row(
+            answer,
+            ROW(cell_count((dom_real)k->number), cell_double(k->height), cell_double(k->foot),
+                cell_double(k->theta), cell_double(p[1].x), cell_double(p[1].y), cell_double(p[2].x),
+                cell_double(p[2].y), cell_double(p[3].x), cell_double(p[3].y), cell_double(k->contact.x),
+                cell_double(k->contact.y), cell_double(k->force), cell_double(k->of_own)),
+            !force_lost(k)     ? NULL
+            : forces == DOM_OK ? "the contact is at the hinge: no push, however large, turns this domino"
+                               : dom_status_text(forces));
     }
 }
 
@@ -301,7 +314,7 @@ static bool run_draw(struct session *session, const struct call *call)
     if (status != DOM_OK && forces)
         return session_status(session, status);
     if (!people)
-        draw_rows(call->answer, &scene);
+        draw_rows(call->answer, &scene, status);
     else if (picture_is_text(session))
         draw_text(session, theta, &scene, forces);
     else

@@ -3,6 +3,7 @@
 #include "command.h"
 #include "complete.h"
 #include "effects.h"
+#include "escape.h"
 #include "terminal.h"
 #include "wide.h"
 #include <ctype.h>
@@ -125,7 +126,8 @@ static void help_command(struct session *session, const struct command *c)
     if (c->columns && c->columns->key)
         fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
     help_columns(out, c->columns);
-    if (c->principal)
+    int fewest;
+    if (command_values(c, &fewest) >= 0)
         fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->principal);
     if (strcmp(c->name, "set") == 0) {
         fputs("\nThe parameters now:\n", out);
@@ -140,7 +142,7 @@ static void help_command(struct session *session, const struct command *c)
 static void help_effect(const struct session *session, enum dom_effect_name name, bool example)
 {
     const struct dom_effect *e = dom_effect(name);
-    char usage[EFFECT_USAGE], setting[EFFECT_SETTING];
+    char usage[EFFECT_USAGE], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
     FILE *out = session->out;
     fprintf(out, "effect %s: %s\n\n", effect_usage(name, usage), e->adds);
     output_wrapped(out, e->help, 0, help_width(out));
@@ -154,7 +156,7 @@ static void help_effect(const struct session *session, enum dom_effect_name name
     }
     fprintf(out, "\nSource: %s\n", e->source);
     if (session->effect[name].on)
-        fprintf(out, "It is on: %s\n", effect_setting(session, name, setting));
+        fprintf(out, "It is on: %s\n", names_shown(effect_setting(session, name, setting), shown));
     else
         fputs("It is off, and nothing of it is computed.\n", out);
     if (example)
@@ -289,9 +291,11 @@ static bool run_manual(struct session *session, const struct call *call)
     return true;
 }
 
+/* A line each, on a terminal perhaps: names of files that would break it are not offered. */
 static void print_candidate(const char *candidate, void *out)
 {
-    fprintf(out, "%s\n", candidate);
+    if (!escape_needed(candidate))
+        fprintf(out, "%s\n", candidate);
 }
 
 static bool run_complete(struct session *session, const struct call *call)

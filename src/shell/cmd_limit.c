@@ -289,7 +289,7 @@ static bool run_count(struct session *session, const struct call *call)
     struct dom_count count, e = {0};
     bool feasible;
     const char *why;
-    char number[WIDE_TEXT], growth[WIDE_TEXT];
+    char number[WIDE_TEXT], growth[WIDE_TEXT], tall[WIDE_TEXT];
     train.r = argument_or(call, 1, train.r);
     if (dom_count_find(train.precision, first, height, train.r, &count, ERROR_OF(session, e)) != DOM_OK)
         return session_no_answer(session,
@@ -303,15 +303,15 @@ static bool run_count(struct session *session, const struct call *call)
 
     struct answer *a = call->answer;
     if (count.dominoes == 0)
-        answer_say(a, "No domino is needed: the first is %.6g m tall already.\n", (double)first);
+        answer_say(a, "No domino is needed: the first is %s m tall already.\n", wide_text(first, 6, tall));
     else if (isfinite(count.dominoes))
-        answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %.6g m.\n",
+        answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s m.\n",
                    wide_text(count.dominoes, WIDE_DIGITS, number), count.dominoes == 1 ? "" : "es",
                    wide_text(train.r, (int)a->style.digits, growth),
                    !feasible             ? "would be needed to topple"
                    : count.dominoes == 1 ? "topples"
                                          : "topple",
-                   (double)height);
+                   wide_text(height, 6, tall));
     else
         why = "r = 1: the dominoes do not grow, no number of them is enough";
     char reason[160], name[32];

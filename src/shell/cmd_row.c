@@ -141,6 +141,8 @@ static bool floor_visit(const struct dom_fall *f, void *context)
     return true;
 }
 
+static const char lifted[] = "a domino is lifted off the floor: no friction holds it";
+
 static bool fall_row(const struct dom_fall *f, void *context)
 {
     struct falling *c = context;
@@ -150,7 +152,9 @@ static bool fall_row(const struct dom_fall *f, void *context)
                    cell_narrow(f->time, 4), cell_narrow(f->time + f->duration, 4), cell_narrow(f->omega, 4),
                    cell_narrow(f->kinetic, 4), cell_narrow(f->barrier, 4), cell_narrow(f->margin, 4),
                    cell_narrow(c->scene->row.floor ? slip_most(f).needs : DOM_NAN, 3)),
-               NULL);
+               !answer_for_people(c->answer) && slip_most(f).needs > 0 && !isfinite(slip_most(f).needs)
+                   ? lifted
+                   : NULL);
     return !answer_lost(c->answer);
 }
 
@@ -186,20 +190,28 @@ static const char *slip_when(const struct slip *slip, char text[64])
     return text;
 }
 
+/* "0.43", or that no friction is enough. */
+static const char *needs_text(dom_real needs, char text[WIDE_TEXT])
+{
+    if (!isfinite(needs))
+        return "more than any friction, since it is lifted off";
+    return wide_text(needs, 4, text);
+}
+
 static void floor_say(const struct session *session, struct answer *a, const struct falling *c)
 {
-    char when[64];
+    char when[64], needs[WIDE_TEXT];
     double floor = (double)session->effect[DOM_EFFECT_floor].value[0];
     if (c->first.head == 0)
         answer_say(a, "A floor with %.4g holds every hinge, as far as the row goes.", floor);
     else
         answer_say(
             a,
-            "On a floor with %.4g domino %zu is the first to slip, %s: it needs %.4g. The answer holds up to "
+            "On a floor with %.4g domino %zu is the first to slip, %s: it needs %s. The answer holds up to "
             "there.",
-            floor, c->first.domino, slip_when(&c->first, when), (double)c->first.needs);
+            floor, c->first.domino, slip_when(&c->first, when), needs_text(c->first.needs, needs));
     if (c->most.head > 0)
-        answer_say(a, "The most that is needed: %.4g, under domino %zu %s.", (double)c->most.needs,
+        answer_say(a, "The most that is needed: %s, under domino %zu %s.", needs_text(c->most.needs, needs),
                    c->most.domino, slip_when(&c->most, when));
 }
 

@@ -113,6 +113,8 @@ static bool run_save(struct session *session, const struct call *call)
     struct redirect file;
     char shown[NAMES_SHOWN], value[WIDE_TEXT];
     const struct parameter *p;
+    if (!effects_savable(session))
+        return false;
     const char *wrong = redirect_open(&file, call->word[0], false);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");

@@ -188,7 +188,9 @@ static bool run_slip(struct session *session, const struct call *call)
                ROW(f.hit > f.motion ? cell_bound(f.hit, DOM_NAN) : motion, motion,
                    cell_bound(f.theta, DOM_NAN), cell_count((dom_real)f.domino), cell_bound(f.hit, DOM_NAN),
                    cell_count((dom_real)f.hit_domino), floor->on ? cell_flag(slips) : cell_real(DOM_NAN)),
-               !isfinite(f.motion) ? "a domino is lifted off the floor: no friction holds it" : NULL);
+               !isfinite(f.motion) || !isfinite(f.hit)
+                   ? "a domino is lifted off the floor: no friction holds it"
+                   : NULL);
     if (floor->on && !slips)
         answer_say(call->answer, "A floor with %.4g holds every hinge.", (double)floor->value[0]);
     else if (floor->on)

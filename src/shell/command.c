@@ -160,6 +160,34 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     return !p || parameter_check(session, p, q.value);
 }
 
+/* What an expression can stand for; all else is a name, a word, a file or a line. */
+static bool is_value(enum argument_kind kind)
+{
+    return kind == ARGUMENT_TILT || kind == ARGUMENT_OF || kind == ARGUMENT_HEIGHT ||
+           kind == ARGUMENT_LENGTH || kind == ARGUMENT_COUNT || kind == ARGUMENT_ANY ||
+           kind == ARGUMENT_PLACE;
+}
+
+int command_values(const struct command *c, int *fewest)
+{
+    int most = 0;
+    *fewest = 0;
+    for (int i = 0; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
+        const struct argument *a = &c->argument[i];
+        bool value = is_value(a->kind) && most == i;
+        if (!value && !a->optional)
+            return -1;
+        most += value;
+        *fewest += value && !a->optional;
+    }
+    return c->columns && c->principal ? most : -1;
+}
+
+bool command_allowed(struct session *session, const struct command *c)
+{
+    return !(c->files && session->safe) || session_error(session, "files are off in a safe session");
+}
+
 bool command_keep(struct session *session, const struct command *c, struct call *call, struct cell *kept)
 {
     struct answer answer = {

@@ -109,6 +109,15 @@ const char *command_usage(const struct command *command, char usage[USAGE_SIZE])
 bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
                     dom_real *number);
 
+/*
+ * The most arguments that a command may have as a name in expressions, those before the first that is no
+ * value (a file, a word); *fewest must be given.  -1: the command has no value there.
+ */
+int command_values(const struct command *command, int *fewest);
+
+/* Reports an error where a safe session may not run the command, since it touches files. */
+bool command_allowed(struct session *session, const struct command *command);
+
 /* Runs a command whose arguments are read, as expressions do: the answer is kept, not written. */
 bool command_keep(struct session *session, const struct command *command, struct call *call,
                   struct cell *kept);

@@ -27,8 +27,9 @@ static const char *function_names(const void *context, int k)
 static const char *value_names(const void *context, int k)
 {
     const char *name;
+    int fewest;
     for (int i = 0; (name = command_names(context, i)) != NULL; i++)
-        if (command_find(name)->principal && k-- == 0)
+        if (command_values(command_find(name), &fewest) >= 0 && k-- == 0)
             return name;
     return k == 0 ? "ans" : NULL;
 }
@@ -168,7 +169,8 @@ static const struct command *command_before_dot(const char *text, const char *do
     char name[32];
     snprintf(name, sizeof name, "%.*s", (int)(end - begin), begin);
     const struct command *c = command_find(name);
-    return c && c->principal ? c : NULL;
+    int fewest;
+    return c && command_values(c, &fewest) >= 0 ? c : NULL;
 }
 
 /* Behind the ':' of a sweep a command begins. */

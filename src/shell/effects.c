@@ -179,6 +179,29 @@ void effects_reset(struct session *session)
     effects_apply(session);
 }
 
+bool effects_savable(struct session *session)
+{
+    char shown[NAMES_SHOWN];
+    const char *path = session->listed.domino ? session->listed.path : "";
+    for (const char *c = path; *c; c++)
+        if ((unsigned char)*c < ' ' || *c == 0x7f)
+            return session_error(
+                session,
+                "cannot save: the name of the row's file, '%s', has a control character; rename "
+                "the file, or first 'effect row off'",
+                names_shown(path, shown));
+    return true;
+}
+
+/* As read_file takes it back. */
+static void save_name(const char *path, FILE *out)
+{
+    fputs(" \"", out);
+    for (const char *c = path; *c; c++)
+        fputs(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, out);
+    putc('"', out);
+}
+
 void effects_save(const struct session *session, FILE *out)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
@@ -187,7 +210,7 @@ void effects_save(const struct session *session, FILE *out)
             continue;
         fprintf(out, "effect %s", e->name);
         if (k == DOM_EFFECT_row && session->listed.domino)
-            fprintf(out, " \"%s\"", session->listed.path);
+            save_name(session->listed.path, out);
         for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
             char number[WIDE_TEXT];
             if (k != DOM_EFFECT_row || !session->listed.domino)

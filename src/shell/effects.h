@@ -42,6 +42,12 @@ void effects_reset(struct session *session);
 /* What the states of the effects mean for the session's train. */
 void effects_apply(struct session *session);
 
+/*
+ * Reports an error where a saved session could not name the row's file: a control character, such as a new
+ * line, would begin a command of its own.  Every other name is read back byte for byte.
+ */
+bool effects_savable(struct session *session);
+
 /* The commands that turn on again what is on. */
 void effects_save(const struct session *session, FILE *out);
 

@@ -76,11 +76,17 @@ enum { DEPTH_MAX = 200 };
 
 static bool sum(struct expression *e, struct quantity *q);
 
+/* What each step of an expression may give: a finite number, in a unit whose exponents do not overflow. */
 static bool finite_result(struct expression *e, const char *at, const struct quantity *q)
 {
-    if (isfinite(q->value))
+    enum { EXPONENT_MOST = 999 };
+    bool unit =
+        abs(q->length) <= EXPONENT_MOST && abs(q->time) <= EXPONENT_MOST && abs(q->angle) <= EXPONENT_MOST;
+    if (isfinite(q->value) && unit)
         return true;
     e->end = at;
+    if (!unit)
+        return expression_fail(e, "the unit has an exponent above %d", EXPONENT_MOST);
     return expression_no_value(e, "the value is not a finite number");
 }
 

@@ -48,6 +48,9 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     session->fresh = session->fresh && done && !c->columns;
     if (done && c->train && session->effect[DOM_EFFECT_row].on)
         say_train(session, &answer);
+    const char *unsaid = done ? answer_unsaid(&answer) : NULL;
+    if (unsaid)
+        session_note(session, "%s", unsaid);
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
     if (done && c->principal) {
@@ -120,9 +123,7 @@ static void run_command(struct reader *r)
     if (c) {
         session->command = c->name;
         struct call call = {.count = 0};
-        if (c->files && session->safe)
-            session_error(session, "files are off in a safe session");
-        else if (read_arguments(r, c, &call))
+        if (command_allowed(session, c) && read_arguments(r, c, &call))
             (void)(*r->at == '>' ? run_redirected(r, c, &call) : run_call(session, c, &call));
         call_free(&call);
     }
@@ -146,6 +147,11 @@ static const char *command_end(const char *c)
 static void run_line(struct session *session, const char *line, size_t length)
 {
     struct text text;
+    if (length > TEXT_MOST) {
+        session_error(session, "the line is longer than %d MB; put its commands on lines of their own",
+                      TEXT_MOST >> 20);
+        return;
+    }
     if (!text_make(&text, line, length)) {
         session_error(session, "out of memory");
         return;
@@ -160,7 +166,9 @@ static void run_line(struct session *session, const char *line, size_t length)
         if (begin < end) {
             r.at = begin;
             run_command(&r);
-            end = r.at > end ? r.at : end; /* 'complete LINE' takes the rest */
+            /* Where reading came to the end of the command, that is it: 'complete LINE' takes the rest, and
+             * in the middle of a word a '"' is a letter. */
+            end = r.at > end || command_ends(r.at) ? r.at : end;
         }
         if (*end != ';' || session_stops(session, errors))
             break;

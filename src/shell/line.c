@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "line.h"
 #include "command.h"
+#include "text.h"
 #include <errno.h>
 #include <poll.h>
 #include <stdlib.h>
@@ -57,11 +58,9 @@ void line_stream(struct session *session, FILE *file, const char *name)
     session->prompt_width = 0;
     session->command = NULL;
     errno = 0;
-    while (!session->quit && (length = getline(&text, &size, in)) != -1) {
+    while (!session->quit && (length = text_read(&text, &size, in)) != -1) {
         long errors = session->errors;
         session->line++;
-        if (length > 0 && text[length - 1] == '\n')
-            text[--length] = '\0';
         if (strlen(text) != (size_t)length)
             session_error(session, "the line has a NUL byte; commands are text");
         else

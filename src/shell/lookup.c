@@ -38,15 +38,17 @@ static bool command_quantity(struct expression *e, const struct command *c, cons
     struct session *session = e->context;
     struct cell cells[ANSWER_CELLS];
     struct call call = {.count = count};
-    int fewest = 0, most = 0;
-    for (; most < ARGUMENTS_MAX && c->argument[most].kind; most++)
-        fewest += !c->argument[most].optional;
-    if (count < fewest || count > most) {
-        char usage[USAGE_SIZE];
+    char usage[USAGE_SIZE];
+    int fewest, most = command_values(c, &fewest);
+    if (most < 0)
+        return expression_fail(e, "'%s' has no value in an expression: not all of its arguments are values",
+                               command_usage(c, usage));
+    if (count < fewest || count > most)
         return expression_fail(e, "%d value%s for '%s'", count, count == 1 ? "" : "s",
                                command_usage(c, usage));
-    }
     /* The message of what fails in there has been written when it returns. */
+    if (!command_allowed(session, c))
+        return false;
     for (int i = 0; i < count; i++)
         if (!argument_check(session, &c->argument[i], arguments[i], &call.number[i]))
             return false;

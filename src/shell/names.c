@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "names.h"
+#include "escape.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -82,15 +83,5 @@ int names_find(names_list *list, const void *context, const char *what, const ch
 
 const char *names_shown(const char *text, char shown[NAMES_SHOWN])
 {
-    size_t n = 0;
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-        if (n + 8 > NAMES_SHOWN) {
-            memcpy(shown + n, "...", 4);
-            return shown;
-        }
-        bool plain = *c >= ' ' && *c != 0x7f; /* bytes above are UTF-8 */
-        n += (size_t)snprintf(shown + n, NAMES_SHOWN - n, plain ? "%c" : "\\x%02x", *c);
-    }
-    shown[n] = '\0';
-    return shown;
+    return escape_text(text, shown, NAMES_SHOWN);
 }

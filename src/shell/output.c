@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
+#include "escape.h"
 #include "swept.h"
 #include "terminal.h"
 #include "wide.h"
 #include <errno.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* What a number needs beside its digits: "-0." and "e-300". */
@@ -87,12 +89,13 @@ static const char *table_text(const struct answer *a, struct cell cell, int digi
 /* On a terminal with UTF-8 the field's letters are written as such. */
 static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
 {
+    enum { LETTER = 4 }; /* bytes of one with its end: ">=" becomes longer */
     static const char *const letters[][2] = {{"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"}, {"sqrt", "√"},
                                              {">=", "≥"},    {"<=", "≤"},    {"+/-", "±"}};
     if (!a->letters || strlen(text) >= TEXT_LINE)
         return text;
     size_t n = 0;
-    while (*text) {
+    while (*text && n + LETTER < TEXT_LINE) {
         const char *with = NULL;
         for (size_t k = 0; k < sizeof letters / sizeof *letters && !with; k++) {
             size_t length = strlen(letters[k][0]);
@@ -102,7 +105,7 @@ static const char *pretty(const struct answer *a, const char *text, char line[TE
             }
         }
         if (with)
-            n += (size_t)snprintf(line + n, TEXT_LINE - n, "%s", with);
+            n += (size_t)snprintf(line + n, LETTER, "%s", with);
         else
             line[n++] = *text++;
     }
@@ -151,18 +154,12 @@ void output_wrapped(FILE *out, const char *text, int left, int right)
     }
 }
 
-/* A string between quotes, as both JSON and (with "" for ") CSV want it. */
-static void quoted(FILE *out, const char *text, const char *escaped_quote)
+/* A cell of csv in quotes. */
+static void quoted(FILE *out, const char *text)
 {
     putc('"', out);
-    for (const char *c = text; *c; c++) {
-        if (*c == '"')
-            fputs(escaped_quote, out);
-        else if (*c == '\\' && *escaped_quote == '\\')
-            fputs("\\\\", out);
-        else
-            putc(*c, out);
-    }
+    for (const char *c = text; *c; c++)
+        fputs(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, out);
     putc('"', out);
 }
 
@@ -177,7 +174,7 @@ static void cell_json(const struct answer *a, struct cell cell)
     else if (cell.kind == CELL_FLAG)
         put(out, cell.number != 0 ? "true" : "false");
     else if (cell.kind == CELL_WORD)
-        quoted(out, cell.word, "\\\"");
+        escape_json(out, cell.word);
     else
         put(out, cell_plain(&a->style, cell, text));
 }
@@ -197,7 +194,7 @@ static void row_json(struct answer *a, const struct cell *cells, const char *rea
     if (reason) {
         put(a->out, ",\"reason\":");
         if (*reason)
-            quoted(a->out, reason, "\\\"");
+            escape_json(a->out, reason);
         else
             put(a->out, "null");
     }
@@ -210,8 +207,8 @@ static void cell_csv(const struct answer *a, struct cell cell)
     char text[CELL_TEXT];
     if (cell.kind == CELL_FLAG)
         put(out, cell.number != 0 ? "true" : "false");
-    else if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\"\n"))
-        quoted(out, cell.word, "\"\"");
+    else if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\""))
+        quoted(out, cell.word);
     else if (cell.kind != CELL_NONE)
         put(out, cell_plain(&a->style, cell, text));
 }
@@ -385,9 +382,73 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
     return part;
 }
 
+/*
+ * The one place where numbers that the precision does not hold become cells without a value; the reason of
+ * that, unless the row has its own.
+ */
+static const char *row_finite(struct answer *a, struct cell *shown, const char *reason,
+                              char lost[ANSWER_REASON])
+{
+    const enum dom_precision precision = a->style.precision;
+    const char *key = NULL;
+    for (int i = 0; a->columns[i].key; i++)
+        if (!cell_finite(&a->style, shown[i])) {
+            shown[i].kind = CELL_NONE;
+            key = key ? key : a->columns[i].key;
+        }
+    if (!key)
+        return reason;
+    snprintf(lost, ANSWER_REASON, "%s is beyond what %s precision can hold%s", key,
+             dom_arithmetic(precision)->name,
+             precision == DOM_QUAD ? "" : "; 'set precision quad' holds more");
+    if (a->style.output == OUTPUT_TABLE && !*a->unsaid) /* said below it, once */
+        memcpy(a->unsaid, lost, sizeof a->unsaid);
+    return a->style.output == OUTPUT_TABLE || (reason && *reason) ? reason : lost;
+}
+
+/* In csv the first of the rows decides whether there is a column for reasons. */
+static const char *row_reason(struct answer *a, const char *reason)
+{
+    if (a->style.output != OUTPUT_CSV || a->swept)
+        return reason;
+    a->reasoned = a->begun ? a->reasoned : reason != NULL;
+    if (a->reasoned)
+        return reason ? reason : "";
+    if (reason && !*a->unsaid)
+        snprintf(a->unsaid, sizeof a->unsaid, "%s", reason);
+    return NULL;
+}
+
+const char *answer_unsaid(struct answer *a)
+{
+    if (*a->unsaid && a->style.output == OUTPUT_TABLE)
+        answer_say(a, "%s", a->unsaid);
+    else if (*a->unsaid)
+        return a->unsaid;
+    return NULL;
+}
+
+/* Words as people may read them; what is to be freed is in own.  In json they are escaped as they are
+ * written. */
+static const char *row_escape(const struct answer *a, struct cell *shown, const char *reason,
+                              char *own[ANSWER_COLUMNS])
+{
+    int n = 0;
+    for (; a->columns[n].key; n++) {
+        own[n] = NULL;
+        if (shown[n].kind == CELL_WORD && escape_needed(shown[n].word)) {
+            own[n] = escape_copy(shown[n].word);
+            shown[n].word = own[n] ? own[n] : "?";
+        }
+    }
+    own[n] = reason && escape_needed(reason) ? escape_copy(reason) : NULL;
+    return own[n] ? own[n] : reason;
+}
+
 void answer_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct cell shown[ANSWER_COLUMNS];
+    char *own[ANSWER_COLUMNS] = {NULL}, lost[ANSWER_REASON];
     for (int n = 0; a->columns[n].key; n++) {
         shown[n] = cells[n];
         shown[n].error = a->style.errors ? shown[n].error : 0;
@@ -396,6 +457,9 @@ void answer_write(struct answer *a, const struct cell *cells, const char *reason
             shown[n].error = style_angle(&a->style, shown[n].error);
         }
     }
+    reason = row_reason(a, row_finite(a, shown, reason, lost));
+    if (a->style.output != OUTPUT_JSON)
+        reason = row_escape(a, shown, reason, own);
     answer_prepare(a);
     bounds_prepare(a, cells);
     errno = 0;
@@ -410,6 +474,8 @@ void answer_write(struct answer *a, const struct cell *cells, const char *reason
     a->begun = true;
     if (ferror(a->out) && !a->lost)
         a->lost = errno;
+    for (int n = 0; n < ANSWER_COLUMNS; n++)
+        free(own[n]);
 }
 
 void answer_row(struct answer *a, const struct cell *cells, const char *reason)
@@ -437,16 +503,23 @@ bool answer_for_people(const struct answer *a)
 
 void answer_say(struct answer *a, const char *format, ...)
 {
-    char text[TEXT_LINE], line[TEXT_LINE];
+    char said[TEXT_LINE], text[TEXT_LINE], line[TEXT_LINE];
     if (!answer_for_people(a))
         return;
     answer_prepare(a);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    vsnprintf(said, sizeof said, format, arguments);
     va_end(arguments);
+    /* The blank lines that the format asks for, above and below; a name has no new lines. */
+    size_t length = strlen(said);
+    bool above = *format == '\n',
+         below = length > 1 && format[strlen(format) - 1] == '\n' && said[length - 1] == '\n';
+    said[length - below] = '\0';
+    escape_text(said + above, text, sizeof text);
+    fputs(above ? "\n" : "", a->out);
     int indent = (int)strspn(text, " ");
     fprintf(a->out, "%*s", indent, "");
     output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
-    putc('\n', a->out);
+    fputs(below ? "\n\n" : "\n", a->out);
 }

@@ -18,7 +18,7 @@ struct column {
     int width;           /* of words, or of few digits, in a table of rows; 0 for a number */
 };
 
-enum { ANSWER_COLUMNS = 24 }; /* at most */
+enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160 };
 
 /* Makes a column of words, in a copy of an answer's columns, as wide as a word that it is to hold. */
 void column_fit(struct column *column, const char *word);
@@ -33,12 +33,14 @@ struct answer {
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
-    int width;           /* of the terminal; 0 for none */
-    unsigned bounded;    /* bit i: csv and json have the bounds of column i behind it */
-    bool gap;            /* set a blank line between this answer and the one before, for people */
-    int lost;            /* errno of the first write that failed; 0 for none */
-    struct cell *kept;   /* where the cells of the last row stay */
-    struct swept *swept; /* unless NULL, the answer is that of one point of a sweep: swept.h */
+    int width;                  /* of the terminal; 0 for none */
+    unsigned bounded;           /* bit i: csv and json have the bounds of column i behind it */
+    bool gap;                   /* set a blank line between this answer and the one before, for people */
+    int lost;                   /* errno of the first write that failed; 0 for none */
+    struct cell *kept;          /* where the cells of the last row stay */
+    bool reasoned;              /* the head of csv has a column for reasons */
+    char unsaid[ANSWER_REASON]; /* why a number is missing in rows that had no place to say it; "" for none */
+    struct swept *swept;        /* unless NULL, the answer is that of one point of a sweep: swept.h */
 };
 
 /*
@@ -54,6 +56,12 @@ void answer_row(struct answer *answer, const struct cell *cells, const char *rea
  */
 void answer_plan(struct answer *answer, const struct cell *like);
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
+
+/*
+ * Says or returns what answer_row had no place for: people read it below the answer, where NULL is returned;
+ * for programs the caller reports it.
+ */
+const char *answer_unsaid(struct answer *answer);
 
 /* The row as it is: what answer_row does where somebody reads it, and no point of a sweep is behind it. */
 void answer_write(struct answer *answer, const struct cell *cells, const char *reason);

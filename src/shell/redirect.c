@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "redirect.h"
+#include "escape.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -82,6 +83,8 @@ static FILE *draft_apart(const char *path, bool exists)
 const char *redirect_open(struct redirect *r, const char *path, bool append)
 {
     struct stat now, out;
+    if (escape_needed(path)) /* what a script asks for must be what its reader sees */
+        return "the name has control characters, or is not UTF-8; no such file is written";
     bool exists = stat(path, &now) == 0;
     /* What a link points at is the file. */
     char *real = realpath(path, NULL);

@@ -12,7 +12,7 @@ struct redirect {
     bool copy, append;  /* copy: file is a draft without a name, to be copied into path */
 };
 
-/* NULL, or why the file cannot be written. */
+/* NULL, or why the file cannot be written: also where its name is not shown as it is (escape.h). */
 const char *redirect_open(struct redirect *redirect, const char *path, bool append);
 
 /* Keeps or drops what was written; NULL, or what went wrong. */

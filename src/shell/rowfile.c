@@ -106,7 +106,7 @@ static bool line_read(struct reader *r)
     size_t mark = r->line == 1 && n >= 3 && memcmp(r->buffer, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
     text_free(&r->text);
     if (!text_make(&r->text, r->buffer + mark, n - mark)) {
-        r->text = (struct text){NULL, NULL};
+        r->text = (struct text){.line = NULL};
         return wrong(r, NULL, "out of memory");
     }
     if (n == LINE_MOST)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
 #include "effects.h"
+#include "escape.h"
+#include "names.h"
 #include "terminal.h"
 #include "wide.h"
 #include <stdarg.h>
@@ -163,6 +165,15 @@ dom_real session_mass(const struct session *session)
     return session_block_mass(session, h, session->train.d * h);
 }
 
+/* Returns true if the typed line may be written again: it was pasted, perhaps. */
+static bool typed_is_plain(const struct session *session)
+{
+    char *typed = strndup(session->typed, (size_t)session->typed_length);
+    bool plain = typed && !escape_needed(typed);
+    free(typed);
+    return plain;
+}
+
 /*
  * At the prompt a caret points at the place: in the typed line, if that stands right above, else in a
  * copy of it.
@@ -173,7 +184,7 @@ static void session_caret(const struct session *session)
     if (!session->prompt_width || !session->column || !session->typed)
         return;
     bool above = session->fresh && width > 0;
-    if (!above && session->typed_columns + CARET_INDENT >= width)
+    if (!above && (session->typed_columns + CARET_INDENT >= width || !typed_is_plain(session)))
         return;
     if (above) /* a long line goes on in the next row */
         at = (at - 1) % width + 1;
@@ -196,19 +207,23 @@ static void session_hear(const struct session *session, bool no_answer, const ch
 
 static void session_tell(struct session *session, const char *format, va_list arguments)
 {
-    char text[1024];
+    char told[1024], text[4 * sizeof told], shown[NAMES_SHOWN];
+    const char *source = session->source;
+    if (source && escape_needed(source))
+        source = names_shown(source, shown); /* a name may not hide the message behind it */
     int n = 0;
     fflush(session->out); /* so that both streams keep their order where they share a file */
     ticker_stop();
     session_caret(session);
-    if (session->source && session->column)
-        n = snprintf(text, sizeof text, "%s:%ld:%d: ", session->source, session->line, session->column);
-    else if (session->source)
-        n = snprintf(text, sizeof text, "%s:%ld: ", session->source, session->line);
-    n = n < (int)sizeof text / 2 ? n : (int)sizeof text / 2;
+    if (source && session->column)
+        n = snprintf(told, sizeof told, "%s:%ld:%d: ", source, session->line, session->column);
+    else if (source)
+        n = snprintf(told, sizeof told, "%s:%ld: ", source, session->line);
+    n = n < (int)sizeof told / 2 ? n : (int)sizeof told / 2;
     if (session->command)
-        n += snprintf(text + n, sizeof text - (size_t)n, "%s: ", session->command);
-    vsnprintf(text + n, sizeof text - (size_t)n, format, arguments);
+        n += snprintf(told + n, sizeof told - (size_t)n, "%s: ", session->command);
+    vsnprintf(told + n, sizeof told - (size_t)n, format, arguments);
+    escape_text(told, text, sizeof text);
     bool colour = terminal_colour(stderr) && !session->source;
     fputs(colour ? "\033[31m" : "", stderr);
     output_wrapped(stderr, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
@@ -233,6 +248,14 @@ bool session_error(struct session *session, const char *format, ...)
     session_say(session, false, format, arguments);
     va_end(arguments);
     return false;
+}
+
+void session_note(struct session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    session_tell(session, format, arguments);
+    va_end(arguments);
 }
 
 bool session_no_answer(struct session *session, const char *format, ...)

@@ -96,6 +96,9 @@ dom_real session_mass(const struct session *session);
 /* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
 bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* A line on stderr like that of an error, which it is not: why an answer is not whole. */
+void session_note(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
 /*
  * The same where the line is right, but has no answer with these values: a sweep goes on to its next point.
  */

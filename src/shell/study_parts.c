@@ -8,6 +8,7 @@
 #include "line.h"
 #include "points.h"
 #include "study.h"
+#include "text.h"
 #include "wide.h"
 #include <errno.h>
 #include <stdint.h>
@@ -241,16 +242,19 @@ static bool pool_read(struct pool *p, FILE *in)
 {
     char head[SAME_SIZE] = "", *text = NULL;
     size_t size = 0;
+    ssize_t length;
     bool good = true;
     for (const struct column *c = block_columns; c->key; c++) {
         size_t used = strlen(head);
         snprintf(head + used, sizeof head - used, "%s%s", used ? "," : "", c->key);
     }
-    while (good && getline(&text, &size, in) != -1) {
+    while (good && (length = text_read(&text, &size, in)) != -1) {
         p->line++;
+        if (length > TEXT_MOST)
+            good = wrong(p, "the line is too long for a block of a study");
         text[strcspn(text, "\r\n")] = '\0';
         /* Parts stand one behind the other, in any order. */
-        if (*text && strcmp(text, head) != 0)
+        if (good && *text && strcmp(text, head) != 0)
             good = block_add(p, text);
     }
     free(text);

@@ -51,6 +51,11 @@ static void swept_write(struct answer *a, const struct cell *row, const char *re
         reason = ""; /* its place is there in every row */
     a->columns = s->column;
     answer_write(a, row, reason);
+    if (*a->unsaid && !s->reasoned) {
+        snprintf(s->reason, sizeof s->reason, "%s", a->unsaid);
+        s->reasoned = true;
+    }
+    a->unsaid[0] = '\0'; /* the sweep says it */
     a->columns = own;
 }
 

@@ -8,15 +8,28 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
+#include <sys/types.h>
 
 struct text {
     char *line;
     int *column; /* of each byte of line, and of its end */
+    int *from;   /* where in typed each of them comes from */
+    const char *typed;
 };
 
-/* False if there is no memory. */
+enum { TEXT_MOST = 4 << 20 }; /* bytes of a line: far above what people and programs write */
+
+/* False if there is no memory.  typed outlives the text; it is at most INT_MAX bytes long. */
 bool text_make(struct text *text, const char *typed, size_t length);
 void text_free(struct text *text);
+
+/*
+ * The next line of a stream, without its end, as getline reads it: in *line, of *size bytes, which the caller
+ * frees.  Returns its length, -1 at the end of the stream, after an error or without memory (errno).  No more
+ * than TEXT_MOST bytes are kept, and one more says that it was longer: the rest is read and dropped.
+ */
+ssize_t text_read(char **line, size_t *size, FILE *in);
 
 /* Column of a place in the line, from 1. */
 int text_column(const struct text *text, const char *place);

@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Grammatical lines of all commands, made from the program's own tables: the bytes decide which command,
+ * which argument of its kind, which expression with any command as a function.  Half of the sessions are
+ * safe, the others have a scratch folder, in which every name that is made stays; see 'make fuzz'.
+ */
+#include "../../src/shell/command.h"
+#include "../../src/shell/effects.h"
+#include "../../src/shell/grid.h"
+#include "../../src/shell/lookup.h"
+#include "session.h"
+#include <dirent.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* Bytes that are left, and where the line goes. */
+struct maker {
+    const uint8_t *data;
+    size_t size;
+    unsigned at;
+    FILE *line;
+};
+
+/* A number below n, n up to 256; 0 where no bytes are left.  The same byte chooses otherwise at another
+ * place: what a mutation repeats is not the same line again. */
+static unsigned pick(struct maker *m, unsigned n)
+{
+    if (m->size == 0)
+        return 0;
+    m->size--;
+    return (*m->data++ + 37 * m->at++) % 256 % n;
+}
+
+#define PICK(m, list) (list)[pick(m, sizeof(list) / sizeof *(list))]
+
+static void put(const struct maker *m, const char *text)
+{
+    fputs(text, m->line);
+}
+
+/* One name of a list, at times cut or with a letter too many. */
+static const char *put_name(struct maker *m, names_list *list, const void *context)
+{
+    unsigned n = 0;
+    while (list(context, (int)n))
+        n++;
+    const char *name = n ? list(context, (int)((pick(m, 256) * 256 + pick(m, 256)) % n)) : "";
+    unsigned way = pick(m, 32);
+    fprintf(m->line, "%.*s%s", way == 1 ? 2 : 100, name, way == 2 ? "x" : "");
+    return name;
+}
+
+/* ---- Expressions ---- */
+
+static void put_expression(struct maker *m, int depth);
+
+static void put_number(struct maker *m)
+{
+    static const char *const numbers[] = {
+        "0",          "1",        "2",     "3",      "0.5",    "0.1",   "1.5",    "0.999",
+        "1e-9",       "1e-12",    "7/48",  "10",     "100",    "1e6",   "1e9",    "1e30",
+        "1e39",       "1e308",    "1e400", "1e4000", "1e4932", "1e-39", "1e-320", "1e-4900",
+        "4294967295", "10000000", "0x10",  ".5",     "5.",     "1e",    "99",     "1.7976931348623157e308",
+        "3.4e38"};
+    if (pick(m, 4))
+        fprintf(m->line, "%u.%u", pick(m, 8) / 4, pick(m, 256));
+    else
+        put(m, PICK(m, numbers));
+}
+
+static void put_call(struct maker *m, int depth)
+{
+    unsigned n = pick(m, 4);
+    put(m, "(");
+    for (unsigned i = 0; i < n; i++) {
+        put(m, i ? ", " : "");
+        put_expression(m, depth + 1);
+    }
+    put(m, ")");
+}
+
+static const char *expression_unit_names(const void *context, int k)
+{
+    (void)context;
+    return expression_unit_name(k);
+}
+
+static void put_value(struct maker *m, int depth)
+{
+    const char *name;
+    switch (pick(m, 8)) {
+    case 0: /* any command, with a key or without */
+        name = put_name(m, command_names, NULL);
+        if (pick(m, 2))
+            put_call(m, depth);
+        if (pick(m, 3) == 0) {
+            put(m, ".");
+            put_name(m, command_keys, command_find(name) ? command_find(name) : command_find("rmax"));
+        }
+        break;
+    case 1:
+        put_name(m, value_names, NULL);
+        if (pick(m, 2))
+            put_call(m, depth);
+        break;
+    case 2:
+        put(m, "ans.");
+        put_name(m, command_keys, command_find("where"));
+        break;
+    case 3:
+        put_name(m, parameter_names, NULL);
+        break;
+    default:
+        put_number(m);
+        if (pick(m, 6) == 0) {
+            put(m, " ");
+            put_name(m, expression_unit_names, NULL);
+        }
+    }
+}
+
+static void put_expression(struct maker *m, int depth)
+{
+    static const char *const operators[] = {" + ", "-", "*", "/", "^", " - ", "\xe2\x88\x92", "\xc3\x97"};
+    switch (depth > 4 ? 0 : pick(m, 8)) {
+    case 1:
+        put(m, "(");
+        put_expression(m, depth + 1);
+        put(m, ")");
+        break;
+    case 2:
+        put_expression(m, depth + 1);
+        put(m, PICK(m, operators));
+        put_expression(m, depth + 1);
+        break;
+    case 3:
+        put(m, "-");
+        put_expression(m, depth + 1);
+        break;
+    default:
+        put_value(m, depth);
+    }
+}
+
+/* ---- Arguments ---- */
+
+/* Every one stays in the folder: no '/' and no '~'. */
+static const char *const files[] = {"row.csv",
+                                    "\"row.csv\"",
+                                    "\"a \"\"b\"\".csv\"",
+                                    "s.dom",
+                                    "s.dom",
+                                    "a.txt",
+                                    "a.svg",
+                                    "\"a b.csv\"",
+                                    "a.csv",
+                                    "gone",
+                                    "-",
+                                    "a.gif",
+                                    "\"\x1b[31m\"",
+                                    "\"\xff\x9b.csv\"",
+                                    "\"\xe2\x80\xae.csv\"",
+                                    "\xce\xb8.csv"};
+
+static void put_parameter_value(struct maker *m, const struct parameter *p)
+{
+    if (p && p->words && pick(m, 4))
+        put_name(m, parameter_words, p);
+    else if (p && pick(m, 2)) {
+        dom_real lowest = p->lowest, highest = p->highest;
+        fprintf(m->line, "%.17g", (double)(lowest + (highest - lowest) * pick(m, 256) / 255));
+    } else
+        put_expression(m, 0);
+}
+
+static void put_command(struct maker *m, const struct command *c, int depth);
+
+static const char *swept_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
+        if (command_find(name)->columns && k-- == 0)
+            return name;
+    return NULL;
+}
+
+static void put_grid(struct maker *m)
+{
+    for (unsigned axes = 1 + pick(m, 3); axes > 0; axes--) {
+        put_name(m, grid_names, NULL);
+        for (unsigned n = 1 + pick(m, 4), list = pick(m, 2); n > 0; n--) {
+            put(m, " ");
+            if (pick(m, 4))
+                put_number(m);
+            else
+                put_expression(m, 2);
+            put(m, list && n > 1 ? "," : "");
+        }
+        put(m, pick(m, 4) ? " " : " log ");
+    }
+}
+
+static void put_argument(struct maker *m, const struct argument *a, const struct parameter **named, int depth)
+{
+    static const char *const words[] = {"barrier", "\"a b\"", "\"", "\"\x1b[3m\"", "\xc2\x9b",
+                                        "\xff",    "x\ty",    "#",  "on"};
+    static const char *const switches[] = {"on", "off", "0.2", "1 mm", "3", "row.csv", "\"a \"\"b\"\".csv\""};
+    switch (a->kind) {
+    case ARGUMENT_OF:
+        put_parameter_value(m, parameter_find(a->of));
+        break;
+    case ARGUMENT_VALUE:
+        put_parameter_value(m, *named);
+        break;
+    case ARGUMENT_COUNT:
+        if (pick(m, 4))
+            fprintf(m->line, "%u", pick(m, 256));
+        else
+            put_expression(m, 0);
+        break;
+    case ARGUMENT_PARAMETER:
+        *named = parameter_find(put_name(m, parameter_names, NULL));
+        break;
+    case ARGUMENT_TOPIC:
+        put_name(m, topic_names, NULL);
+        break;
+    case ARGUMENT_CHOICE:
+    case ARGUMENT_PLACE:
+        if (pick(m, 4))
+            put_name(m, a->choices, NULL);
+        else
+            put_expression(m, 0);
+        break;
+    case ARGUMENT_WORD:
+    case ARGUMENT_REST:
+        put(m, PICK(m, words));
+        break;
+    case ARGUMENT_FILE:
+        put(m, PICK(m, files));
+        break;
+    case ARGUMENT_EFFECT:
+        if (pick(m, 2))
+            put(m, PICK(m, switches));
+        else
+            put_expression(m, 0);
+        break;
+    case ARGUMENT_GRID:
+        put_grid(m);
+        break;
+    case ARGUMENT_COMMAND:
+        put(m, ": ");
+        if (depth == 0)
+            put_command(m, command_find(put_name(m, swept_names, NULL)), 1);
+        break;
+    default:
+        put_expression(m, 0);
+    }
+}
+
+/* The arguments of a command whose name stands there. */
+static void put_command(struct maker *m, const struct command *c, int depth)
+{
+    const struct parameter *named = NULL;
+    for (int i = 0; c && i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
+        if (c->argument[i].optional && pick(m, 3) == 0)
+            break;
+        put(m, " ");
+        put_argument(m, &c->argument[i], &named, depth);
+    }
+}
+
+static void put_line(struct maker *m)
+{
+    static const char *const ends[] = {"\n", "\n", "\n", "\n", "\n", "\n",        "\n",   "\n",
+                                       "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " extra\n"};
+    unsigned way = pick(m, 8);
+    /* What decides how the rest is answered comes more often than one in fifty. */
+    if (way == 0) {
+        static const char *const settings[] = {
+            "set output json",          "set output csv",      "set output json",  "set precision float",
+            "set precision quad",       "set errors on",       "effect row 3",     "set angle deg",
+            "effect row row.csv",       "effect friction 0.2", "effect floor 0.1", "effect placement 1 mm",
+            "set r 1e6; effect row 60", "set s 1; set r 1",    "set h 1e9",        "set timing on"};
+        put(m, PICK(m, settings));
+    } else
+        put_command(m, command_find(put_name(m, command_names, NULL)), 0);
+    if (pick(m, 8) == 1) {
+        put(m, pick(m, 2) ? " > " : " >> ");
+        put(m, PICK(m, files));
+    }
+    put(m, PICK(m, ends));
+}
+
+/* ---- The scratch folder ---- */
+
+static char scratch[] = "/tmp/domino-fuzz-XXXXXX";
+
+/* As it was before the first session: one csv file. */
+static void scratch_clean(void)
+{
+    DIR *folder = opendir(".");
+    for (const struct dirent *entry; folder && (entry = readdir(folder)) != NULL;)
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
+            unlink(entry->d_name);
+    if (folder)
+        closedir(folder);
+}
+
+static void scratch_fill(void)
+{
+    static const char *const names[] = {"row.csv", "a \"b\".csv"};
+    scratch_clean();
+    for (int k = 0; k < 2; k++) {
+        FILE *row = fopen(names[k], "w");
+        if (!row)
+            abort();
+        fputs("height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 20\n60, 8, 25\n", row);
+        fclose(row);
+    }
+}
+
+static void scratch_remove(void)
+{
+    scratch_clean();
+    rmdir(scratch);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static bool there;
+    char *text = NULL;
+    size_t length = 0;
+    if (!there && (!mkdtemp(scratch) || chdir(scratch) != 0 || atexit(scratch_remove) != 0))
+        abort();
+    there = true;
+    scratch_fill();
+    struct maker m = {.data = data, .size = size, .line = open_memstream(&text, &length)};
+    if (!m.line)
+        abort();
+    bool safe = pick(&m, 2) == 0;
+    for (int lines = 0; m.size > 0 && lines < 12; lines++)
+        put_line(&m);
+    fclose(m.line);
+    if (getenv("FUZZ_SHOW")) /* what a failing input says */
+        fwrite(text, 1, length, stderr);
+    if (length > 0)
+        fuzz_session(text, length, safe);
+    free(text);
+    return 0;
+}

@@ -1,0 +1,158 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Text and numbers that were made to harm: commands as functions, names with control characters, sessions that
+# are saved with such names, lines without end, exponents that overflow.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+csv='height (mm), thickness (mm), gap (mm)
+48, 7, -
+48, 7, 20'
+
+setup() { mkdir "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_TMPDIR/work" || exit; }
+
+# No byte of a control but the new line, no C1, no sign that turns the direction of writing, and all is UTF-8.
+harmless() { # FILE
+    iconv -f UTF-8 -t UTF-8 "$1" >/dev/null || same "$1: UTF-8" '' "$(cat -v "$1")"
+    if LC_ALL=C grep -aqP '[\x00-\x09\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]|\xe2\x81[\xa6-\xa9]' "$1"; then
+        same "$1: control characters" '' "$(cat -v "$1")"
+    fi
+}
+
+@test "every command as a function, with none to four values: a value or one line, also in a safe session" {
+    local name arguments way names
+    names=$("$DOMINO" -e complete)
+    [ "$(wc -l <<<"$names")" -gt 40 ]
+    for name in $names; do
+        echo 'set tol 0.001' >calls.dom # what takes long is not what is asked for here
+        for arguments in '' '()' '(1)' '(0.5, 2)' '(1, 1, 1)' '(1, 2, 3, 4)' '.s' '(-1)' '(1 m)' '(1e30)' '(1e-30)'; do
+            echo "print $name$arguments" >>calls.dom
+        done
+        echo 'print 41 + 1' >>calls.dom
+        for way in --no-init --safe; do
+            run --separate-stderr timeout 60 "$DOMINO" "$way" calls.dom
+            [ "$status" -le 1 ] || same "$way $name" '0 or 1' "$status"
+            same "$way $name: goes on" 42 "${lines[-1]}"
+            same "$way $name: one line each" '' "$(grep -v '^calls.dom:[0-9:]* ' <<<"$stderr" || true)"
+        done
+    done
+}
+
+@test "what takes a file or a word has no value in an expression" {
+    wrong 'print pool(1)' "'pool FILE' has no value in an expression"
+    wrong 'set s pool' "'pool FILE' has no value in an expression"
+    wrong 'count pool(1)' "'pool FILE' has no value in an expression"
+    same completion '' "$("$DOMINO" -e 'complete print po')"
+    same help '' "$("$DOMINO" -e 'help pool' | grep 'In an expression' || true)"
+    for line in 'set s pool(1)' 'sweep s 0.1 0.2 2 : pool x' 'pool x' 'save x' 'source x' 'show > x' 'effect row x.csv' \
+        'animate x.gif'; do
+        run -1 --separate-stderr "$DOMINO" --safe -e "$line"
+        same "$line: nothing is written" '' "$(ls)"
+    done
+}
+
+@test "names that cannot be shown are escaped in table, csv, json, help and messages" {
+    local name=$'a\e[31m\u202e\u009b\xff\tb.csv' shown='a\x1b[31m\u202e\u009b\xff\x09b.csv'
+    printf '%s\n' "$csv" >"$name"
+    printf '%s\n' "effect row \"$name\"" >"s $name"
+    printf '%s\n' "effect row \"$name\"; effects; help row; scene" >table.dom
+    "$DOMINO" table.dom >table 2>&1
+    harmless table
+    grep -qF "row        $shown" table
+    grep -qF "It is on: $shown" table
+    printf '%s\n' "effect row \"$name\"; set output csv; effects" | "$DOMINO" >csv
+    harmless csv
+    grep -qF "row,$shown" csv
+    printf '%s\n' "effect row \"$name\"; set output json; effects" | "$DOMINO" >json
+    harmless json
+    jq -es 'length == 5' json
+    # A program reads the same characters, but for a byte that is none.
+    same 'json' $'a\e[31m\u202e\u009b\ufffd\tb.csv' "$(jq -r 'select(.effect == "row").state' json)"
+    printf '%s\n' "source \"s $name\"" "source \"no$name\"" "effect row \"no$name\"" "pool \"$name\"" "foo$name" \
+        "save \"/no/$name\"" "verdict > \"/no/$name\"" "apropos $name" "set $name 1" "print 1 $name" \
+        "sweep $name 1" >messages.dom
+    run -1 --separate-stderr "$DOMINO" messages.dom "s no$name"
+    printf '%s\n' "$stderr" >messages
+    harmless messages
+    same 'a line each' 11 "$(wc -l <messages)"
+    # The name of a script stands before each of its messages, and hides none.
+    printf 'foo\n' >"$name"
+    run -1 --separate-stderr "$DOMINO" "$name"
+    printf '%s\n' "$stderr" >messages
+    harmless messages
+    grep -qF "$shown:1:1: unknown command 'foo'" messages
+    name=$(printf '\x01%.0s' {1..250})
+    printf 'foo\n' >"$name"
+    run -1 --separate-stderr "$DOMINO" "$name"
+    [[ $stderr == *"unknown command 'foo'"* ]] || same 'long name' foo "$stderr"
+}
+
+@test "no file is written whose name has control characters" {
+    local name
+    for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
+        for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate "NAME.gif" 1'; do
+            run -1 --separate-stderr "$DOMINO" -e 'effect row 2' -e "${line/NAME/$name}"
+            [[ $stderr == *'the name has control characters'* ]] || same "$line" refused "$stderr"
+            same "$line: nothing is written" '' "$(ls)"
+        done
+    done
+    # Letters of other scripts are no harm.
+    "$DOMINO" -e 'save "Größe 你好.dom"' && [ -f 'Größe 你好.dom' ]
+}
+
+@test "a saved session names its csv file byte for byte, whatever its name is" {
+    local name quoted
+    for name in 'a b.csv' 'a"b.csv' 'a "" ";#>b.csv' 'θ − ×.csv' $'x\u00a0y.csv' $'\xff\x80.csv' 'a ~root b.csv' \
+        '\x.csv' $'\u202e.csv' '#.csv' '"q".csv' '""' "it's" '~' ' ' '$(id);`id`'; do
+        printf '%s\n' "$csv" >"$name"
+        quoted=./${name//\"/\"\"}
+        printf '%s\n' "effect row \"$quoted\"" 'save s.dom' | "$DOMINO"
+        printf '%s\n' 'source s.dom' 'save t.dom' 'set output json' 'verdict' | "$DOMINO" >answer
+        cmp s.dom t.dom
+        same "$name" 2 "$(values domino <answer)"
+        rm -f -- "$name" ./?.dom answer
+    done
+}
+
+@test "a new line in the name of a csv file saves no command" {
+    local folder=$'x"\nprint 41 + 1\n"'
+    mkdir "$folder" && printf '%s\n' "$csv" >"$folder/row.csv" && ln -s "$folder/row.csv" link.csv
+    run -1 --separate-stderr "$DOMINO" -e 'effect row link.csv; save s.dom'
+    [[ $stderr == *'has a control character'* ]] || same message 'control character' "$stderr"
+    [ ! -e s.dom ]
+    (cd "$folder" && "$DOMINO" -e 'effect row row.csv' -e 'save ../s.dom' || true)
+    [ ! -e s.dom ]
+}
+
+@test "a quote in the middle of a word is a letter, and what stands behind the command runs" {
+    printf '%s\n' "$csv" >'a"b.csv'
+    same 'the next command' 42 "$("$DOMINO" -e 'effect row a"b.csv; print 41 + 1')"
+    for line in 'save "a; print 1' 'save "a""; print 1'; do
+        run -1 --separate-stderr "$DOMINO" -e "$line"
+        [[ $stderr == *"this '\"' is never closed"* ]] || same "$line" 'never closed' "$stderr"
+    done
+}
+
+@test "exponents of units do not overflow" {
+    wrong 'print ((((((1 m)^64)^64)^64)^64)^64)^4' 'the unit has an exponent above 999'
+    wrong 'print (1 s)^-99^1 * (1/(1 m)^99)^99' 'the unit has an exponent above 999'
+    same 'below that they count' '1 m^960' "$("$DOMINO" -e 'print ((1 m)^64)^15')"
+    same 'and cancel' 1 "$("$DOMINO" -e 'print ((1 m)^64)^15 / ((1 m)^60)^16')"
+}
+
+@test "a line without end: one message, little memory, and the session goes on" {
+    # 100 MB in a session that may have 200 MB; a sanitizer has its own ideas of memory.
+    line() { head -c 100000000 /dev/zero | tr '\0' 7 && printf '\nprint 41 + 1\n'; }
+    endless() { ulimit -v 200000 && "$@"; }
+    (endless "$DOMINO" -V) >/dev/null 2>&1 || endless() { "$@"; }
+    run -1 --separate-stderr endless "$DOMINO" -n < <(line)
+    same 'stdin' 'stdin:1: the line is longer than 4 MB; put its commands on lines of their own' "$stderr"
+    same 'goes on' 42 "$output"
+    line >long
+    for command in 'source long' 'effect row long' 'pool long'; do
+        run -1 --separate-stderr endless "$DOMINO" -e "$command; print 41 + 1"
+        [[ $stderr =~ the\ line\ is\ (longer|too\ long) ]] || same "$command" 'too long' "$stderr"
+        same "$command" 42 "${lines[-1]}"
+    done
+}
