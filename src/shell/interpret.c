@@ -67,7 +67,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
                       "only one word may stand behind '>'; a file name with blanks stands between \"...\"");
     else if (session->safe)
         session_error(session, "files are off in a safe session");
-    else if ((wrong = redirect_open(&redirect, path, append)) != NULL)
+    else if ((wrong = redirect_open(&redirect, path, append, session->train.interrupt)) != NULL)
         session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     else {
         FILE *out = session->out;

@@ -4,19 +4,6 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-
-FILE *line_open(const char *name)
-{
-    struct stat status;
-    FILE *in = fopen(name, "r");
-    if (in && fstat(fileno(in), &status) == 0 && S_ISDIR(status.st_mode)) {
-        fclose(in);
-        errno = EISDIR;
-        return NULL;
-    }
-    return in;
-}
 
 void line_stream(struct session *session, FILE *in, const char *name)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rowfile.h"
-#include "line.h"
+#include "io.h"
 #include "names.h"
 #include "text.h"
 #include "wide.h"
@@ -334,7 +334,7 @@ static bool lines_read(struct reader *r, struct rowfile *rows)
 bool rowfile_read(struct session *session, const char *path, struct rowfile *rows)
 {
     char shown[NAMES_SHOWN];
-    struct reader r = {.session = session, .in = line_open(path)};
+    struct reader r = {.session = session, .in = io_read(path, session->train.interrupt)};
     *rows = (struct rowfile){NULL, 0, false};
     if (!r.in)
         return session_error(session, "cannot read '%s': %s", names_shown(path, shown), strerror(errno));

@@ -5,7 +5,7 @@
  * 'pool' reads them all and answers as 'placement' itself would.
  */
 #include "falling.h"
-#include "line.h"
+#include "io.h"
 #include "points.h"
 #include "study.h"
 #include "wide.h"
@@ -290,7 +290,9 @@ bool pool_run(struct session *session, const struct call *call)
     char missing[128], shown[NAMES_SHOWN];
     struct pool p = {.session = session, .path = call->word[0]};
     bool standard = strcmp(p.path, "-") == 0;
-    FILE *in = standard ? stdin : line_open(p.path);
+    const volatile sig_atomic_t *interrupt = session->train.interrupt;
+    /* Only of a prompt is there an interrupt, and it has read nothing by stdin. */
+    FILE *in = !standard ? io_read(p.path, interrupt) : interrupt ? io_read_stdin(interrupt) : stdin;
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
     bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
@@ -300,7 +302,7 @@ bool pool_run(struct session *session, const struct call *call)
             study_answer(call, p.sigma, p.heights, &p.study, p.stops, p.dominoes, *missing ? missing : NULL);
         good = status == DOM_OK || session_status(session, status);
     }
-    if (!standard)
+    if (in != stdin)
         fclose(in);
     free(p.stops);
     free(p.part);
