@@ -19,11 +19,16 @@ B       ?= .build
 CC      ?= gcc
 OBJCOPY ?= objcopy
 OPTIM   ?= -O2 -g
+# A wild write ends the program rather than being used, and addresses of functions are found before main, in memory
+# that is read-only from then on.  FORTIFY wants an optimiser.
+HARDEN  := -fstack-protector-strong $(if $(filter-out -O0,$(filter -O%,$(OPTIM))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wvla
-CFLAGS  ?= $(OPTIM)
+CFLAGS  ?= $(OPTIM) $(HARDEN)
+LDFLAGS ?= -Wl,-z,relro,-z,now
 # Every digit is to be the same on every machine: no contraction, never -ffast-math.  Nobody reads errno behind
 # a square root, and without that it is one instruction.
-C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE -Iinclude -Isrc/model $(CFLAGS)
+C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE -Iinclude -Isrc/model $(CFLAGS) \
+           "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
@@ -86,7 +91,7 @@ $(B)/libdomino.a: $(call OBJ,$(MODEL))
 	$(Q)rm -f $@
 	$(Q)$(LD) -r -o $(B)/domino.o $^
 	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='dom_*' $(B)/domino.o
-	$(Q)$(AR) rcs $@ $(B)/domino.o
+	$(Q)$(AR) rcsD $@ $(B)/domino.o
 
 $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
@@ -211,7 +216,7 @@ $(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
 # Instructions of answers against tests/bench/instructions.csv; 'make guard KEEP=1' makes that anew.
 GUARD_FLAGS := -O2 -g
 guard: | $(FIRST)
-	@$(MAKE) --no-print-directory B=$(B)/guard CC=gcc CFLAGS='$(GUARD_FLAGS)' $(B)/guard/answers $(B)/guard/domino
+	@$(MAKE) --no-print-directory B=$(B)/guard CC=gcc CFLAGS='$(GUARD_FLAGS)' LDFLAGS= $(B)/guard/answers $(B)/guard/domino
 	@echo '$(GUARD_FLAGS)' > $(B)/guard/flags
 	@KEEP=$(KEEP) tests/bench/guard $(B)/guard
 

@@ -79,7 +79,10 @@ static void on_line(char *text)
         putc('\n', session->out);
         session->quit = true;
     } else {
+        /* A ^C before the line is none of the line; a signal that ends the session is. */
         interrupted = 0;
+        if (ended)
+            interrupted = ended;
         history_keep(session, text);
         session->fresh = !strchr(text, '\n');
         command_run_text(session, text);
