@@ -6,6 +6,7 @@
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
+#   make faults       failing memory, full disks, FIFOs, signals, closed streams: make deps faults
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan;
 #                     make race: what runs on threads under ThreadSanitizer
 #   make coverage     lines of src/model that tests run; make valgrind: sessions under memcheck, helgrind and drd
@@ -41,7 +42,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
@@ -52,6 +53,7 @@ DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf 
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
+DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_sanitize := $(DEPS_test)
 DEPS_race     := $(DEPS_test)
 DEPS_coverage := $(DEPS_test)
@@ -159,6 +161,16 @@ $(B)/verify_rows: $(call OBJ,$(VERIFY) tests/hard/workers.c) $(B)/libdomino.a
 
 verify: $(B)/verify_rows
 	@$(B)/verify_rows
+
+# Memory, disks, streams and partners that fail, and signals at the wrong moment.
+FAULTS := $(wildcard tests/faults/*.bats)
+faults: all $(B)/faults/fail_alloc.so
+	@tests/run $(B) $(FAULTS)
+
+$(B)/faults/%.so: tests/faults/%.c | $(FIRST)
+	@mkdir -p $(@D)
+	$(call SAY,LD,$@)
+	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
 
 # Leaks are looked for too; Readline's and GSL's own are none of ours, and there are none.
 sanitize: | $(FIRST)

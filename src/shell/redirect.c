@@ -93,10 +93,15 @@ static char *real_path(const char *path)
 {
     enum { LINKS = 40 };
     char target[PATH_MAX], *real = realpath(path, NULL), *at = real ? NULL : strdup(path);
-    for (int links = 0; at && links < LINKS; links++) {
+    for (int links = 0; at; links++) {
         ssize_t length = readlink(at, target, sizeof target - 1);
         if (length < 0)
-            break;
+            return at;
+        if (links == LINKS) {
+            free(at);
+            errno = ELOOP;
+            return NULL;
+        }
         target[length] = '\0';
         char *slash = strrchr(at, '/'), *next;
         int folder = slash && *target != '/' ? (int)(slash + 1 - at) : 0;
@@ -105,7 +110,7 @@ static char *real_path(const char *path)
         free(at);
         at = next;
     }
-    return real ? real : at;
+    return real;
 }
 
 /* Opens a draft beside the file, to take its place with its group and mode; NULL if it may not be there. */
