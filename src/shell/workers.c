@@ -146,7 +146,8 @@ static void worker_run(struct crew *c, void *own)
         struct block b = {.text = NULL, .own = own};
         FILE *out = open_memstream(&b.text, &b.size);
         b.ended = !out || !block_run(w, own, from, points, &pace, out);
-        bool kept = out && fclose(out) == 0;
+        bool kept = out && !ferror(out); /* memory that the text did not get is no error of fclose */
+        kept = out && fclose(out) == 0 && kept;
         if (w->progress && own == w->own)
             progress_show(&progress, (double)from / (double)w->points);
         pthread_mutex_lock(&c->lock);
