@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -173,6 +174,49 @@ FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt)
 FILE *io_read_stdin(const volatile sig_atomic_t *interrupt)
 {
     return channel_stream((struct channel){STDIN_FILENO, false, interrupt}, "r");
+}
+
+/* A stream into memory; *text has room for so many bytes. */
+struct memory {
+    char **text;
+    size_t *size, room;
+};
+
+static ssize_t memory_write(void *cookie, const char *bytes, size_t count)
+{
+    enum { FIRST = 1024 };
+    struct memory *m = cookie;
+    size_t room = m->room ? m->room : FIRST;
+    while (room - *m->size < count)
+        room *= 2;
+    char *text = room > m->room ? realloc(*m->text, room) : *m->text;
+    if (!text)
+        return 0;
+    memcpy(text + *m->size, bytes, count);
+    m->room = room;
+    *m->text = text;
+    *m->size += count;
+    return (ssize_t)count;
+}
+
+static int memory_close(void *cookie)
+{
+    free(cookie);
+    return 0;
+}
+
+FILE *io_memory(char **text, size_t *size)
+{
+    const cookie_io_functions_t functions = {.write = memory_write, .close = memory_close};
+    struct memory *m = malloc(sizeof *m);
+    *text = NULL;
+    *size = 0;
+    if (m)
+        *m = (struct memory){text, size, 0};
+    FILE *stream = m ? fopencookie(m, "w", functions) : NULL;
+    if (!stream)
+        free(m);
+    return stream;
 }
 
 void io_begin(void)

@@ -30,6 +30,12 @@ FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
 FILE *io_read_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
+ * Makes a stream that writes into memory: *size bytes at *text, which is to be freed, once the stream is
+ * closed. That of open_memstream loses without an error what it finds no memory for.  NULL with errno.
+ */
+FILE *io_memory(char **text, size_t *size);
+
+/*
  * Locks an open file against other programs that lock it, until it is closed.  Where the file system has no
  * locks it does nothing.  False with errno: another program kept its lock for so many seconds, or an
  * interrupt came.
