@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Loaded before a program, makes its allocations fail: the one of number FAIL_AT, counted from 1, or with FAIL_ON
- * also all behind it.  With FAIL_COUNT their number goes into the file of that name when the program ends.
+ * Loaded before a program, makes its allocations fail: the one of number FAIL_AT, counted from 1, or with
+ * FAIL_ON also all behind it.  With FAIL_COUNT their number goes into the file of that name when the program
+ * ends.
  */
 #include <errno.h>
 #include <fcntl.h>

@@ -28,7 +28,8 @@ every_allocation() { # SESSION
     fail=$(dirname "$DOMINO")/faults/fail_alloc.so
     LD_PRELOAD=$fail FAIL_COUNT=$PWD/count soon "$DOMINO" --bail -n -e "$1" >expected
     answers=$(grep -vE '\.$' expected)
-    local count=$(cat count) step n mode
+    local count step n mode
+    count=$(cat count)
     [ "$count" -gt 3 ]
     step=$(((count + 59) / 60))
     for mode in '' FAIL_ON=1; do

@@ -109,11 +109,11 @@ END
 @test "a lock that somebody keeps is reported, and the file is left alone" {
     enter
     echo old >file
-    mkfifo done
-    timeout 60 flock file cat done >/dev/null 3>&- &
+    mkfifo over
+    timeout 60 flock file cat over >/dev/null 3>&- &
     until ! flock -n file true; do :; done
     run -1 --separate-stderr soon "$DOMINO" -n -e 'fuel >> file; print 42'
-    echo >done
+    echo >over
     wait
     same 'message' "-e:1: fuel: cannot write 'file': another program has locked it" "$stderr"
     same 'the session goes on' 42 "$output"

@@ -70,10 +70,10 @@ soon() { timeout 30 "$@"; }
 @test "what is behind '> >(...)' reads the answer" {
     enter
     answer=$("$DOMINO" -e fuel)
-    mkfifo done
+    mkfifo over
     # shellcheck disable=SC2016 # the inner shell expands it
-    soon bash -c '"$DOMINO" -e "fuel > $1"; exec 3>&-' bash >(cat >got; echo >done)
-    soon cat done >/dev/null
+    soon bash -c '"$DOMINO" -e "fuel > $1"; exec 3>&-' bash >(cat >got; echo >over)
+    soon cat over >/dev/null
     same '>()' "$answer" "$(cat got)"
 }
 
