@@ -6,6 +6,7 @@
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
+#   make faults       failing memory, full disks, FIFOs, signals, closed streams: make deps faults
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan;
 #                     make race: what runs on threads under ThreadSanitizer
 #   make coverage     lines of src/model that tests run; make valgrind: sessions under memcheck, helgrind and drd
@@ -19,11 +20,16 @@ B       ?= .build
 CC      ?= gcc
 OBJCOPY ?= objcopy
 OPTIM   ?= -O2 -g
+# A wild write ends the program rather than being used, and addresses of functions are found before main, in memory
+# that is read-only from then on.  FORTIFY wants an optimiser.
+HARDEN  := -fstack-protector-strong $(if $(filter-out -O0,$(filter -O%,$(OPTIM))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wvla
-CFLAGS  ?= $(OPTIM)
+CFLAGS  ?= $(OPTIM) $(HARDEN)
+LDFLAGS ?= -Wl,-z,relro,-z,now
 # Every digit is to be the same on every machine: no contraction, never -ffast-math.  Nobody reads errno behind
 # a square root, and without that it is one instruction.
-C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE -Iinclude -Isrc/model $(CFLAGS)
+C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE -Iinclude -Isrc/model $(CFLAGS) \
+           "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
@@ -36,7 +42,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
@@ -47,6 +53,7 @@ DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf 
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
+DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_sanitize := $(DEPS_test)
 DEPS_race     := $(DEPS_test)
 DEPS_coverage := $(DEPS_test)
@@ -86,7 +93,7 @@ $(B)/libdomino.a: $(call OBJ,$(MODEL))
 	$(Q)rm -f $@
 	$(Q)$(LD) -r -o $(B)/domino.o $^
 	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='dom_*' $(B)/domino.o
-	$(Q)$(AR) rcs $@ $(B)/domino.o
+	$(Q)$(AR) rcsD $@ $(B)/domino.o
 
 $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
@@ -155,6 +162,16 @@ $(B)/verify_rows: $(call OBJ,$(VERIFY) tests/hard/workers.c) $(B)/libdomino.a
 verify: $(B)/verify_rows
 	@$(B)/verify_rows
 
+# Memory, disks, streams and partners that fail, and signals at the wrong moment.
+FAULTS := $(wildcard tests/faults/*.bats)
+faults: all $(B)/faults/fail_alloc.so
+	@tests/run $(B) $(FAULTS)
+
+$(B)/faults/%.so: tests/faults/%.c | $(FIRST)
+	@mkdir -p $(@D)
+	$(call SAY,LD,$@)
+	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
+
 # Leaks are looked for too; Readline's and GSL's own are none of ours, and there are none.
 sanitize: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/sanitize \
@@ -215,30 +232,33 @@ $(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
 # Instructions of answers against tests/bench/instructions.csv; 'make guard KEEP=1' makes that anew.
 GUARD_FLAGS := -O2 -g
 guard: | $(FIRST)
-	@$(MAKE) --no-print-directory B=$(B)/guard CC=gcc CFLAGS='$(GUARD_FLAGS)' $(B)/guard/answers $(B)/guard/domino
+	@$(MAKE) --no-print-directory B=$(B)/guard CC=gcc CFLAGS='$(GUARD_FLAGS)' LDFLAGS= $(B)/guard/answers $(B)/guard/domino
 	@echo '$(GUARD_FLAGS)' > $(B)/guard/flags
 	@KEEP=$(KEEP) tests/bench/guard $(B)/guard
 
 # ---- Checks ----
 
-C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c)
+C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
+
+# A stack may be small: what is large is on the heap.
+STACK := -Wframe-larger-than=16384
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
 lint: | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
-	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
-	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
+	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
+	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion $(STACK)' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
 	clang-tidy --quiet $(MODEL) $(SHELL_C) $(wildcard examples/*.c) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src examples
 	mandoc -T lint man/domino.1 man/libdomino.3
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash examples/cluster/*.sh \
+	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
 	  src/shell/domino.bash
 
 format:

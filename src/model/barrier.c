@@ -368,7 +368,7 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
     struct lean g;
     struct barrier b, b_error;
     struct launch l, l_error;
-    struct flow flow;
+    FLOW(flow);
     enum dom_status status = lean_make(train, &g);
     if (status == DOM_OK)
         lean_flow(&g, &flow);

@@ -87,6 +87,7 @@ static inline enum dom_status model_status(enum dom_status own, enum num_status 
         [NUM_NOT_BRACKETED] = DOM_NOT_CONVERGED,
         [NUM_NOT_FINITE] = DOM_NOT_FINITE,
         [NUM_NOT_CONVERGED] = DOM_NOT_CONVERGED,
+        [NUM_NO_MEMORY] = DOM_NO_MEMORY,
     };
     return own != DOM_OK ? own : of[solver];
 }

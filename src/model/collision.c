@@ -70,7 +70,7 @@ KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_lau
                                    struct dom_launch *error)
 {
     struct lean g;
-    struct flow flow;
+    FLOW(flow);
     struct launch l, e;
     enum dom_status status = lean_make(train, &g);
     if (status == DOM_OK)

@@ -69,7 +69,7 @@ KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real the
                                      dom_real *error)
 {
     struct cycle cycle;
-    struct flow flow;
+    FLOW(flow);
     struct tilt head;
     real theta = (real)theta_, w = REAL_NAN, w_error = 0;
     *omegasq = DOM_NAN;
@@ -143,7 +143,7 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
 KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error)
 {
     struct cycle cycle;
-    struct flow flow;
+    FLOW(flow);
     real stop;
     enum dom_status status = cycle_whole(train, &flow, &cycle, error != NULL);
     if (status != DOM_OK)
@@ -209,7 +209,7 @@ static enum dom_status cycle_integral(struct cycle *cycle, num_function *f, real
 KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
 {
     struct cycle cycle;
-    struct flow flow;
+    FLOW(flow);
     enum dom_status status = cycle_whole(train, &flow, &cycle, error != NULL);
     if (status != DOM_OK)
         return status;

@@ -71,7 +71,7 @@ static enum dom_status train_pace(real theta, struct tilt *head, struct pace *pa
 KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_floor *floor)
 {
     struct motion m;
-    struct flow flow;
+    FLOW(flow);
     struct need need = {0};
     enum dom_status status = motion_begin(train, &flow, &m);
     for (int i = 1; status == DOM_OK && i < m.cycle.barrier.edges; i++) {

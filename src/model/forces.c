@@ -159,7 +159,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
                                     void *context)
 {
     struct motion m;
-    struct flow flow;
+    FLOW(flow);
     struct tilt head = {0, 1, 0};
     struct pace pace = {0};
     real theta = (real)theta_;

@@ -8,6 +8,11 @@ KERNEL void lean_flow(struct lean *g, struct flow *flow)
         flow->solution.panels = 0;
 }
 
+KERNEL void flow_free(struct flow *flow)
+{
+    num_linear_free(&flow->solution);
+}
+
 static void friction_count(const struct lean *g, size_t n)
 {
     chain_count(g, n);

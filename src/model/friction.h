@@ -34,6 +34,10 @@ struct flow {
     real J0, J_c; /* J(0), and J(theta_c) of the hitting train */
 };
 
+/* Declares a flow without a solution, and gives back what it holds at the end of the block. */
+#define FLOW(name) struct flow name __attribute__((cleanup(flow_free))) = {.solution = {.panel = NULL}}
+KERNEL void flow_free(struct flow *flow);
+
 struct law {
     real A, B, C;
     real B_size, C_size; /* of all terms, whatever their signs: what their roundings are relative to */

@@ -107,7 +107,7 @@ KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
 static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
 {
     struct lean g = c->lean;
-    struct flow flow;
+    FLOW(flow);
     g.tol = tol;
     c->status = lean_set(&g, c->s, r);
     if (c->status == DOM_OK)

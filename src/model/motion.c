@@ -111,7 +111,7 @@ static enum dom_status motion_time(struct motion *m, real from, real to, real *t
 KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
 {
     struct motion m;
-    struct flow flow;
+    FLOW(flow);
     bool leaves;
     struct tilt leave;
     size_t domino = 0;
@@ -173,7 +173,7 @@ static enum dom_status tilt_search(struct motion *m, real time, real tol, real *
 KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_, dom_real *theta)
 {
     struct motion m;
-    struct flow flow;
+    FLOW(flow);
     real time = (real)time_, whole = 0, at = 0;
     enum dom_status status = motion_begin(train, &flow, &m);
     if (status == DOM_OK)
@@ -264,7 +264,7 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
                                    struct dom_state *error)
 {
     struct motion m;
-    struct flow flow;
+    FLOW(flow);
     struct tilt head;
     struct sums at, e = {0};
     struct fuel fuel, fuel_error = {0};

@@ -339,7 +339,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall_visit *visit, void *context,
                                struct dom_verdict *verdict)
 {
-    struct flow flow;
+    FLOW(flow);
     enum dom_status status = row_check(asked);
     if (status != DOM_OK)
         return status;

@@ -79,7 +79,8 @@ static double canvas_step(const struct canvas *c)
 /* The ground with its marks, and their numbers below. */
 static void canvas_ground(const struct canvas *c, FILE *out)
 {
-    char ground[CELLS], numbers[CELLS];
+    enum { LAST = 16 }; /* a number goes on behind the last column */
+    char ground[WIDTH_MOST], numbers[WIDTH_MOST + LAST];
     double step = canvas_step(c);
     memset(ground, '-', (size_t)c->width);
     memset(numbers, ' ', (size_t)c->width + 8);

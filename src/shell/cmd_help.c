@@ -72,16 +72,18 @@ static void help_parameter(const struct session *session, const struct parameter
     fprintf(out, "\n'set %s VALUE' changes it, 'reset %s' takes it back.\n", p->name, p->name);
 }
 
-/* The example runs in a session of its own, with the defaults: its output is true. */
-static void help_example(const struct session *session, const char *example)
+/* The example runs in a session of its own, with the defaults: its output is true, or ends at its first
+ * error. */
+static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
     session_init(&fresh, session->out);
     fresh.train.interrupt = session->train.interrupt;
     fresh.source = "help";
-    fresh.safe = true;
+    fresh.safe = fresh.bail = true;
     fprintf(session->out, "\nExample: %s\n\n", example);
     command_run_text(&fresh, example);
+    session->errors += fresh.errors;
     session_close(&fresh);
 }
 
@@ -139,7 +141,7 @@ static void help_command(struct session *session, const struct command *c)
         fprintf(out, "\nSee also: %s\n", c->see);
 }
 
-static void help_effect(const struct session *session, enum dom_effect_name name, bool example)
+static void help_effect(struct session *session, enum dom_effect_name name, bool example)
 {
     const struct dom_effect *e = dom_effect(name);
     char usage[EFFECT_USAGE], setting[EFFECT_SETTING], shown[NAMES_SHOWN];

@@ -2,6 +2,7 @@
 /* Commands about the session itself. */
 #include "command.h"
 #include "effects.h"
+#include "io.h"
 #include "line.h"
 #include "redirect.h"
 #include "wide.h"
@@ -115,7 +116,7 @@ static bool run_save(struct session *session, const struct call *call)
     const struct parameter *p;
     if (!effects_savable(session))
         return false;
-    const char *wrong = redirect_open(&file, call->word[0], false);
+    const char *wrong = redirect_open(&file, call->word[0], false, session->train.interrupt);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
         for (int k = 0; (p = parameter_in_order(k)) != NULL; k++) {
@@ -135,7 +136,7 @@ static bool run_source(struct session *session, const struct call *call)
     const char *name = call->word[0];
     if (session->depth == SOURCE_DEPTH)
         return session_error(session, "files are nested %d deep; does one source itself?", SOURCE_DEPTH);
-    FILE *in = line_open(name);
+    FILE *in = io_read(name, session->train.interrupt);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
     long errors = session->errors;

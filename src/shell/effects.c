@@ -88,14 +88,14 @@ static bool row_from_file(struct session *session, const char *name)
         return session_error(session, "'row %s' reads a file, which a safe session does not", name);
     char *path = path_beside(session, name);
     bool read = path ? rowfile_read(session, path, &file) : session_status(session, DOM_NO_MEMORY);
-    char *kept = read ? realpath(path, NULL) : NULL; /* what is saved is found from anywhere */
-    free(path);
+    /* What is saved is found from anywhere; a pipe has no other path. */
+    char *kept = read ? realpath(path, NULL) : NULL;
+    if (kept || !read)
+        free(path);
+    else
+        kept = path;
     if (!read)
         return false;
-    if (!kept) {
-        rowfile_free(&file);
-        return session_status(session, DOM_NO_MEMORY);
-    }
     listed_free(&session->listed);
     session->listed = (struct listed_row){
         .domino = file.domino, .count = file.count, .weighed = file.weighed, .path = kept};

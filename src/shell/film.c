@@ -184,7 +184,7 @@ static bool film_file(struct session *session, const struct film *film, const ch
     if (!ending || strcasecmp(ending, ".gif") != 0)
         return session_error(session, "'%s' is no name of an animation: its ending is .gif",
                              names_shown(path, shown));
-    const char *wrong = redirect_open(&redirect, path, false);
+    const char *wrong = redirect_open(&redirect, path, false, session->train.interrupt);
     if (wrong)
         return session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     bool drawn = film_write(session, film, redirect.file);

@@ -8,9 +8,6 @@
 /* Reads lines with Readline until quit or ^D.  Only for terminals. */
 void line_prompt(struct session *session);
 
-/* Opens a file of commands; NULL with errno if it is none. */
-FILE *line_open(const char *name);
-
 /* Runs a stream line by line; name stands in the messages. */
 void line_stream(struct session *session, FILE *in, const char *name);
 

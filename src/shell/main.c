@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
 #include "command.h"
+#include "io.h"
 #include "line.h"
 #include <errno.h>
 #include <getopt.h>
@@ -9,6 +10,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 enum { EXIT_USAGE = 2 };
@@ -80,18 +82,16 @@ static bool stopped(const struct session *session)
 
 static void run_file(struct session *session, const char *name)
 {
-    if (strcmp(name, "-") == 0) {
-        line_stream(session, stdin, "stdin");
-        return;
-    }
-    FILE *in = line_open(name);
+    bool standard = strcmp(name, "-") == 0;
+    FILE *in = standard ? io_stdin(session->train.interrupt) : io_read(name, session->train.interrupt);
     if (!in) {
         session->source = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
         return;
     }
-    line_stream(session, in, name);
-    fclose(in);
+    line_stream(session, in, standard ? "stdin" : name);
+    if (!standard)
+        fclose(in);
 }
 
 static void run_text(struct session *session, const char *text)
@@ -145,7 +145,12 @@ static void run_sources(int argc, char **argv, struct session *session)
 static void run_init(struct session *session)
 {
     char path[PATH_MAX];
-    if (line_path("XDG_CONFIG_HOME", ".config", "init.dom", path, sizeof path) && access(path, F_OK) == 0)
+    struct stat status;
+    if (!line_path("XDG_CONFIG_HOME", ".config", "init.dom", path, sizeof path) || stat(path, &status) != 0)
+        return;
+    if (S_ISFIFO(status.st_mode)) /* nobody asked for a wait */
+        session_error(session, "domino: the start-up file %s is not a regular file", path);
+    else
         run_file(session, path);
 }
 
@@ -153,8 +158,11 @@ int main(int argc, char **argv)
 {
     struct session session;
     struct plan plan = {.init = true};
-    setlocale(LC_CTYPE, "");  /* never LC_NUMERIC: the decimal point is a point */
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, which is reported */
+    io_begin();
+    setlocale(LC_CTYPE, ""); /* never LC_NUMERIC: the decimal point is a point */
+    /* A closed pipe and a file at its limit of size are write errors, which are reported. */
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
     session_init(&session, stdout);
     if (!options_judge(argc, argv, &session, &plan))
         return EXIT_USAGE;
@@ -167,7 +175,7 @@ int main(int argc, char **argv)
         line_prompt(&session);
         session.errors = 0; /* the person has seen them */
     } else if (!stopped(&session))
-        line_stream(&session, stdin, "stdin");
+        run_file(&session, "-");
 
     bool failed = session.errors > 0;
     session_close(&session);

@@ -4,6 +4,7 @@
 #include "terminal.h"
 #include "wide.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
@@ -196,6 +197,14 @@ static int gnuplot_run(const struct session *session, FILE *script, FILE *drawin
     return failed ? failed : gnuplot_wait(session, child);
 }
 
+/* gnuplot does not report a full disk: where the drawing has no room behind it, its end is missing.  errno.
+ */
+static int drawing_room(FILE *drawing, long size)
+{
+    int wrong = posix_fallocate(fileno(drawing), size, BUFSIZ);
+    return ftruncate(fileno(drawing), size) != 0 ? errno : wrong;
+}
+
 /* What was drawn, to where answers go; without the blank lines that a text begins with. */
 static void drawing_copy(FILE *drawing, FILE *out, bool text)
 {
@@ -214,6 +223,9 @@ static void drawing_copy(FILE *drawing, FILE *out, bool text)
 static bool draw(struct session *session, const struct picture *picture, FILE *drawing, FILE *complaints)
 {
     char line[256] = "";
+    errno = 0;
+    if (fflush(picture->script) != 0 || ferror(picture->script))
+        return session_error(session, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
     int wrong = gnuplot_run(session, picture->script, drawing, complaints);
     if (wrong > 0)
         return session_error(session, "cannot run gnuplot: %s", strerror(wrong));
@@ -226,7 +238,10 @@ static bool draw(struct session *session, const struct picture *picture, FILE *d
     if (wrong)
         return session_error(session, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
     fseek(drawing, 0, SEEK_END);
-    if (ftell(drawing) <= 0)
+    long size = ftell(drawing);
+    if (size >= 0 && (wrong = drawing_room(drawing, size)) != 0)
+        return session_error(session, "cannot draw: %s", strerror(wrong));
+    if (size <= 0)
         return session_error(session, "gnuplot drew nothing");
     ticker_stop();
     drawing_copy(drawing, picture->out, picture->text);

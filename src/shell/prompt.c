@@ -1,83 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt: Readline's callback interface under pselect, so that no signal is missed; history. */
+/* The prompt: Readline's callback interface under pselect, so that no signal is missed. */
 #include "command.h"
 #include "complete.h"
+#include "history.h"
 #include "line.h"
 #include "terminal.h"
 #include <errno.h>
-#include <fcntl.h>
-#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/select.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <readline/history.h>
 #include <readline/readline.h>
-
-/* ---- History ---- */
-
-enum { HISTORY_LINES = 2000 };
-
-/* DOMINO_HISTORY, where an empty one means none, or $XDG_STATE_HOME/domino/history; false for none. */
-static bool history_path(char path[PATH_MAX])
-{
-    const char *own = getenv("DOMINO_HISTORY");
-    if (own)
-        return *own && snprintf(path, PATH_MAX, "%s", own) < PATH_MAX;
-    return line_path("XDG_STATE_HOME", ".local/state", "history", path, PATH_MAX);
-}
-
-static void history_load(void)
-{
-    char path[PATH_MAX];
-    using_history();
-    stifle_history(HISTORY_LINES);
-    if (history_path(path))
-        read_history(path);
-}
-
-/* Makes the folders that lead to a path. */
-static void make_folders(char *path)
-{
-    for (char *c = strchr(path + 1, '/'); c; c = strchr(c + 1, '/')) {
-        *c = '\0';
-        mkdir(path, 0700);
-        *c = '/';
-    }
-}
-
-/* Lines of this session; another one may have written its own meanwhile. */
-static int history_added;
-
-static void history_save(struct session *session)
-{
-    char path[PATH_MAX];
-    if (history_added == 0 || !history_path(path))
-        return;
-    make_folders(path);
-    /* What one typed is nobody else's business. */
-    int file = open(path, O_WRONLY | O_CREAT | O_APPEND, 0600), wrong = file < 0 ? errno : 0;
-    if (file >= 0 && (fchmod(file, 0600) != 0 || close(file) != 0))
-        wrong = errno;
-    if (!wrong)
-        wrong = append_history(history_added, path);
-    if (!wrong)
-        history_truncate_file(path, HISTORY_LINES);
-    if (wrong)
-        session_error(session, "cannot keep the history in '%s': %s", path, strerror(wrong));
-}
-
-static void history_keep(const char *text)
-{
-    HIST_ENTRY *last = history_length ? history_get(history_base + history_length - 1) : NULL;
-    if (text[strspn(text, " \t")] && !(last && strcmp(last->line, text) == 0)) {
-        add_history(text);
-        history_added++;
-    }
-}
 
 /* ---- Signals ---- */
 
@@ -86,7 +21,7 @@ static volatile sig_atomic_t interrupted, resized, suspended, ended;
 
 static void on_signal(int number)
 {
-    if (number == SIGINT || number == SIGTERM || number == SIGHUP)
+    if (number != SIGWINCH && number != SIGTSTP)
         __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads look at it: dom_raised */
     if (number == SIGWINCH)
         resized = 1;
@@ -96,7 +31,9 @@ static void on_signal(int number)
         ended = number;
 }
 
-static const int watched[] = {SIGINT, SIGWINCH, SIGTSTP, SIGTERM, SIGHUP};
+/* Those that would end the program end the session, so that the terminal is given back as it was. */
+static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
+                              SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
 /* ^C drops the line; on an empty line it says how to leave. */
@@ -142,8 +79,11 @@ static void on_line(char *text)
         putc('\n', session->out);
         session->quit = true;
     } else {
-        history_keep(text);
+        /* A ^C before the line is none of the line; a signal that ends the session is. */
         interrupted = 0;
+        if (ended)
+            interrupted = ended;
+        history_keep(session, text);
         session->fresh = !strchr(text, '\n');
         command_run_text(session, text);
         free(text);
@@ -192,7 +132,7 @@ void line_prompt(struct session *session)
     prompt_session = session;
     session->source = NULL;
     session->train.interrupt = &interrupted;
-    history_load();
+    history_load(session);
     readline_begin();
     fprintf(session->out,
             "domino " DOM_VERSION ": how far can a domino train grow?  Try 'count 112', or 'help'.\n");
@@ -224,7 +164,6 @@ void line_prompt(struct session *session)
         }
     }
     rl_callback_handler_remove();
-    history_save(session);
     session->train.interrupt = NULL;
     session->prompt_width = 0;
     for (int i = 0; i < WATCHED; i++)

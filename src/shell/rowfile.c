@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "rowfile.h"
-#include "line.h"
+#include "io.h"
 #include "names.h"
 #include "text.h"
 #include "wide.h"
@@ -56,7 +56,7 @@ struct reader {
     dom_real unit[KINDS];
     int cells; /* of this line; only CELLS of them are kept */
     char *cell[CELLS];
-    char buffer[LINE_MOST];
+    char *buffer; /* of LINE_MOST bytes, which a stack may not have */
 };
 
 static const char *kind_names(const void *context, int k)
@@ -334,8 +334,12 @@ static bool lines_read(struct reader *r, struct rowfile *rows)
 bool rowfile_read(struct session *session, const char *path, struct rowfile *rows)
 {
     char shown[NAMES_SHOWN];
-    struct reader r = {.session = session, .in = line_open(path)};
+    struct reader r = {.session = session, .in = io_read(path, session->train.interrupt)};
     *rows = (struct rowfile){NULL, 0, false};
+    if (r.in && !(r.buffer = malloc(LINE_MOST))) {
+        fclose(r.in);
+        r.in = NULL;
+    }
     if (!r.in)
         return session_error(session, "cannot read '%s': %s", names_shown(path, shown), strerror(errno));
     /* A name may not hide the rest of a message, nor break its line. */
@@ -343,6 +347,7 @@ bool rowfile_read(struct session *session, const char *path, struct rowfile *row
     bool good = lines_read(&r, rows);
     rows->weighed = r.column[MASS] > 0 || r.column[DENSITY] > 0;
     text_free(&r.text);
+    free(r.buffer);
     fclose(r.in);
     if (!good)
         rowfile_free(rows);

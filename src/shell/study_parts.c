@@ -5,7 +5,7 @@
  * 'pool' reads them all and answers as 'placement' itself would.
  */
 #include "falling.h"
-#include "line.h"
+#include "io.h"
 #include "points.h"
 #include "study.h"
 #include "text.h"
@@ -294,7 +294,8 @@ bool pool_run(struct session *session, const struct call *call)
     char missing[128], shown[NAMES_SHOWN];
     struct pool p = {.session = session, .path = call->word[0]};
     bool standard = strcmp(p.path, "-") == 0;
-    FILE *in = standard ? stdin : line_open(p.path);
+    const volatile sig_atomic_t *interrupt = session->train.interrupt;
+    FILE *in = standard ? io_stdin(interrupt) : io_read(p.path, interrupt);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
     bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);

@@ -54,6 +54,10 @@ static void wipe(void)
 /* Written by the handler, and by whichever thread has the first row. */
 static atomic_int ticks, ticker_quiet;
 
+/* Whether the ticker has SIGALRM, and who had it before. */
+static bool ticking;
+static struct sigaction alarm_before;
+
 static void on_tick(int number)
 {
     (void)number;
@@ -79,15 +83,19 @@ void ticker_start(void)
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
     ticks = 0;
     ticker_quiet = 0;
-    sigaction(SIGALRM, &action, NULL);
+    if (!ticking)
+        sigaction(SIGALRM, &action, &alarm_before);
+    ticking = true;
     ticker_set(1);
 }
 
 void ticker_stop(void)
 {
-    if (!isatty(STDERR_FILENO))
+    if (!ticking)
         return;
     ticker_set(0);
+    sigaction(SIGALRM, &alarm_before, NULL);
+    ticking = false;
     if (ticks > 0 && !ticker_quiet)
         wipe();
     ticks = 0;

@@ -181,8 +181,8 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     struct dom_launch l;
     struct dom_barrier b;
     struct impulses impulses = {.units = &u, .bounded = true};
-    if (dom_launch_find(&w->train, &l, NULL) != DOM_OK ||
-        dom_barrier_find(&w->train, &b, NULL) == DOM_NO_FUEL ||
+    enum dom_status found = dom_barrier_find(&w->train, &b, NULL);
+    if (dom_launch_find(&w->train, &l, NULL) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
         dom_cycle_forces(&w->train, 0, impulse_seen, &impulses) != DOM_OK)
         return;
     dom_real omega = sqrt(l.omegasq) / u.tau;

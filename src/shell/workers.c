@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "workers.h"
+#include "io.h"
 #include "terminal.h"
 #include <errno.h>
 #include <pthread.h>
@@ -144,9 +145,10 @@ static void worker_run(struct crew *c, void *own)
     while ((points = crew_take(c, &pace, &from, &number)) > 0) {
         pthread_mutex_unlock(&c->lock);
         struct block b = {.text = NULL, .own = own};
-        FILE *out = open_memstream(&b.text, &b.size);
+        FILE *out = io_memory(&b.text, &b.size);
         b.ended = !out || !block_run(w, own, from, points, &pace, out);
-        bool kept = out && fclose(out) == 0;
+        bool kept = out && !ferror(out);
+        kept = out && fclose(out) == 0 && kept;
         if (w->progress && own == w->own)
             progress_show(&progress, (double)from / (double)w->points);
         pthread_mutex_lock(&c->lock);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/linear.h"
+#include <stdlib.h>
 
 enum { N = LINEAR_ORDER };
 
@@ -113,11 +114,19 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
     return true;
 }
 
+KERNEL void num_linear_free(struct num_linear *s)
+{
+    free(s->panel);
+    s->panel = NULL;
+}
+
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *s)
 {
     real node[N], width = hi - lo, ln_G = 0, v = 0;
     enum num_status status = NUM_OK;
+    if (!s->panel && !(s->panel = malloc(LINEAR_PANELS * sizeof *s->panel)))
+        return NUM_NO_MEMORY;
     nodes_make(node);
     if (s->panels > 0)
         num_linear_at(s, lo, &ln_G, &v);

@@ -40,7 +40,7 @@ struct num_panel {
 
 struct num_linear {
     int panels;
-    struct num_panel panel[LINEAR_PANELS];
+    struct num_panel *panel; /* LINEAR_PANELS, made by the first solution; NULL before: a stack has no room */
 };
 
 /*
@@ -49,6 +49,9 @@ struct num_linear {
  */
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
+
+/* Gives back the panels. */
+KERNEL void num_linear_free(struct num_linear *solution);
 
 /* ln G and v at x, which is inside, or an end. */
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);

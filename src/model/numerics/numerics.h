@@ -12,7 +12,7 @@
 
 #include "real.h"
 
-enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED };
+enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED, NUM_NO_MEMORY };
 
 typedef real num_function(real x, void *context);
 

@@ -1,0 +1,133 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Disks that are full and files at their limit: an error that says so, and every file is whole, as before or new.
+# shellcheck disable=SC2154 # $full is set where the scripts run
+
+load faults
+
+teardown() { rm -rf "${away:-}"; }
+
+# Runs commands that cannot be written, each of which must say so; the session goes on.
+refused() { # COMMAND FILE
+    local said
+    said=$(soon "$DOMINO" -n -e "set output csv; $1; print 42" 2>&1) && same "$1: the status" 1 0
+    said=${said//$'\n'/|}
+    [[ $said == "-e:1: ${1%% *}: cannot write '$2': $full|value,unit|42," ]] ||
+        same "$1: what is said" "-e:1: ${1%% *}: cannot write '$2': $full" "$said"
+}
+export -f refused
+
+replaced() {
+    echo old >file
+    fill 0
+    refused 'curve 0.1 0.9 900 > file' file
+    refused 'curve 0.1 0.9 900 > new' new
+    refused 'curve 0.1 0.9 900 >> new' new
+    same 'the file' old "$(cat file)"
+    rm -f new # of no bytes
+    same 'no draft' 'file filler' "$(echo *)"
+}
+export -f replaced
+@test "full disk: '>' leaves the old file, and no draft" { disk replaced; }
+
+appended() {
+    # A page of the disk has some room behind the file.
+    "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 > file'
+    cp file before
+    fill 0
+    refused 'curve 0.1 0.9 900 >> file' file
+    cmp file before
+    rm filler
+    "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 >> file'
+    cat before before | cmp - file
+}
+export -f appended
+@test "full disk: '>>' takes back what it could not end" { disk appended; }
+
+names() {
+    echo old >file && ln file other
+    fill 0
+    refused 'curve 0.1 0.9 900 > file' file
+    same 'the file' old "$(cat other)"
+    rm filler
+    "$DOMINO" -n -e 'fuel > file'
+    same 'with room' "$("$DOMINO" -n -e fuel)" "$(cat other)"
+}
+export -f names
+@test "full disk: '>' on a file of two names leaves what is in it" { disk names; }
+
+saved() {
+    echo old >file
+    fill 0
+    refused 'save file' file
+    same 'the file' old "$(cat file)"
+}
+export -f saved
+@test "full disk: save leaves the old file" { disk saved; }
+
+@test "full disk: a history that does not fit is reported, and stays whole" {
+    full_history() {
+        printf 'show s\n' >history
+        fill 0
+        BATS_TEST_TMPDIR=$home expect -f "$faults/faults.exp" history_full "$PWD" </dev/null
+    }
+    export -f full_history
+    home=$BATS_TEST_TMPDIR faults=$BATS_TEST_DIRNAME
+    export home faults
+    disk full_history
+}
+
+@test "a full folder for drafts: pictures and appended answers are refused" {
+    command -v gnuplot >/dev/null || skip 'no gnuplot'
+    unshare --mount mount -t tmpfs tmpfs /tmp 2>/dev/null || skip 'nothing may be mounted here'
+    # The test's own folder is in /tmp; this one is not, and is removed in any case.
+    away=$(mktemp -d /var/tmp/domino.XXXXXX)
+    cp "$DOMINO" "$away/domino"
+    # shellcheck disable=SC2016
+    timeout -k 1 60 unshare --mount bash -c '
+        cd "$1" && mount -t tmpfs -o size=64k tmpfs /tmp || exit 9
+        for free in 40960 20480 8192 0; do
+            head -c 1M /dev/zero >/tmp/filler 2>/dev/null
+            truncate -s "-$free" /tmp/filler
+            echo old >row
+            for to in "> x.svg" "> x.png"; do
+                ./domino -n -e "plot energy $to" 2>&1
+                echo " $?"
+            done
+            ./domino -n -e "set output csv; curve 0.1 0.9 900 >> row" 2>&1
+            echo " $? $(wc -l <row)"
+        done' bash "$away" >"$BATS_TEST_TMPDIR/said"
+    # Each answer is there as a whole or not at all.
+    rows=901
+    grep -vE "^( 0( $((rows + 1)))?| 1( 1)?|-e:1: (plot: cannot draw|curve: cannot write 'row'): No space left on device)$" \
+        "$BATS_TEST_TMPDIR/said" && false
+    [ "$(grep -c '^-e:1: plot: cannot draw' "$BATS_TEST_TMPDIR/said")" -ge 4 ]
+    for picture in x.svg x.png; do
+        [ ! -e "$away/$picture" ] || "$DOMINO" -n -e "plot energy > $BATS_TEST_TMPDIR/$picture"
+        [ ! -e "$away/$picture" ] || cmp "$away/$picture" "$BATS_TEST_TMPDIR/$picture"
+    done
+    [ -z "$(find "$away" -mindepth 1 -name '*.??????')" ]
+}
+
+@test "a limit of size for files is an error like any other" {
+    enter
+    export full='File too large'
+    "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 > file'
+    echo old >old && ln old other
+    cp file before
+    ulimit -f 3
+    refused 'curve 0.1 0.9 900 > new' new
+    refused 'curve 0.1 0.9 900 > old' old
+    refused 'curve 0.1 0.9 900 >> file' file # the draft is too large
+    refused 'curve 0.1 0.9 20 >> file' file  # file and draft together are
+    cmp file before
+    same 'the file of two names' old "$(cat other)"
+    same 'nothing else' 'before file old other' "$(inside)"
+    run -1 --separate-stderr soon "$DOMINO" -n -e 'plot energy > x.svg'
+    [[ $stderr =~ (gnuplot did not draw it|cannot draw: File too large) ]] || same 'plot' 'an error' "$stderr"
+    same 'no picture' 'before file old other' "$(inside)"
+    # And for standard output.
+    # shellcheck disable=SC2016
+    run -1 --separate-stderr bash -c '"$DOMINO" -n -e "set output csv; curve 0.1 0.9 900" >out'
+    same 'standard output' 'domino: cannot write the output: File too large' "$stderr"
+}

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
+# What the suites of faults share: a folder for each test, an end for each wait, disks that are full.
+
+load ../shell/common
+
+# $BATS_TEST_TMPDIR is gone with the test, and so is what a test left in there.
+enter() { mkdir -p "$BATS_TEST_TMPDIR/in" && cd "$BATS_TEST_TMPDIR/in" || exit; }
+
+# No wait is for ever: 124 where the program did not end by itself.
+soon() { timeout -k 1 20 "$@"; }
+export -f soon
+
+prompt() { soon expect -f "$BATS_TEST_DIRNAME/faults.exp" "$@" </dev/null; }
+
+inside() { find . -mindepth 1 | LC_ALL=C sort | sed 's|^\./||' | paste -sd ' ' -; }
+
+# Ended by a signal, or by the time limit?
+no_crash() { # WHAT STATUS
+    [ "$2" -le 1 ] || same "$1: it ends by itself" '0 or 1' "$2"
+}
+
+# Runs a script of bash on a disk of its own with 64 kB, whose mount ends with the script.  In there 'fill BYTES'
+# leaves so many bytes free.  Where nothing may be mounted, files have a limit of size instead, which 'fill' sets.
+# The reason that a full disk gives is in $full.
+disk() { # SCRIPT
+    local own=() mounts=$BATS_TEST_TMPDIR/disk
+    mkdir -p "$mounts"
+    if [ "$(id -u)" -ne 0 ]; then own=(--map-root-user); fi
+    # shellcheck disable=SC2016 # the inner shell expands it
+    if unshare --mount "${own[@]}" mount -t tmpfs tmpfs "$mounts" 2>/dev/null; then
+        full='No space left on device' timeout -k 1 60 unshare --mount "${own[@]}" bash -eu -c '
+            mount -t tmpfs -o size=64k,mode=700 tmpfs "$1" && cd "$1"
+            fill() {
+                head -c 1M /dev/zero >filler 2>/dev/null || :
+                truncate -s "-$1" filler
+            }
+            eval "$2"' bash "$mounts" "$1"
+    else
+        full='File too large' timeout -k 1 60 bash -eu -c '
+            cd "$1"
+            fill() { >filler; ulimit -f "$((($1 + 1023) / 1024 + 1))"; trap "" XFSZ; }
+            eval "$2"' bash "$mounts" "$1"
+    fi
+}
+export -f same close

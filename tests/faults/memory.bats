@@ -1,0 +1,74 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Allocations that fail, and a stack that is small: an error or the right answer, never a crash, never another answer.
+# shellcheck disable=SC2030,SC2031,SC2154
+
+load faults
+
+# Of a session with --bail: every line that came out is one of the right ones, and what went wrong is said.  Sentences
+# that explain an answer may be missing, and then are no error.
+outcome() { # WHAT STATUS
+    no_crash "$1" "$2"
+    obtained=$(grep -vE '\.$' out) said=$(cat err)
+    same "$1: other lines" '' "$(grep -vxFf expected out)"
+    if [ "$2" -eq 0 ]; then
+        same "$1: the answers" "$answers" "$obtained"
+    else
+        [[ $said =~ ^(-e|domino|in\.dom|[a-z.]*:[0-9]*).*[a-z] ]] || same "$1: a message" 'why' "$said"
+        [ -z "$(LC_ALL=C grep -v '^[[:print:][:space:]]*$' err)" ] || same "$1: what is said" readable "$said"
+    fi
+    left=$(inside)
+    [[ $left != *.?????? ]] || same "$1: no draft" '' "$left"
+}
+
+every_allocation() { # SESSION
+    enter
+    printf 'fuel; theta1 0.1\n' >in.dom
+    "$DOMINO" --shard 1/1 -e 'set output csv; effect row 4; row > row.csv; effect placement 5 mm; placement 20 > study'
+    fail=$(dirname "$DOMINO")/faults/fail_alloc.so
+    LD_PRELOAD=$fail FAIL_COUNT=$PWD/count soon "$DOMINO" --bail -n -e "$1" >expected
+    answers=$(grep -vE '\.$' expected)
+    local count step n mode
+    count=$(cat count)
+    [ "$count" -gt 3 ]
+    step=$(((count + 59) / 60))
+    for mode in '' FAIL_ON=1; do
+        for ((n = 1; n <= count; n += step)); do
+            env LD_PRELOAD="$fail" FAIL_AT=$n $mode timeout -k 1 20 "$DOMINO" --bail -n -e "$1" >out 2>err && status=0 ||
+                status=$?
+            outcome "'$1', allocation $n $mode" "$status"
+        done
+    done
+}
+
+@test "failing allocations: answers" { every_allocation 'fuel; set output json; rmax 0.3; show s; print ans; help rmax'; }
+@test "failing allocations: files" { every_allocation 'fuel > a; fuel >> a; save b.dom; source b.dom; source in.dom > c; fuel'; }
+@test "failing allocations: a row" { every_allocation 'effect row row.csv; fall; place 3 5 mm; mend; verdict'; }
+@test "failing allocations: studies" { every_allocation 'set output csv; pool study; set threads 2; sweep s 0.2 0.6 3 : rmax'; }
+@test "failing allocations: friction, a walk, pictures" {
+    every_allocation 'effect friction 0.2; step; goto 0.1; why; cycle 3; draw 0.2 forces'
+}
+@test "failing allocations: random rows" { every_allocation 'set threads 2; effect row 4; effect placement 5 mm; placement 40'; }
+@test "failing allocations: quad with friction, and bounds" {
+    every_allocation 'set precision quad; effect friction 0.2; barrier; reset; set errors on; rmax 0.3; curve 0.3 0.5 3'
+}
+
+@test "a stack of 128 kB is enough" {
+    enter
+    ulimit -s 128
+    local quad='set precision quad; effect friction 0.2;'
+    while read -r call; do
+        soon "$DOMINO" -n -e "$call" >out 2>err && status=0 || status=$?
+        same "$call: $(cat err)" 0 "$status"
+        [ -s out ]
+    done <<END
+$quad fuel; launch; barrier; duration; why; step; cycle 5; slip; draw forces
+set precision quad; set errors on; rmax; pair; why; cycle 5; chain 0.2; curve 0.3 0.5 3
+effect friction 0.2; set threads 4; sweep s 0.2 0.6 5 : rmax
+$quad set threads 2; sweep s 0.3 0.5 2 : barrier
+$quad effect row 4; fall; verdict
+effect row 4; effect placement 5 mm; set threads 4; placement 40; rowmax; mend; budget 0.9 20; effect floor 0.5; fall
+effect row 5; set output csv; row > row.csv; effect row row.csv; place 3 1; row; save x.dom; source x.dom; show
+help; help rmax; apropos fuel; manual; complete f; scene; effects; cost rmax; best; count 112
+END
+}

@@ -1,0 +1,168 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Files that are no regular files, links, locks, descriptors that are missing: what is written, and what stays.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+prompt() { timeout 120 expect -f "$BATS_TEST_DIRNAME/files.exp" "$@" </dev/null; }
+enter() { mkdir -p "$BATS_TEST_TMPDIR/in" && cd "$BATS_TEST_TMPDIR/in" || exit; }
+# No test may wait for ever.
+soon() { timeout 30 "$@"; }
+
+# ---- FIFOs ----
+
+@test "^C ends the wait for the writer of a FIFO: source" { prompt interrupt_fifo 'source %s'; }
+@test "^C ends the wait for the writer of a FIFO: effect row" { prompt interrupt_fifo 'effect row %s'; }
+@test "^C ends the wait for the writer of a FIFO: pool" { prompt interrupt_fifo 'pool %s'; }
+@test "^C ends the wait for the reader of a FIFO: >" { prompt interrupt_fifo 'fuel > %s'; }
+@test "^C ends the wait for the reader of a FIFO: >>" { prompt interrupt_fifo 'fuel >> %s'; }
+@test "^C ends the wait for the reader of a FIFO: save" { prompt interrupt_fifo 'save %s'; }
+@test "^C ends the wait for a writer that writes nothing" {
+    prompt interrupt_partner '3>' 'source %s' 'cannot read [^\n]*canceled'
+}
+@test "^C ends the wait for a reader that reads nothing" {
+    prompt interrupt_partner '<' 'cycle 9999 > %s' 'cannot write [^\n]*canceled|interrupted'
+}
+@test "^C ends a command that reads the terminal" {
+    prompt interrupt_terminal 'pool -'
+    prompt interrupt_terminal 'source /dev/tty'
+}
+@test "SIGTERM and SIGHUP end a session that waits for a FIFO" {
+    prompt end_fifo TERM 'source %s'
+    rm "$BATS_TEST_TMPDIR/fifo"
+    prompt end_fifo HUP 'save %s'
+}
+@test "a FIFO as the start-up file is reported, and the session opens" { prompt startup_fifo; }
+
+@test "FIFOs, pipes and devices are read and written as files are" {
+    enter
+    answer=$("$DOMINO" -e fuel)
+    mkfifo fifo
+    echo 'fuel' >fifo &
+    same 'source FIFO' "$answer" "$(soon "$DOMINO" -e 'source fifo')"
+    echo 'fuel' >fifo &
+    same '-f FIFO' "$answer" "$(soon "$DOMINO" -f fifo)"
+    same 'source <()' "$answer" "$(soon bash -c '"$DOMINO" -e "source $1"' bash <(echo fuel))"
+    same '<()' "$answer" "$(soon "$DOMINO" <(echo fuel))"
+    same 'nothing in <()' '' "$(soon "$DOMINO" <(true))"
+    "$DOMINO" -e 'set output csv; effect row 4; row > row.csv'
+    same 'effect row <()' "$("$DOMINO" -e 'effect row row.csv; verdict')" \
+        "$(soon bash -c '"$DOMINO" -e "effect row $1; verdict"' bash <(cat row.csv))"
+    same 'effect row /dev/stdin' "$("$DOMINO" -e 'effect row row.csv; verdict')" \
+        "$(soon "$DOMINO" -e 'effect row /dev/stdin; verdict' <row.csv)"
+    same 'source /dev/stdin' "$answer" "$(echo fuel | soon "$DOMINO" -e 'source /dev/stdin')"
+    for to in '>' '>>'; do
+        cat fifo >got &
+        soon "$DOMINO" -e "fuel $to fifo"
+        wait $!
+        same "$to FIFO" "$answer" "$(cat got)"
+    done
+    cat fifo >got &
+    soon "$DOMINO" -e 'set output csv; curve 0.1 0.9 20000 > fifo' # more than a pipe holds
+    wait $!
+    same '> FIFO, long' 20001 "$(wc -l <got)"
+    soon "$DOMINO" -e 'fuel > /dev/null; save /dev/null; fuel >> /dev/null; source /dev/null'
+    same 'and no file besides' 'fifo got row.csv' "$(echo *)"
+    [ -p fifo ]
+}
+
+@test "what is behind '> >(...)' reads the answer" {
+    enter
+    answer=$("$DOMINO" -e fuel)
+    mkfifo over
+    # shellcheck disable=SC2016 # the inner shell expands it
+    soon bash -c '"$DOMINO" -e "fuel > $1"; exec 3>&-' bash >(cat >got; echo >over)
+    soon cat over >/dev/null
+    same '>()' "$answer" "$(cat got)"
+}
+
+# ---- History ----
+
+@test "history: a device keeps its mode, and nothing is said" {
+    prompt history_device /dev/null
+    ln -s /dev/null "$BATS_TEST_TMPDIR/link"
+    prompt history_device "$BATS_TEST_TMPDIR/link"
+}
+@test "history: a link's target keeps its mode" { prompt history_link; }
+@test "history: a FIFO is reported, and is none" { prompt history_fifo; }
+@test "history: SIGKILL loses nothing" { prompt history_crash; }
+@test "history: half a line and a long file" { prompt history_long; }
+@test "history: four sessions that end at once" { prompt history_many 4 5; }
+
+# ---- Links, groups, drafts ----
+
+@test "'>' through links whose target is not there makes the target" {
+    enter
+    mkdir folder
+    ln -s folder/target one && ln -s "$PWD/one" two && ln -s ../three folder/three
+    for name in one two folder/three; do
+        "$DOMINO" -e "fuel > $name"
+        [ -L "$name" ] || same "$name" 'a link still' 'a file'
+        same "$name" "$("$DOMINO" -e fuel)" "$(cat "$name")"
+        rm -f folder/target three
+    done
+    run -1 "$DOMINO" -e 'theta1 9 > two'
+    same 'nothing is made for an error' "folder one two folder/three" "$(echo ./* folder/* | sed 's|\./||g')"
+    ln -s nowhere/target lost
+    run -1 --separate-stderr "$DOMINO" -e 'fuel > lost'
+    same 'no folder' "-e:1:8: fuel: cannot write 'lost': No such file or directory" "$stderr"
+    [ -L lost ]
+}
+
+@test "'>' keeps the group of a file" {
+    enter
+    [ "$(id -u)" -eq 0 ] || skip 'needs two groups'
+    echo old >file && chgrp 12 file && chmod 664 file
+    "$DOMINO" -e 'fuel > file'
+    same 'group and mode' '12 664' "$(stat -c '%g %a' file)"
+}
+
+@test "a '>' in a file that is sourced leaves the outer draft under guard" {
+    enter
+    mkdir drafts
+    echo 'fuel > drafts/inner; curve 0.01 1 10000000' >script
+    timeout 30 "$DOMINO" -e 'source script > drafts/outer' 3>&- &
+    until [ -e drafts/inner ]; do kill -0 $!; done
+    until [ "$(find drafts -name 'inner*' | wc -l)" -eq 1 ]; do kill -0 $!; done
+    same 'two files' 2 "$(find drafts -type f | wc -l)"
+    kill -TERM $!
+    wait $! || true
+    same 'what is left' inner "$(ls drafts)"
+}
+
+@test "two that append to one file tear no line" {
+    enter
+    for k in 1 2 3; do
+        for i in 1 2 3 4 5 6; do echo "cycle 150 >> out"; done | "$DOMINO" -e 'set output csv' -f - &
+    done
+    wait
+    same 'rows' 1 "$(awk -F, '{ print NF }' out | sort -u | wc -l)"
+    same 'answers in one piece' "$(for i in $(seq 18); do "$DOMINO" -e 'set output csv; cycle 150'; done | cksum)" \
+        "$(cksum <out)"
+}
+
+# ---- Descriptors ----
+
+@test "where standard streams are closed, no file takes their place" {
+    enter
+    answer=$("$DOMINO" -e fuel)
+    for closed in '<&-' '2>&-' '<&- 2>&-'; do
+        rm -f out
+        eval '"$DOMINO" -e "set timing on; fuel > out; foo"' "$closed" || true
+        same "$closed: the file" "$answer" "$(grep -v '^time' out)"
+        same "$closed: the timing" 0 "$(grep -c '^time' out || true)"
+        same "$closed: standard output" "$answer" "$(eval '"$DOMINO" -e fuel' "$closed")"
+    done
+    run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel > out; fuel" >&-'
+    same 'no standard output' 'domino: cannot write the output: Bad file descriptor' "$stderr"
+    same 'the file' "$answer" "$(cat out)"
+    run -1 --separate-stderr bash -c '"$DOMINO" <&-'
+    same 'no standard input' 'stdin:0: cannot read on: Bad file descriptor' "$stderr"
+    run -1 bash -c '"$DOMINO" -e "fuel > out; foo; fuel" <&- >&- 2>&-'
+    same 'none of the three' "$answer" "$(cat out)"
+}
+
+@test "signals that end the program give the terminal back" {
+    for signal in USR1 ALRM QUIT XCPU VTALRM; do prompt end_signal "$signal"; done
+}
