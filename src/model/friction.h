@@ -54,8 +54,11 @@ KERNEL real friction_arm_b(const struct link *link);
 /* The flow of the lean over [0, theta_c], unless it is there already, with the edges between smooth parts. */
 KERNEL enum dom_status friction_flow(const struct lean *lean);
 
-/* The same over [lo, hi] alone, with u from lo on, and J there in the place of J(0). */
-KERNEL enum dom_status friction_flow_piece(const struct lean *lean, real J, real lo, real hi);
+/*
+ * The same over [lo, *hi] alone, with u from lo on, and J there in the place of J(0).  DOM_LOCKS: A vanishes
+ * before *hi, which becomes the last tilt before that, to the tolerance; the flow holds up to there.
+ */
+KERNEL enum dom_status friction_flow_piece(const struct lean *lean, real J, real lo, real *hi);
 
 /*
  * A slight motion from lo, the tilt `from`, that is used up before *hi is lost in the rounding of the whole
