@@ -34,11 +34,16 @@ KERNEL real friction_share(const struct link *k)
 struct rubbing {
     struct link link;
     real S, bend;
+    real noise;  /* of S, in roundings: more than 1 where b = Y + mu X cancels, since X < 0 */
+    bool behind; /* a force passes behind the hinge of a follower, which lies too flat: b <= 0 */
 };
 
 static void rubbing_next(struct rubbing *k)
 {
     struct link leader = k->link;
+    real b = friction_arm_b(&leader);
+    k->behind = k->behind || b <= 0;
+    k->noise += leader.turn.X < 0 ? (leader.turn.Y - leader.lean->mu * leader.turn.X) / fabs(b) - 1 : 0;
     k->S *= friction_share(&k->link);
     link_next(&k->link);
     k->bend = link_bend(&leader, k->bend, &k->link);
@@ -74,7 +79,7 @@ static bool rubbing_done(const struct rubbing *k, struct series *A, struct serie
 KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, struct law *law)
 {
     struct series A = {0}, B = {0}, C = {0};
-    struct rubbing k = {.link = link_head(g, head), .S = 1};
+    struct rubbing k = {.link = link_head(g, head), .S = 1, .noise = 1};
     for (;;) {
         const struct link *link = &k.link;
         enum dom_status status = chain_watch(g, link->i);
@@ -88,7 +93,13 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
         rubbing_next(&k);
     }
     friction_count(g, k.link.i + 1);
-    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost, B.size, C.size};
+    *law = (struct law){.A = A.sum + A.lost,
+                        .B = B.sum + B.lost,
+                        .C = C.sum + C.lost,
+                        .A_size = A.size * k.noise,
+                        .B_size = B.size * k.noise,
+                        .C_size = C.size * k.noise};
+    law->locks = k.behind || law->A <= 0;
     return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -126,15 +137,17 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
     f->status = lean_tilt(f->lean, theta, &head);
     if (f->status == DOM_OK)
         f->status = friction_law(f->lean, head, &law);
-    /* With A <= 0 no acceleration fits the forces (Painleve): the train is locked. */
-    if (f->status == DOM_OK && law.A <= 0) {
+    if (f->status == DOM_OK && law.locks) {
         f->status = DOM_LOCKS;
         f->locked = theta;
     }
     if (f->status != DOM_OK)
         return false;
-    const real units = 32 * UNIT / law.A;
-    *rate = (struct num_rate){-2 * law.B / law.A, 2 * law.C / law.A, units * law.B_size, units * law.C_size};
+    const real units = 32 * UNIT / law.A, of_A = law.A_size / law.A;
+    *rate = (struct num_rate){.p = -2 * law.B / law.A,
+                              .c = 2 * law.C / law.A,
+                              .p_noise = units * (law.B_size + fabs(law.B) * of_A),
+                              .c_noise = units * (law.C_size + fabs(law.C) * of_A)};
     return true;
 }
 
@@ -252,7 +265,7 @@ static real flow_locked_near(const struct lean *g, real from, real hi)
         struct law law;
         if (lean_tilt(g, from + step, &head) != DOM_OK || friction_law(g, head, &law) != DOM_OK)
             break;
-        if (law.A <= 0)
+        if (law.locks)
             return from + step;
     }
     return REAL_NAN;
@@ -303,11 +316,13 @@ KERNEL enum dom_status friction_rate(const struct lean *g, struct tilt head, rea
 KERNEL enum dom_status friction_flow_spent(const struct lean *g, struct tilt from, real lo, real omegasq,
                                            real *hi)
 {
-    real rate = 0, ln_G, u = -1;
+    real rate = 0, ln_G, u;
+    bool cut = false;
     enum dom_status status = friction_rate(g, from, lo, &rate);
     if (status != DOM_OK || !(rate > 0))
         return status;
     for (real close = lo + 4 * omegasq / rate; close < *hi && close > lo; close = lo + 4 * (close - lo)) {
+        cut = true;
         status = friction_flow_piece(g, g->flow->J0, lo, &close);
         if (status != DOM_OK)
             return status;
@@ -318,5 +333,5 @@ KERNEL enum dom_status friction_flow_spent(const struct lean *g, struct tilt fro
         }
     }
     /* It goes on for long enough to be seen in the whole. */
-    return u < 0 ? DOM_OK : friction_flow_piece(g, g->flow->J0, lo, hi);
+    return cut ? friction_flow_piece(g, g->flow->J0, lo, hi) : DOM_OK;
 }

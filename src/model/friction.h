@@ -36,7 +36,9 @@ struct flow {
 
 struct law {
     real A, B, C;
-    real B_size, C_size; /* of all terms, whatever their signs: what their roundings are relative to */
+    /* Of all terms, whatever their signs, and more where an arm b cancels: what roundings are relative to. */
+    real A_size, B_size, C_size;
+    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or an arm b of a follower is */
 };
 
 KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);
