@@ -155,15 +155,15 @@ static void worker_free(struct worker *w)
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
-    const double odds = p / (1 - p), enough = 1e-17, most = 1e300;
+    const double odds = p / (1 - p), enough = 1e-17, most = 1e20;
     double above = 0, below = 0;
     if (!(p > 0 && p < 1))
         return (p >= 1) == at_least;
     double term = 1;
-    for (double i = k; i < n && above < most && (term > enough * above || i * (1 - p) < n * p); i++)
+    for (double i = k; i < n && above < most && (term > enough * above || i < n * p); i++)
         above += term *= (n - i) / (i + 1) * odds;
     term = 1;
-    for (double i = k; i > 0 && below < most && (term > enough * below || i * (1 - p) > n * p); i--)
+    for (double i = k; i > 0 && below < most && (term > enough * below || i > n * p); i--)
         below += term *= i / (n - i + 1) / odds;
     return (at_least ? 1 + above : 1 + below) / (1 + above + below);
 }

@@ -263,6 +263,12 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
+/*
+ * A gap as wide as the head is tall is reached, also where it is rounded: in a row of a train at r = 1/s the
+ * rounding of r, two powers, four products, and of both sizes to the precision, by half a unit each or one.
+ */
+#define REACH_ROUNDED (4 * REAL_EPSILON)
+
 /* Head k hits k + 1, which takes over; the row ends there if it cannot. */
 static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
@@ -270,7 +276,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
     struct lean *g = &run->row.lean[k + 1];
     struct law law = {.A = d->st.J};
     enum dom_row_end *end = &run->verdict.end;
-    if (next->gap > own->height)
+    if ((real)next->gap > (real)own->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
     else if ((real)own->height * d->st.g.c.y > (real)next->height)
         *end = DOM_ROW_PASSES;

@@ -168,6 +168,48 @@ static void a_stop_needs_what_a_fall_needs(void **state)
     assert_true(compared > 300);
 }
 
+/* ---- At the reach ---- */
+
+/* r = 1/s, rounded in the widest type, is reached in every precision, as by a train; a gap wider by 1e-5 is
+ * not. */
+static void rounded_reach_is_reached(void **state)
+{
+    (void)state;
+    static struct run run, near;
+    struct dom_scale scale = dom_scale_default();
+    int falls = 0, stops = 0;
+    for (int i = 0; i < 3 * 300; i++) {
+        struct dom_train train = dom_train_default();
+        train.s = (dom_real)(100 + i / 3) / 500;
+        train.r = 1 / train.s;
+        train.q = 1 + i % 7;
+        dom_row_of_train(&train, &scale, 1, run.domino, 6);
+        run.row = (struct dom_row){.count = 6,
+                                   .g = g,
+                                   .push = i % 2 ? 60 : DOM_NAN,
+                                   .tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12,
+                                   .precision = (enum dom_precision)(i % 3)};
+        assert_status(run_row(&run), DOM_OK);
+        assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
+        train.r *= 1 - (dom_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, but for what is close */
+        near = run;
+        dom_row_of_train(&train, &scale, 1, near.domino, 6);
+        assert_status(run_row(&near), DOM_OK);
+        for (size_t k = 0; k < run.falls && k < near.falls; k++)
+            if (fabs((double)run.fall[k].margin) > 0.1 * (double)run.fall[k].kinetic)
+                assert_true((run.fall[k].margin > 0) == (near.fall[k].margin > 0));
+        falls += run.verdict.end == DOM_ROW_FALLS;
+        stops += run.verdict.end == DOM_ROW_STOPS;
+        for (size_t k = 1; k < 6; k++)
+            run.domino[k].gap *= 1 + (dom_real)1e-5;
+        run.row.push = 60;
+        assert_status(run_row(&run), DOM_OK);
+        assert_true(run.verdict.end == DOM_ROW_MISSES && run.verdict.domino == 1);
+    }
+    print_message("# %d fall, %d stop\n", falls, stops);
+    assert_true(falls > 50 && stops > 50);
+}
+
 /* ---- Much friction ---- */
 
 struct newton {
@@ -267,6 +309,7 @@ int main(void)
         cmocka_unit_test(short_of_the_highest),
         cmocka_unit_test(short_of_the_highest_everywhere),
         cmocka_unit_test(a_stop_needs_what_a_fall_needs),
+        cmocka_unit_test(rounded_reach_is_reached),
         cmocka_unit_test(much_friction),
         cmocka_unit_test(stops_before_a_lock),
     };
