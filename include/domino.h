@@ -615,8 +615,9 @@ struct dom_count {
 
 /*
  * How many dominoes topple one at least `height` tall, the first of them being `first` tall and each r
- * times the one before.  A power that meets the height up to the rounding of the typed numbers counts
- * as exact.  Both heights > 0 in one unit, r >= 1, else DOM_BAD_PARAMETER.
+ * times the one before.  A power that meets the height up to the rounding of the typed numbers, half a
+ * unit of the precision for each of 4 + n of them, counts as exact.  Both heights > 0 in one unit, r >= 1,
+ * else DOM_BAD_PARAMETER.
  */
 enum dom_status dom_count_find(enum dom_precision precision, dom_real first, dom_real height, dom_real r,
                                struct dom_count *count, struct dom_count *error);

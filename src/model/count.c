@@ -1,6 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "real.h"
 
+/* r^n for a whole n >= 0, in the widest arithmetic, of which it loses some n roundings. */
+static dom_real power_of(dom_real r, dom_real n)
+{
+    dom_real power = 1;
+    for (uint64_t left = (uint64_t)n; left > 0; left /= 2, r *= r)
+        power *= left % 2 ? r : 1;
+    return power;
+}
+
+/*
+ * Does the n-th reach the height?  The heights and r are decimals that were rounded, half a unit each, and
+ * typed with no more digits than they have, which moves a power that meets the height by some 4 + n such
+ * halves. No more than a millionth of a domino is forgiven.
+ */
+static bool count_reaches(real first, real height, real r, real ln_r, real n)
+{
+    real slack = fmin(UNIT * (4 + n), (real)1e-6 * ln_r);
+    return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
+}
+
 KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_, struct dom_count *count,
                                   struct dom_count *error)
 {
@@ -20,19 +40,13 @@ KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_
     /* Beyond 2^(REAL_BITS) neighbouring integers are one number. */
     if (!(ratio >= REAL_MIN && isfinite(ratio) && exact < 2 / REAL_EPSILON))
         return DOM_BAD_PARAMETER;
-    /*
-     * A power that meets the height: the typed heights and r are rounded decimals, which moves exact by
-     * the slack.  Where that is no small part of one domino, the numbers count as they are.
-     */
-    real slack = REAL_EPSILON * ((2 + fabs(exact) / 2) / ln_r + 2 * fabs(exact));
-    real nearest = round(exact), snap = fmin(slack, (real)1e-6);
-    real n = fmax(fabs(exact - nearest) <= snap ? nearest : ceil(exact), 0), last = first * pow(r, n);
+    real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* a division and a logarithm each */
+    real nearest = fmax(round(exact), 0), n = fmax(ceil(exact), 0);
+    if (fabs(exact - nearest) <= error_of_exact + UNIT * (4 + nearest) / ln_r)
+        n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;
+    real last = first * pow(r, n);
     *count = (struct dom_count){n, exact, last};
-    if (error) /* a division and a logarithm each; the power */
-        *error = (struct dom_count){
-            .dominoes = 0,
-            .exact = UNIT * (2 / ln_r + 5 * fabs(exact)),
-            .last = 4 * UNIT * last,
-        };
+    if (error)
+        *error = (struct dom_count){.dominoes = 0, .exact = error_of_exact, .last = 4 * UNIT * last};
     return DOM_OK;
 }

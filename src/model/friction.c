@@ -39,11 +39,16 @@ KERNEL real friction_share(const struct link *k)
 struct rubbing {
     struct link link;
     real S, bend;
+    real noise;  /* of S, in roundings: more than 1 where b = Y + mu X cancels, since X < 0 */
+    bool behind; /* a force passes behind the hinge of a follower, which lies too flat: b <= 0 */
 };
 
 static void rubbing_next(struct rubbing *k)
 {
     struct link leader = k->link;
+    real b = friction_arm_b(&leader);
+    k->behind = k->behind || b <= 0;
+    k->noise += leader.turn.X < 0 ? (leader.turn.Y - leader.lean->mu * leader.turn.X) / fabs(b) - 1 : 0;
     k->S *= friction_share(&k->link);
     link_next(&k->link);
     k->bend = link_bend(&leader, k->bend, &k->link);
@@ -79,7 +84,7 @@ static bool rubbing_done(const struct rubbing *k, struct series *A, struct serie
 KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, struct law *law)
 {
     struct series A = {0}, B = {0}, C = {0};
-    struct rubbing k = {.link = link_head(g, head), .S = 1};
+    struct rubbing k = {.link = link_head(g, head), .S = 1, .noise = 1};
     for (;;) {
         const struct link *link = &k.link;
         enum dom_status status = chain_watch(g, link->i);
@@ -93,7 +98,13 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
         rubbing_next(&k);
     }
     friction_count(g, k.link.i + 1);
-    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost, B.size, C.size};
+    *law = (struct law){.A = A.sum + A.lost,
+                        .B = B.sum + B.lost,
+                        .C = C.sum + C.lost,
+                        .A_size = A.size * k.noise,
+                        .B_size = B.size * k.noise,
+                        .C_size = C.size * k.noise};
+    law->locks = k.behind || law->A <= 0;
     return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -119,6 +130,7 @@ KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, re
 struct flow_context {
     const struct lean *lean;
     enum dom_status status;
+    real locked; /* the last tilt that was found locked */
 };
 
 /* dw/dtheta = -2 B / A w + 2 C / A. */
@@ -130,13 +142,17 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
     f->status = lean_tilt(f->lean, theta, &head);
     if (f->status == DOM_OK)
         f->status = friction_law(f->lean, head, &law);
-    /* With A <= 0 no acceleration fits the forces (Painleve): the train is locked. */
-    if (f->status == DOM_OK && law.A <= 0)
+    if (f->status == DOM_OK && law.locks) {
         f->status = DOM_LOCKS;
+        f->locked = theta;
+    }
     if (f->status != DOM_OK)
         return false;
-    const real units = 32 * UNIT / law.A;
-    *rate = (struct num_rate){-2 * law.B / law.A, 2 * law.C / law.A, units * law.B_size, units * law.C_size};
+    const real units = 32 * UNIT / law.A, of_A = law.A_size / law.A;
+    *rate = (struct num_rate){.p = -2 * law.B / law.A,
+                              .c = 2 * law.C / law.A,
+                              .p_noise = units * (law.B_size + fabs(law.B) * of_A),
+                              .c_noise = units * (law.C_size + fabs(law.C) * of_A)};
     return true;
 }
 
@@ -177,17 +193,17 @@ static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, r
 }
 
 /* Over the smooth parts between the edges. */
-static enum dom_status flow_solve(const struct lean *fine, real tol, const real *edge, int edges)
+static enum dom_status flow_solve(struct flow_context *c, real tol, const real *edge, int edges)
 {
-    struct flow_context c = {.lean = fine};
     for (int i = 1; i < edges; i++) {
         real lo = edge[i - 1];
-        enum dom_status status = lo <= REAL_MIN ? flow_finely(&c, tol, &lo, edge[i]) : DOM_OK;
+        enum dom_status status = lo <= REAL_MIN ? flow_finely(c, tol, &lo, edge[i]) : DOM_OK;
         if (status != DOM_OK)
             return status;
-        enum num_status solver = num_linear_solve(flow_rate, &c, lo, edge[i], tol / 8, &fine->flow->solution);
+        enum num_status solver =
+            num_linear_solve(flow_rate, c, lo, edge[i], tol / 8, &c->lean->flow->solution);
         if (solver != NUM_OK)
-            return model_status(c.status, solver);
+            return model_status(c->status, solver);
     }
     return DOM_OK;
 }
@@ -213,16 +229,63 @@ KERNEL enum dom_status friction_flow(const struct lean *g)
     enum dom_status status = chain_edges(g, tilt_angle(g->c), edge, &edges);
     if (status != DOM_OK)
         return status;
+    struct flow_context c = {.lean = &fine};
     status = flow_collision(&fine, flow);
-    return status == DOM_OK ? flow_solve(&fine, g->tol, edge, edges) : status;
+    return status == DOM_OK ? flow_solve(&c, g->tol, edge, edges) : status;
 }
 
-KERNEL enum dom_status friction_flow_piece(const struct lean *g, real J0, real lo, real hi)
+/* How far the flow has come. */
+static real flow_end(const struct flow *flow, real lo)
+{
+    return flow->solution.panels > 0 ? flow->solution.panel[flow->solution.panels - 1].hi : lo;
+}
+
+/*
+ * Comes to where A vanishes as near as the tolerance asks, by halving the way to a tilt that is locked; the
+ * panels become as short as what is left, since 2 B / A has a pole there.
+ */
+static enum dom_status flow_to_lock(const struct lean *fine, real tol, real lo, real locked, real *hi)
+{
+    struct flow_context c = {.lean = fine, .status = DOM_OK, .locked = locked};
+    struct flow *flow = fine->flow;
+    for (;;) {
+        real from = flow_end(flow, lo), to = from + (c.locked - from) / 2;
+        if (!(c.locked - from > tol * c.locked && to > from && to < c.locked))
+            break;
+        enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
+        if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
+            break; /* so near to the pole that its panels have no digits left */
+        if (solver != NUM_OK && c.status != DOM_LOCKS)
+            return model_status(c.status, solver);
+    }
+    *hi = flow_end(flow, lo);
+    return DOM_LOCKS;
+}
+
+/* Where panels became too short before a pole: a locked tilt close behind; NaN where there is none. */
+static real flow_locked_near(const struct lean *g, real from, real hi)
+{
+    for (real step = 4 * REAL_EPSILON * hi; from + step < hi; step *= 2) {
+        struct tilt head;
+        struct law law;
+        if (lean_tilt(g, from + step, &head) != DOM_OK || friction_law(g, head, &law) != DOM_OK)
+            break;
+        if (law.locks)
+            return from + step;
+    }
+    return REAL_NAN;
+}
+
+KERNEL enum dom_status friction_flow_piece(const struct lean *g, real J0, real lo, real *hi)
 {
     struct lean fine = flow_begin(g);
-    real edge[] = {lo, hi};
+    struct flow_context c = {.lean = &fine, .locked = REAL_NAN};
     g->flow->J0 = J0;
-    return flow_solve(&fine, g->tol, edge, 2);
+    enum dom_status status = flow_solve(&c, g->tol, (real[]){lo, *hi}, 2);
+    if (status == DOM_NOT_CONVERGED)
+        c.locked = flow_locked_near(&fine, flow_end(g->flow, lo), *hi);
+    bool locks = status == DOM_LOCKS || (status == DOM_NOT_CONVERGED && !isnan(c.locked));
+    return locks ? flow_to_lock(&fine, g->tol, lo, c.locked, hi) : status;
 }
 
 KERNEL void friction_at(const struct lean *g, real theta, real *ln_G, real *u)
@@ -258,12 +321,14 @@ KERNEL enum dom_status friction_rate(const struct lean *g, struct tilt head, rea
 KERNEL enum dom_status friction_flow_spent(const struct lean *g, struct tilt from, real lo, real omegasq,
                                            real *hi)
 {
-    real rate = 0, ln_G, u = -1;
+    real rate = 0, ln_G, u;
+    bool cut = false;
     enum dom_status status = friction_rate(g, from, lo, &rate);
     if (status != DOM_OK || !(rate > 0))
         return status;
     for (real close = lo + 4 * omegasq / rate; close < *hi && close > lo; close = lo + 4 * (close - lo)) {
-        status = friction_flow_piece(g, g->flow->J0, lo, close);
+        cut = true;
+        status = friction_flow_piece(g, g->flow->J0, lo, &close);
         if (status != DOM_OK)
             return status;
         friction_at(g, close, &ln_G, &u);
@@ -273,5 +338,5 @@ KERNEL enum dom_status friction_flow_spent(const struct lean *g, struct tilt fro
         }
     }
     /* It goes on for long enough to be seen in the whole. */
-    return u < 0 ? DOM_OK : friction_flow_piece(g, g->flow->J0, lo, *hi);
+    return cut ? friction_flow_piece(g, g->flow->J0, lo, hi) : DOM_OK;
 }

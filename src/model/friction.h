@@ -40,7 +40,9 @@ KERNEL void flow_free(struct flow *flow);
 
 struct law {
     real A, B, C;
-    real B_size, C_size; /* of all terms, whatever their signs: what their roundings are relative to */
+    /* Of all terms, whatever their signs, and more where an arm b cancels: what roundings are relative to. */
+    real A_size, B_size, C_size;
+    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or an arm b of a follower is */
 };
 
 KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);
@@ -58,8 +60,11 @@ KERNEL real friction_arm_b(const struct link *link);
 /* The flow of the lean over [0, theta_c], unless it is there already, with the edges between smooth parts. */
 KERNEL enum dom_status friction_flow(const struct lean *lean);
 
-/* The same over [lo, hi] alone, with u from lo on, and J there in the place of J(0). */
-KERNEL enum dom_status friction_flow_piece(const struct lean *lean, real J, real lo, real hi);
+/*
+ * The same over [lo, *hi] alone, with u from lo on, and J there in the place of J(0).  DOM_LOCKS: A vanishes
+ * before *hi, which becomes the last tilt before that, to the tolerance; the flow holds up to there.
+ */
+KERNEL enum dom_status friction_flow_piece(const struct lean *lean, real J, real lo, real *hi);
 
 /*
  * A slight motion from lo, the tilt `from`, that is used up before *hi is lost in the rounding of the whole

@@ -2,12 +2,10 @@
 /* Rows with random errors, on all processors: each row has random numbers of its own, by its number alone. */
 #include "domino.h"
 #include "quiet.h"
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <gsl/gsl_roots.h>
-#include <limits.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -16,6 +14,9 @@
 
 /* Of a verdict only the sign of the margin counts: more digits would change one row in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
+
+/* What an interval of 95 % leaves out at each end. */
+#define TAIL 0.025
 
 enum { BATCH = 16, THREADS_MAX = 256 };
 
@@ -146,29 +147,52 @@ static void worker_free(struct worker *w)
     free(w->stops);
 }
 
-struct beta {
-    double a, b, chance;
-};
-
-static double beta_off(double x, void *context)
+/*
+ * The chance that at least k, or at most k, of n rows fall, each with the probability p.  The terms of the
+ * binomial distribution come from that of k by their ratios, and are divided by the sum of all: no factorial,
+ * and no term is far from what it is added to.  gsl_cdf_beta_P, the same as a function of p, has no value at
+ * some p from a million rows on, where its continued fraction does not end.
+ */
+static double binomial_tail(double k, double n, double p, bool at_least)
 {
-    const struct beta *beta = context;
-    return gsl_cdf_beta_P(x, beta->a, beta->b) - beta->chance;
+    const double odds = p / (1 - p), enough = 1e-17, most = 1e20;
+    double above = 0, below = 0;
+    if (!(p > 0 && p < 1))
+        return (p >= 1) == at_least;
+    double term = 1;
+    for (double i = k; i < n && above < most && (term > enough * above || i < n * p); i++)
+        above += term *= (n - i) / (i + 1) * odds;
+    term = 1;
+    for (double i = k; i > 0 && below < most && (term > enough * below || i > n * p); i--)
+        below += term *= i / (n - i + 1) / odds;
+    return (at_least ? 1 + above : 1 + below) / (1 + above + below);
 }
 
-/* Not gsl_cdf_beta_Pinv, whose iteration fails where one of a and b is large and the other 1. */
-static enum dom_status beta_inverse(double chance, double a, double b, double *x)
+struct tail {
+    double k, n;
+    bool at_least;
+};
+
+static double tail_off(double p, void *context)
 {
-    struct beta beta = {a, b, chance};
-    gsl_function f = {beta_off, &beta};
-    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    const struct tail *t = context;
+    double chance = binomial_tail(t->k, t->n, p, t->at_least);
+    return t->at_least ? chance - TAIL : TAIL - chance;
+}
+
+/* The probability at which the tail has its chance; by halving, since where there is none left it is flat. */
+static enum dom_status tail_inverse(struct tail tail, double *p)
+{
+    enum { STEPS = 200 }; /* 50 for the digits, and 64 to a root as small as one of the most rows can be */
+    gsl_function f = {tail_off, &tail};
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
     int code = solver ? gsl_root_fsolver_set(solver, &f, 0, 1) : GSL_ENOMEM, done = GSL_CONTINUE;
-    for (int i = 0; i < 200 && code == GSL_SUCCESS && done == GSL_CONTINUE; i++) {
+    for (int i = 0; i < STEPS && code == GSL_SUCCESS && done == GSL_CONTINUE; i++) {
         code = gsl_root_fsolver_iterate(solver);
-        done = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver),
-                                      1e-14, 1e-12);
+        done = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), 0,
+                                      1e-15);
     }
-    *x = solver ? gsl_root_fsolver_root(solver) : 0;
+    *p = solver ? gsl_root_fsolver_root(solver) : 0;
     if (solver)
         gsl_root_fsolver_free(solver);
     return code == GSL_SUCCESS && done == GSL_SUCCESS ? DOM_OK : solver ? DOM_NOT_CONVERGED : DOM_NO_MEMORY;
@@ -183,9 +207,9 @@ enum dom_status dom_study_interval(struct dom_study *s)
     s->low = 0;
     s->high = 1;
     quiet_begin();
-    enum dom_status status = few > 0 ? beta_inverse(0.025, few, N - few + 1, &s->low) : DOM_OK;
+    enum dom_status status = few > 0 ? tail_inverse((struct tail){few, N, true}, &s->low) : DOM_OK;
     if (status == DOM_OK && many < N)
-        status = beta_inverse(0.975, many + 1, N - many, &s->high);
+        status = tail_inverse((struct tail){many, N, false}, &s->high);
     quiet_end();
     return status;
 }
@@ -290,23 +314,26 @@ static enum dom_status sigma_at(const struct dom_row *row, const struct dom_plac
  */
 static void chance(double share, size_t rows, double *few, double *many)
 {
-    double N = (double)rows, spread = 8 * sqrt(share * (1 - share) * N) + 8;
-    unsigned k = (unsigned)fmax(share * N - spread, 0), end = (unsigned)fmin(share * N + spread, N);
-    *few = 0;
-    *many = N + 1;
-    for (; k <= end && *many > N; k++) {
-        if (gsl_cdf_binomial_P(k, share, (unsigned)rows) < 0.025)
-            *few = k;
-        if (k > 0 && gsl_cdf_binomial_Q(k - 1, share, (unsigned)rows) < 0.025)
-            *many = k;
+    double N = (double)rows, lo = -1, hi = N;
+    while (hi - lo > 1) {
+        double k = floor((lo + hi) / 2);
+        *(binomial_tail(k, N, share, false) < TAIL ? &lo : &hi) = k;
     }
+    *few = fmax(lo, 0);
+    lo = 0;
+    hi = N + 1;
+    while (hi - lo > 1) {
+        double k = floor((lo + hi) / 2);
+        *(binomial_tail(k, N, share, true) < TAIL ? &hi : &lo) = k;
+    }
+    *many = hi;
 }
 
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *p, double share,
                                      struct dom_budget *budget)
 {
     double falls, widest = 0, few, many;
-    if (!(share > 0 && share < 1) || p->rows == 0 || p->rows > UINT_MAX)
+    if (!(share > 0 && share < 1) || p->rows == 0)
         return DOM_BAD_PARAMETER;
     enum dom_status status = fall_share(row, *p, 0, &falls);
     if (status != DOM_OK || falls < share)

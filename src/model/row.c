@@ -126,56 +126,76 @@ struct descent {
     struct stretch st;
     size_t stay;
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    bool stops;
-    struct need need; /* of the floor */
+    bool stops, locks; /* locks: it moves where friction locks */
+    struct need need;  /* of the floor */
 };
 
-/* One stretch; the next one is prepared. */
-static enum dom_status descent_stretch(struct descent *d, real end, bool times, bool floor)
+/* Where the motion ends in this stretch. */
+static enum dom_status descent_rest(struct descent *d, bool used_up)
+{
+    bool braked = true;
+    d->stop = d->st.hi;
+    if (used_up) {
+        d->stops = true;
+        return stretch_rest(&d->st, &d->stop);
+    }
+    enum dom_status status = stretch_braked(&d->st, &braked);
+    d->stops = braked;
+    d->locks = !braked;
+    return status;
+}
+
+/* The motion in a stretch, up to where it ends or comes to rest. */
+static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
     struct stretch *st = &d->st;
-    struct tilt there = st->g.c;
-    real J, part = 0;
+    bool ends = d->stops || d->locks;
+    real to = ends ? d->stop : st->hi, part = 0, J;
+    struct floor_path path = {&st->g, st->lo, to, stretch_pace, st};
+    enum dom_status status = st->lo < to ? stretch_contact(st, to, &d->least_force) : DOM_OK;
+    if (status == DOM_OK && floor && st->lo < to)
+        status = floor_over(&path, &d->need);
+    if (ends || status != DOM_OK)
+        return status;
+    d->climbed += stretch_climbed(st, st->hi, &J);
+    if (times)
+        status = stretch_time(st, &part);
+    d->time += part;
+    return status != DOM_OK ? status : st->status;
+}
+
+/*
+ * One stretch; the next one is prepared.  What is behind a stop nobody moves through, but it takes energy as
+ * well: of all of them together the row is short.
+ */
+static enum dom_status descent_stretch(struct descent *d, real end, bool times, bool floor)
+{
+    struct stretch *st = &d->st, next;
+    bool over = d->stops;
     st->g.n = d->stay;
     st->hi = end;
     enum dom_status status = stretch_cut(st, &d->stay);
     if (status == DOM_OK)
         status = stretch_begin(st);
-    if (status != DOM_OK || !(st->lo < st->hi))
+    if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
     /* In energy at the launch: with friction not all of it comes as far as here. */
     real margin = (st->omegasq - st->barrier.height / st->J) / st->gain * d->J0;
-    if (margin < d->least_margin) {
-        d->least_margin = margin;
-        d->theta_m = st->barrier.theta_m;
+    bool used_up = margin < 0;
+    if (margin < d->least_margin || st->locks) {
+        d->least_margin = st->locks ? -(real)INFINITY : margin;
+        d->theta_m = st->locks ? st->hi : st->barrier.theta_m;
     }
-    d->stops = margin < 0;
-    if (d->stops)
-        status = stretch_rest(st, &d->stop);
-    real to = d->stops ? d->stop : st->hi;
-    struct floor_path path = {&st->g, st->lo, to, stretch_pace, st};
-    if (status == DOM_OK)
-        status = stretch_contact(st, to, &d->least_force);
-    if (status == DOM_OK && floor)
-        status = floor_over(&path, &d->need);
-    if (d->stops || status != DOM_OK)
-        return status;
-    if (times)
-        status = stretch_time(st, &part);
-    d->time += part;
-    d->climbed += stretch_climbed(st, st->hi, &J);
-    real omegasq = stretch_speed(st, st->hi);
-    if (status == DOM_OK && st->hi < end)
-        status = lean_tilt(&st->g, st->hi, &there);
-    if (status != DOM_OK || st->status != DOM_OK)
-        return status != DOM_OK ? status : st->status;
-    real gain = st->gain * st->J / J, ln_G, u;
-    if (st->g.mu > 0) {
-        friction_at(&st->g, st->hi, &ln_G, &u);
-        gain = st->gain * exp(ln_G);
-    }
-    *st = (struct stretch){.g = st->g, .from = there, .lo = st->hi, .J = J, .omegasq = omegasq, .gain = gain};
-    return DOM_OK;
+    /* Before the flow is cut to where it comes to rest. */
+    if (!st->locks)
+        status = stretch_next(st, &next);
+    if (status == DOM_OK && !over && (used_up || st->locks))
+        status = descent_rest(d, used_up);
+    if (status == DOM_OK && !over)
+        status = descent_move(d, times, floor);
+    if (status == DOM_OK && !st->locks)
+        *st = next;
+    return status;
 }
 
 /* The head k goes down; the state at its end is left in d. */
@@ -195,7 +215,7 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     real kinetic = at.J * run->omegasq;
     d->J0 = d->st.J = at.J; /* all there is where the next one is touched already */
     d->st.gain = 1;
-    while (status == DOM_OK && d->st.lo < end && !d->stops)
+    while (status == DOM_OK && d->st.lo < end && !d->st.locks)
         status = descent_stretch(d, end, run->times, run->row.asked->floor);
     if (status != DOM_OK)
         return status;
@@ -206,10 +226,11 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * block.unit : (real)fall->kinetic;
     fall->barrier = fall->kinetic - fall->margin;
     fall->theta_m = d->theta_m;
-    fall->theta = d->stops ? d->stop : end;
-    fall->duration = run->times && !d->stops ? d->time * block.tau : REAL_NAN;
-    fall->rubbed = d->stops ? REAL_NAN : 0;
-    if (!d->stops && run->row.asked->mu > 0)
+    bool ends = d->stops || d->locks;
+    fall->theta = ends ? d->stop : end;
+    fall->duration = run->times && !ends ? d->time * block.tau : REAL_NAN;
+    fall->rubbed = ends ? REAL_NAN : 0;
+    if (!ends && run->row.asked->mu > 0)
         fall->rubbed = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
     return DOM_OK;
 }
@@ -242,6 +263,12 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
+/*
+ * A gap as wide as the head is tall is reached, also where it is rounded: in a row of a train at r = 1/s the
+ * rounding of r, two powers, four products, and of both sizes to the precision, by half a unit each or one.
+ */
+#define REACH_ROUNDED (4 * REAL_EPSILON)
+
 /* Head k hits k + 1, which takes over; the row ends there if it cannot. */
 static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
@@ -249,7 +276,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
     struct lean *g = &run->row.lean[k + 1];
     struct law law = {.A = d->st.J};
     enum dom_row_end *end = &run->verdict.end;
-    if (next->gap > own->height)
+    if ((real)next->gap > (real)own->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
     else if ((real)own->height * d->st.g.c.y > (real)next->height)
         *end = DOM_ROW_PASSES;
@@ -319,9 +346,11 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         if (k > 0)
             fall.lost = before - (real)fall.kinetic;
         if (!(k == 0 && tips)) {
-            run->time += d.stops ? 0 : (real)fall.duration;
-            if (d.stops || d.least_force < 0)
-                run->verdict.end = d.least_force < 0 ? DOM_ROW_PARTS : DOM_ROW_STOPS;
+            run->time += d.stops || d.locks ? 0 : (real)fall.duration;
+            if (d.stops || d.locks || d.least_force < 0)
+                run->verdict.end = d.least_force < 0 ? DOM_ROW_PARTS
+                                   : d.stops         ? DOM_ROW_STOPS
+                                                     : DOM_ROW_LOCKS;
         }
         fall_floor(run->row.asked, k, &d.need, &fall);
         verdict_add(&run->verdict, &fall, k == 0 && tips);

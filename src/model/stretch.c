@@ -62,9 +62,38 @@ KERNEL enum dom_status stretch_begin(struct stretch *st)
     if (st->g.n == 1) /* nothing rubs on it */
         st->g.mu = 0;
     if (status == DOM_OK && st->g.mu > 0 && st->lo < st->hi)
-        status = friction_flow_piece(&st->g, st->J, st->lo, st->hi);
+        status = friction_flow_piece(&st->g, st->J, st->lo, &st->hi);
+    st->locks = status == DOM_LOCKS;
+    status = st->locks ? DOM_OK : status;
     if (status == DOM_OK && st->lo < st->hi)
         status = barrier_piece(&st->g, st->from, st->lo, st->hi, &st->barrier);
+    return status;
+}
+
+KERNEL enum dom_status stretch_next(struct stretch *st, struct stretch *next)
+{
+    real J, gain, u;
+    stretch_climbed(st, st->hi, &J);
+    gain = st->gain * st->J / J;
+    *next = (struct stretch){
+        .g = st->g, .from = st->g.c, .lo = st->hi, .J = J, .omegasq = stretch_speed(st, st->hi)};
+    if (st->g.mu > 0) {
+        friction_at(&st->g, st->hi, &gain, &u);
+        gain = st->gain * exp(gain);
+    }
+    next->gain = gain;
+    return st->status == DOM_OK ? lean_tilt(&st->g, st->hi, &next->from) : st->status;
+}
+
+/* With A -> 0 it is the sign of C that is left: w' = 2 (C - B w) / A. */
+KERNEL enum dom_status stretch_braked(const struct stretch *st, bool *braked)
+{
+    struct tilt head;
+    struct law law = {.C = 0};
+    enum dom_status status = lean_tilt(&st->g, st->hi, &head);
+    if (status == DOM_OK)
+        status = friction_law(&st->g, head, &law);
+    *braked = law.C < 0;
     return status;
 }
 

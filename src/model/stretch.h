@@ -16,6 +16,7 @@ struct stretch {
     real J, omegasq; /* at lo */
     real gain;       /* d omegasq / d omegasq at the launch */
     real T;          /* of the collision that it begins with; 0 for none */
+    bool locks;      /* friction locks at hi */
     struct barrier barrier;
     enum dom_status status; /* of what is being searched or integrated */
 };
@@ -23,8 +24,17 @@ struct stretch {
 /* Ends the stretch where a domino falls off; *stay move on from there. */
 KERNEL enum dom_status stretch_cut(struct stretch *stretch, size_t *stay);
 
-/* From from, lo, hi, J, omegasq, gain: its barrier, and J of those that move now. */
+/* From from, lo, hi, J, omegasq, gain: its barrier, and J of those that move now.  It ends where it locks. */
 KERNEL enum dom_status stretch_begin(struct stretch *stretch);
+
+/*
+ * Where it ends begins the next one, of those that move on from there.  Its omegasq is linear in that at the
+ * launch, and negative where the motion is used up before: so much is missing to come as far.
+ */
+KERNEL enum dom_status stretch_next(struct stretch *stretch, struct stretch *next);
+
+/* Does what locks there push back?  Then no motion comes to hi. */
+KERNEL enum dom_status stretch_braked(const struct stretch *stretch, bool *braked);
 
 /* At lo, in m g h / 2 of the head. */
 KERNEL real stretch_kinetic(const struct stretch *stretch);

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The intervals of studies, of any size, against tails of the binomial distribution, summed term by term. */
+#include "support.h"
+
+/* ln n! by Stirling's series, whose first term left out is below 1e-20 from 40 on; lgammal has fewer digits.
+ */
+static long double log_factorial(size_t count)
+{
+    long double n = (long double)count, sum = 0, per = 1 / (n * n);
+    if (count < 40) {
+        for (size_t i = 2; i <= count; i++)
+            sum += logl((long double)i);
+        return sum;
+    }
+    sum = (1 - per * (1 / 30.0L - per * (1 / 105.0L - per * (1 / 140.0L - per / 99)))) / (12 * n);
+    return (n + 0.5L) * logl(n) - n + logl(2 * 3.14159265358979323846L) / 2 + sum;
+}
+
+/* The chance of at most k of n, or with more, of at least k; each has the probability p. */
+static long double tail(size_t k, size_t n, long double p, bool more)
+{
+    long double of_k = log_factorial(n) - log_factorial(k) - log_factorial(n - k) + (long double)k * logl(p) +
+                       (long double)(n - k) * log1pl(-p);
+    long double term = expl(of_k), sum = 0;
+    for (size_t i = k; term > 1e-25L * sum; more ? i++ : i--) {
+        sum += term;
+        if (i == (more ? n : 0))
+            break;
+        term *= more ? (long double)(n - i) / (long double)(i + 1) * p / (1 - p)
+                     : (long double)i / (long double)(n - i + 1) * (1 - p) / p;
+    }
+    return sum;
+}
+
+/*
+ * An end of the interval is where the tail has 2.5 %.  The logarithms lose the digits of their size, 5e-20
+ * times 4e8 for twenty million rows; the ends keep 1e-15, which moves the tail by no more than ten times the
+ * rows as much.
+ */
+static void check_interval(size_t rows, size_t fall, size_t unknown)
+{
+    struct dom_study s = {.rows = rows, .fall = fall, .unknown = unknown};
+    assert_status(dom_study_interval(&s), DOM_OK);
+    size_t many = fall + unknown;
+    double bound = 1e-10 + 2e-14 * (double)rows;
+    if (fall == 0)
+        assert_true(s.low == 0);
+    else
+        assert_near("low", (double)tail(fall, rows, s.low, true), 0.025, bound);
+    if (many == rows)
+        assert_true(s.high == 1);
+    else
+        assert_near("high", (double)tail(many, rows, s.high, false), 0.025, bound);
+    assert_true(s.low < s.high && s.low <= (double)fall / (double)rows &&
+                s.high >= (double)many / (double)rows);
+}
+
+static void two_million_rows(void **state)
+{
+    (void)state;
+    struct dom_study s = {.rows = 2000000, .fall = 1453952};
+    assert_status(dom_study_interval(&s), DOM_OK);
+    assert_true(fabs(s.low - 0.72635798) < 5e-9 && fabs(s.high - 0.72759336) < 5e-9);
+    check_interval(2000000, 1453952, 0);
+}
+
+static void any_size(void **state)
+{
+    (void)state;
+    uint64_t seed = 81;
+    for (int i = 0; i < 800; i++) {
+        size_t rows = 1 + (size_t)random_log(&seed, 1, 2e7);
+        double share = i % 3 == 0 ? random_unit(&seed) : random_log(&seed, 0.1 / (double)rows, 1);
+        size_t few = (size_t)(share * (double)rows);
+        size_t fall = i % 2 ? few : rows - few;
+        size_t unknown = i % 5 == 0 ? (size_t)((double)(rows - fall) * random_unit(&seed)) : 0;
+        check_interval(rows, fall, unknown);
+    }
+}
+
+/* All fall, or none: the ends are 0.025^(1/n), and 1 less that. */
+static void all_or_none(void **state)
+{
+    (void)state;
+    for (size_t rows = 1; rows < 1000000000; rows *= 10) {
+        struct dom_study all = {.rows = rows, .fall = rows}, none = {.rows = rows};
+        assert_status(dom_study_interval(&all), DOM_OK);
+        assert_status(dom_study_interval(&none), DOM_OK);
+        assert_near("all", all.low, exp(log(0.025) / (double)rows), 2e-12);
+        assert_near("none", none.high, -expm1(log(0.025) / (double)rows), 1e-9);
+        assert_true(all.high == 1 && none.low == 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_million_rows),
+        cmocka_unit_test(any_size),
+        cmocka_unit_test(all_or_none),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

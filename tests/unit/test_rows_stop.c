@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Rows that stop: what they are short of, held against the potential energy of the dominoes on a fine grid,
+ * and where they stop under much friction, held against Newton's equations (direct.h).
+ */
+#include "direct.h"
+#include "support.h"
+
+enum { MOST = 8, GRID = 4000 };
+
+static const double g = 9.81;
+
+struct run {
+    struct dom_domino domino[MOST];
+    struct dom_row row;
+    struct dom_fall fall[MOST];
+    size_t falls;
+    struct dom_verdict verdict;
+};
+
+static bool fall_seen(const struct dom_fall *fall, void *context)
+{
+    struct run *run = context;
+    run->fall[run->falls++] = *fall;
+    return true;
+}
+
+static enum dom_status run_row(struct run *run)
+{
+    run->row.domino = run->domino;
+    run->falls = 0;
+    return dom_row_run(&run->row, true, fall_seen, run, &run->verdict);
+}
+
+/* m g h / 2 of the first is 1. */
+static void make_row(struct run *run, double size[][3], size_t count, double push, double mu)
+{
+    double unit = 2 / (g * size[0][0] * size[0][0] * size[0][0] * size[0][1]);
+    for (size_t k = 0; k < count; k++)
+        run->domino[k] = (struct dom_domino){size[k][0], size[k][1], size[k][2],
+                                             unit * size[k][0] * size[k][0] * size[k][1]};
+    run->row = (struct dom_row){
+        .count = count, .g = g, .push = push, .mu = mu, .tol = 1e-12, .precision = DOM_DOUBLE};
+}
+
+/*
+ * The highest rise of the potential energy of the first `moving` dominoes up to the head k, on a grid of its
+ * tilt.  Whoever is turned back by its leader has fallen off, and stays as high as it was, and so do those
+ * that lean on it.
+ */
+static double highest_rise(const struct run *run, size_t k, size_t moving)
+{
+    double end = k + 1 < run->row.count ? asin(run->domino[k + 1].gap / run->domino[k].height) : M_PI_2;
+    double first = k + 1 - moving, at_most[MOST] = {0}, start = 0, top = 0, before[2] = {0};
+    for (int i = 0; i <= GRID; i++) {
+        double theta = end * i / GRID, sum = 0;
+        bool fallen = false;
+        for (size_t j = k;; j--) {
+            const struct dom_domino *d = &run->domino[j];
+            double h = d->height, t = d->thickness, gap = d->gap;
+            if (theta < at_most[j] && i > 0)
+                fallen = true;
+            at_most[j] = theta = fallen ? at_most[j] : theta;
+            sum += (double)d->mass * g * (h * cos(theta) + t * sin(theta)) / 2;
+            if ((double)j == first)
+                break;
+            theta += asin(((gap + t) * cos(theta) - t) / (double)run->domino[j - 1].height);
+        }
+        start = i == 0 ? sum : start;
+        sum -= start;
+        double bend = before[0] - 2 * before[1] + sum, slope = (sum - before[0]) / 2;
+        if (i > 1 && before[1] >= before[0] && before[1] >= sum && bend < 0)
+            top = fmax(top, before[1] - slope * slope / (2 * bend));
+        top = fmax(top, sum);
+        before[0] = before[1];
+        before[1] = sum;
+    }
+    return top;
+}
+
+/* The two rows that were told apart: 0.0938 and 0.4332, where one is short by more for the weaker push. */
+static void short_of_the_highest(void **state)
+{
+    (void)state;
+    static double size[][3] = {{0.1, 0.03, 0}, {0.13, 0.08, 0.098}, {0.3, 0.02, 0.1}};
+    static const double known[][3] = {{30, 0.361154, 0.596591}, {37, 0.524509, 0.433236}};
+    static struct run run;
+    for (int i = 0; i < 2; i++) {
+        make_row(&run, size, 3, known[i][0], 0);
+        assert_status(run_row(&run), DOM_OK);
+        assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2);
+        assert_near("kinetic", run.fall[1].kinetic, known[i][1], 1e-6);
+        assert_near("barrier", run.fall[1].barrier, 0.957745, 1e-6);
+        assert_near("short by", run.verdict.short_by, known[i][2], 1e-6);
+        assert_near("the margin", run.verdict.short_by, -run.fall[1].margin, 0);
+    }
+}
+
+static void random_row(struct run *run, uint64_t *seed, double push, double mu)
+{
+    double size[MOST][3];
+    size_t count = 2 + (size_t)(4 * random_unit(seed));
+    for (size_t k = 0; k < count; k++) {
+        size[k][0] = k == 0 ? 0.1 : size[k - 1][0] * (0.9 + 1.4 * random_unit(seed));
+        size[k][1] = size[k][0] * random_log(seed, 0.03, 0.8);
+        size[k][2] = k == 0 ? 0 : size[k - 1][0] * fmin(0.998, random_log(seed, 0.1, 1.2));
+    }
+    make_row(run, size, count, push, mu);
+}
+
+/*
+ * Without friction, in every precision.  The grid sees a top by the parabola through three of its tilts,
+ * wrong by their distance to the third power, or the second where somebody falls off between them: 1e-7.
+ */
+static void short_of_the_highest_everywhere(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 71;
+    int stops = 0, behind = 0;
+    for (int i = 0; i < 3000; i++) {
+        random_row(&run, &seed, random_log(&seed, 3, 60), 0);
+        run.row.precision = i % 25 == 0 ? DOM_QUAD : i % 3 == 0 ? DOM_FLOAT : DOM_DOUBLE;
+        run.row.tol = run.row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        assert_status(run_row(&run), DOM_OK);
+        if (run.verdict.end != DOM_ROW_STOPS)
+            continue;
+        const struct dom_fall *last = &run.fall[run.falls - 1];
+        size_t before = run.falls > 1 ? run.fall[run.falls - 2].moving : 0;
+        double rise = highest_rise(&run, run.falls - 1, last->moving);
+        double bound = run.row.precision == DOM_FLOAT ? 2e-4 : 1e-6;
+        if (!(fabs(rise - (double)last->barrier) <= bound * fmax(rise, last->kinetic)))
+            fail_msg("row %d: barrier %.10g, on a grid %.10g", i, (double)last->barrier, rise);
+        assert_near("short by", run.verdict.short_by, last->barrier - last->kinetic, 1e-3);
+        stops++;
+        behind += last->theta_m > 1.5 * last->theta && before > 0;
+    }
+    print_message("# %d stop, %d of them far below their top\n", stops, behind);
+    assert_true(stops > 400 && behind > 50);
+}
+
+/* What a head needs depends on the row alone: also where it stops. */
+static void a_stop_needs_what_a_fall_needs(void **state)
+{
+    (void)state;
+    static struct run slow, fast;
+    uint64_t seed = 72;
+    int compared = 0;
+    for (int i = 0; i < 3000; i++) {
+        double mu = i % 2 ? 0.5 * random_unit(&seed) : 0;
+        random_row(&slow, &seed, random_log(&seed, 3, 60), mu);
+        fast = slow;
+        fast.row.push *= 1.5;
+        assert_status(run_row(&slow), DOM_OK);
+        assert_status(run_row(&fast), DOM_OK);
+        size_t last = slow.falls - 1;
+        if (slow.verdict.end != DOM_ROW_STOPS || fast.falls < slow.falls ||
+            fast.fall[last].moving != slow.fall[last].moving)
+            continue;
+        const struct dom_fall *a = &slow.fall[last], *b = &fast.fall[last];
+        if (isinf((double)a->barrier) || isinf((double)b->barrier))
+            assert_true(isinf((double)a->barrier) && isinf((double)b->barrier));
+        else if (!(fabs((double)(a->barrier - b->barrier)) <= 1e-9 * (double)fmax(a->barrier, b->kinetic)))
+            fail_msg("row %d: barriers %.12g and %.12g", i, (double)a->barrier, (double)b->barrier);
+        compared++;
+    }
+    print_message("# %d rows\n", compared);
+    assert_true(compared > 300);
+}
+
+/* ---- At the reach ---- */
+
+/* r = 1/s, rounded in the widest type, is reached in every precision, as by a train; a gap wider by 1e-5 is
+ * not. */
+static void rounded_reach_is_reached(void **state)
+{
+    (void)state;
+    static struct run run, near;
+    struct dom_scale scale = dom_scale_default();
+    int falls = 0, stops = 0;
+    for (int i = 0; i < 3 * 300; i++) {
+        struct dom_train train = dom_train_default();
+        train.s = (dom_real)(100 + i / 3) / 500;
+        train.r = 1 / train.s;
+        train.q = 1 + i % 7;
+        dom_row_of_train(&train, &scale, 1, run.domino, 6);
+        run.row = (struct dom_row){.count = 6,
+                                   .g = g,
+                                   .push = i % 2 ? 60 : DOM_NAN,
+                                   .tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12,
+                                   .precision = (enum dom_precision)(i % 3)};
+        assert_status(run_row(&run), DOM_OK);
+        assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
+        train.r *= 1 - (dom_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, but for what is close */
+        near = run;
+        dom_row_of_train(&train, &scale, 1, near.domino, 6);
+        assert_status(run_row(&near), DOM_OK);
+        for (size_t k = 0; k < run.falls && k < near.falls; k++)
+            if (fabs((double)run.fall[k].margin) > 0.1 * (double)run.fall[k].kinetic)
+                assert_true((run.fall[k].margin > 0) == (near.fall[k].margin > 0));
+        falls += run.verdict.end == DOM_ROW_FALLS;
+        stops += run.verdict.end == DOM_ROW_STOPS;
+        for (size_t k = 1; k < 6; k++)
+            run.domino[k].gap *= 1 + (dom_real)1e-5;
+        run.row.push = 60;
+        assert_status(run_row(&run), DOM_OK);
+        assert_true(run.verdict.end == DOM_ROW_MISSES && run.verdict.domino == 1);
+    }
+    print_message("# %d fall, %d stop\n", falls, stops);
+    assert_true(falls > 50 && stops > 50);
+}
+
+/* ---- Much friction ---- */
+
+struct newton {
+    double height[MOST], thickness[MOST], gap[MOST], mass[MOST];
+    struct direct_hit hit[MOST];
+    struct direct_result result;
+    const char *wrong;
+};
+
+static void newton_run(const struct run *run, struct newton *n)
+{
+    for (size_t k = 0; k < run->row.count; k++) {
+        n->height[k] = run->domino[k].height;
+        n->thickness[k] = run->domino[k].thickness;
+        n->gap[k] = run->domino[k].gap;
+        n->mass[k] = run->domino[k].mass;
+    }
+    struct direct_row row = {run->row.count, n->height,   n->thickness, n->gap,
+                             n->mass,        run->row.mu, run->row.g,   run->row.push};
+    n->wrong = direct_run(&row, n->hit, &n->result);
+}
+
+/*
+ * Under much friction arms vanish on the way (Painleve), which lets no motion pass; but mostly a row is at
+ * rest before.  What Newton's equations say of hits and of rest is the verdict, in every precision, and no
+ * row is an error.  A head that arrives at a locked tilt in motion has no answer there: Newton's equations
+ * are singular.
+ */
+static void much_friction(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct newton n;
+    uint64_t seed = 73;
+    int falls = 0, stops = 0, locked = 0, jams = 0;
+    for (int i = 0; i < 20000; i++) {
+        bool light = i % 4 == 0; /* what pushes is light, and lies flat in the end */
+        random_row(&run, &seed, random_log(&seed, 3, 60), random_log(&seed, 0.5, 5));
+        run.row.count = light ? 2 : run.row.count;
+        run.domino[1].thickness *= light ? 2 : 1;
+        run.row.precision = i % 500 == 3 ? DOM_QUAD : i % 20 == 5 ? DOM_FLOAT : DOM_DOUBLE;
+        run.row.tol = run.row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        enum dom_status status = run_row(&run);
+        if (status != DOM_OK)
+            fail_msg("row %d, mu %g: %s", i, (double)run.row.mu, dom_status_text(status));
+        const struct dom_fall *last = &run.fall[run.falls - 1];
+        bool wide = run.row.precision != DOM_FLOAT,
+             jam = run.verdict.end == DOM_ROW_LOCKS && last->margin < 0,
+             near = fabs((double)last->margin) < (wide ? 1e-6 : 1e-2) * (double)last->kinetic;
+        if (near || (run.verdict.end != DOM_ROW_FALLS && run.verdict.end != DOM_ROW_STOPS && !jam))
+            continue;
+        newton_run(&run, &n);
+        if (jam) {
+            assert_non_null(n.wrong);
+            assert_int_equal(n.result.hit, run.falls);
+            jams++;
+            continue;
+        }
+        if (n.wrong || n.result.hit != run.falls || n.result.all_fall != (run.verdict.end == DOM_ROW_FALLS))
+            fail_msg("row %d, mu %g: hits %zu, by Newton %zu %s", i, (double)run.row.mu, run.falls,
+                     n.result.hit, n.wrong ? n.wrong : "");
+        falls += run.verdict.end == DOM_ROW_FALLS;
+        if (run.verdict.end != DOM_ROW_STOPS)
+            continue;
+        if (!(fabs(n.result.stop_theta - (double)last->theta) < (wide ? 1e-7 : 1e-2)))
+            fail_msg("row %d, mu %g: rests at %.12g, by Newton %.12g", i, (double)run.row.mu,
+                     (double)last->theta, n.result.stop_theta);
+        assert_true(run.verdict.short_by > 0 && run.verdict.short_by == -last->margin);
+        stops++;
+        locked += isinf((double)last->barrier);
+    }
+    print_message("# %d fall, %d stop, %d of them before a lock, %d jam\n", falls, stops, locked, jams);
+    assert_true(falls > 500 && stops > 2000 && locked > 30);
+}
+
+/* Tipped over its edge, a light domino meets a thick one, which stops; no energy would carry it past the
+ * lock. */
+static void stops_before_a_lock(void **state)
+{
+    (void)state;
+    static double size[][3] = {{0.03, 0.0034, 0}, {0.04, 0.018, 0.0034}};
+    static struct run run;
+    for (int precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
+        make_row(&run, size, 2, DOM_NAN, 1.35);
+        run.row.precision = (enum dom_precision)precision;
+        run.row.tol = precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        assert_status(run_row(&run), DOM_OK);
+        assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2);
+        assert_true(isinf((double)run.verdict.short_by) && isinf((double)run.fall[1].barrier));
+        assert_true(run.fall[1].theta > 0 && run.fall[1].theta < 1e-6);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(short_of_the_highest),
+        cmocka_unit_test(short_of_the_highest_everywhere),
+        cmocka_unit_test(a_stop_needs_what_a_fall_needs),
+        cmocka_unit_test(rounded_reach_is_reached),
+        cmocka_unit_test(much_friction),
+        cmocka_unit_test(stops_before_a_lock),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
