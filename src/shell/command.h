@@ -38,7 +38,7 @@ struct argument {
     enum argument_kind kind;
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
-    names_list *choices;                        /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
+    names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
     /* Unless NULL: whether it may stand behind the argument before it, whose choice or place this is. */
     bool (*follows)(dom_real before);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
