@@ -286,7 +286,7 @@ static const char *forces_names(const void *context, int k)
     return k == 0 ? "forces" : NULL;
 }
 
-/* A word in the place of T is -1 or less. */
+/* Returns true if 'forces' may stand behind T; a word in the place of T is -1 or less. */
 static bool forces_follow(dom_real place)
 {
     return place >= 0;

@@ -18,7 +18,7 @@ static int help_width(FILE *out)
     return width && width < 100 ? width : 100;
 }
 
-/* The column in which summaries begin: behind the longest usage of a command. */
+/* Returns the column in which summaries begin: behind the longest usage of a command. */
 static int summary_column(void)
 {
     char usage[USAGE_SIZE];
@@ -97,7 +97,7 @@ static void run_topic(struct session *session, const char *name)
     c->run(session, &(struct call){.answer = &answer});
 }
 
-/* Keys, units and meanings below each other, however long they are. */
+/* Prints keys, units and meanings below each other, however long they are. */
 static void help_columns(FILE *out, const struct column *columns)
 {
     int key = KEY_WIDTH, unit = UNIT_WIDTH;

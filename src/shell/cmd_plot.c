@@ -279,7 +279,7 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
-/* Only the picture of costs is one of an answer. */
+/* Returns true if the picture takes the name of an answer, as that of costs does. */
 static bool name_follows(dom_real plot)
 {
     return plots[(int)plot].run == plot_cost;

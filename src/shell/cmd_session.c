@@ -42,7 +42,7 @@ static const struct column show_columns[] = {
     {"name", "", "what 'set' calls it", 9},
     {"value", "", "its value now", 12},
     {"unit", "", "h: heights of the domino", 5},
-    {"range", "", "the values that it may have", 18},
+    {"range", "", "the values that it may have", 17},
     {"default", "", "its value at the start", 8},
     {"meaning", "", "what it stands for", 24},
     {NULL, NULL, NULL, 0},

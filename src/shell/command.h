@@ -38,8 +38,8 @@ struct argument {
     enum argument_kind kind;
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
-    names_list *choices;                        /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
-    /* Unless NULL: whether it may stand behind the argument before it, whose choice or place this is. */
+    names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
+    /* Unless NULL, tells whether it may stand behind the argument before it, given as its choice or place. */
     bool (*follows)(dom_real before);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                        /* what that is the largest number of */
@@ -99,7 +99,7 @@ const struct command *command_find(const char *name);
 
 enum { USAGE_SIZE = 96 };
 
-/* The column that a command with a principal one stands for in an expression. */
+/* Returns the index of the principal column of a command that has one. */
 int command_principal(const struct command *command);
 
 /* "rmax [S]". */

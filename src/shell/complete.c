@@ -94,7 +94,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     return offer;
 }
 
-/* Whether an argument may stand behind this word, which is the argument before it. */
+/* Returns true if an argument may stand behind this word, the argument before it. */
 static bool may_follow(const struct argument *a, const char *word)
 {
     char message[NAMES_MESSAGE];

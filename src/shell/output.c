@@ -238,7 +238,7 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
 
 /* ---- Tables ---- */
 
-/* What a column of a table of rows takes: few digits leave room enough for its head, too. */
+/* Returns the width of a column in a table of rows; with few digits the head may be the widest. */
 static int column_width(const struct answer *a, const struct column *c, int digits)
 {
     int number = number_width(a, digits), head = terminal_columns(c->key);
