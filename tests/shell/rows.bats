@@ -103,7 +103,7 @@ END
     printf 'domino,height,thickness,gap,relative\n1,48 mm,7 mm,0,1\n2,4.8 cm,0.7 cm,0,2\n3,48 mm,7 mm,2 cm,1' | file cells.csv
     same cells '0.048 0.048 0.048' "$(json 'effect row cells.csv; row' | values height | paste -sd ' ')"
     # What 'row' writes has its units, with masses and without.
-    for scene in 'effect row 4' 'set mass 10 g; effect row 4' 'effect row cells.csv'; do
+    for scene in 'effect row 4' 'set mass 0.01; effect row 4' 'effect row cells.csv'; do
         "$DOMINO" -e "$scene; set output csv; row > again.csv"
         head -n 1 again.csv | grep -qE '^domino,height \(m\),thickness \(m\),gap \(m\),(mass \(kg\)|relative)$'
         same "$scene" "$(json "$scene; row" | values gap)" "$(json 'effect row again.csv; row' | values gap)"
@@ -136,5 +136,5 @@ END
     "$DOMINO" -e 'effect row leans.csv; effect push 0.4; mend' | sed -n 1p | grep -q '^A stronger push is missing'
     # Where a gap is what is wrong, no push is spoken of.
     run "$DOMINO" -e 'effect row 5; set r 1; effect push 5; place 4 60 mm; mend'
-    ! grep -qi 'push' <<<"$output"
+    run ! grep -qi push <<<"$output"
 }
