@@ -462,7 +462,7 @@ struct dom_row {
       "its tip passes above the next one: a contact of another kind, which this model does not have")        \
     X(LEANS, "the first touches the second before it is over its edge: it needs a push")                     \
     X(PARTS, "it runs ahead of those that lean on it: the contact opens, which this model does not follow")  \
-    X(LOCKS, "friction locks: the force on the struck domino passes behind its hinge")
+    X(LOCKS, "friction locks: a contact force passes behind the hinge that it is to turn")
 
 enum dom_row_end {
 #define DOM_ROW_ENUM(name, text) DOM_ROW_##name,
@@ -480,7 +480,7 @@ struct dom_fall {
     dom_real duration; /* s, until it hits the next one, or lies on the floor; NaN where it does not */
     dom_real omega;    /* rad/s, just after it was hit */
     dom_real kinetic;  /* J, of all that move, just after it was hit */
-    dom_real barrier;  /* J, that it takes to go on */
+    dom_real barrier;  /* J, that it takes to go on; infinite where friction locks on the way */
     dom_real margin;   /* J, kinetic - barrier */
     dom_real lost;     /* J, in the collision */
     dom_real rubbed;   /* J, to friction between dominoes since it was hit; NaN where it does not go on */
@@ -494,11 +494,12 @@ struct dom_fall {
 
 struct dom_verdict {
     enum dom_row_end end;
-    size_t domino;     /* the last that was hit: where the row ends */
-    dom_real short_by; /* J, of what is missing there: > 0 for STOPS, else 0 */
-    dom_real seconds;  /* until all lie, or until the last hit */
-    size_t weakest;    /* of those that go on the one that does so with the smallest margin / barrier */
-    dom_real spare;    /* that ratio; infinite where nothing has to be climbed */
+    size_t domino; /* the last that was hit: where the row ends */
+    dom_real
+        short_by; /* J, of what is missing there: > 0 for STOPS, infinite where friction locks farther on */
+    dom_real seconds; /* until all lie, or until the last hit */
+    size_t weakest;   /* of those that go on the one that does so with the smallest margin / barrier */
+    dom_real spare;   /* that ratio; infinite where nothing has to be climbed */
 };
 
 /*

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "floor.h"
 
-enum { FLOOR_SAMPLES = 24, FLOOR_ZOOMS = 3 };
+enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
+
+/* What more a smooth maximum may need is not looked for. */
+#define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
 /* Dominoes that move less than this share of the head may need much, and nobody would see them slip. */
 #define FLOOR_SHARE ((real)1e-3)
@@ -21,42 +24,57 @@ static bool need_seen(const struct held *held, void *context)
     return held->link->slope > FLOOR_SHARE;
 }
 
-static enum dom_status need_at(const struct floor_path *path, real theta, struct need *need)
+/* Raises need to what this tilt needs; *motion is that of the tilt alone. */
+static enum dom_status need_at(const struct floor_path *path, real theta, struct need *need, real *motion)
 {
     struct tilt head;
     struct pace pace = {.floor = true};
+    struct need here = {.motion = -1, .theta = theta, .hit = need->hit, .hit_domino = need->hit_domino};
     enum dom_status status = path->pace(theta, &head, &pace, path->context);
-    need->theta = theta;
-    return status == DOM_OK ? forces_walk(path->lean, head, &pace, pace.n, need_seen, need) : status;
+    if (status == DOM_OK)
+        status = forces_walk(path->lean, head, &pace, pace.n, need_seen, &here);
+    *motion = here.motion;
+    need->hit = here.hit;
+    need->hit_domino = here.hit_domino;
+    if (here.motion > need->motion) {
+        need->motion = here.motion;
+        need->theta = theta;
+        need->domino = here.domino;
+    }
+    return status;
+}
+
+/*
+ * Halves an interval for as long as a top inside may be higher than what is known: a parabola through its
+ * ends and its middle is higher than these by an eighth of their second difference at most, so the whole of
+ * that leaves room for the rest.  Of several tops none is given up because another one is seen first.
+ */
+static enum dom_status need_between(const struct floor_path *path, real lo, real hi, const real at[2],
+                                    int halvings, struct need *need)
+{
+    real middle = lo + (hi - lo) / 2, motion;
+    if (!(lo < middle && middle < hi))
+        return DOM_OK;
+    enum dom_status status = need_at(path, middle, need, &motion);
+    real bend = fabs(at[0] - 2 * motion + at[1]), most = fmax(fmax(at[0], at[1]), motion) + bend;
+    if (status != DOM_OK || halvings == 0 || !(most > need->motion * (1 + FLOOR_TOL)))
+        return status;
+    status = need_between(path, lo, middle, (real[]){at[0], motion}, halvings - 1, need);
+    return status == DOM_OK ? need_between(path, middle, hi, (real[]){motion, at[1]}, halvings - 1, need)
+                            : status;
 }
 
 KERNEL enum dom_status floor_over(const struct floor_path *path, struct need *need)
 {
-    real lo = path->lo, hi = path->hi;
-    for (int zoom = 0; zoom < FLOOR_ZOOMS; zoom++) {
-        real step = (hi - lo) / FLOOR_SAMPLES, top = lo;
-        struct need most = {.motion = -1};
-        for (int k = 0; k <= FLOOR_SAMPLES; k++) {
-            struct need here = {.motion = -1, .hit = need->hit, .hit_domino = need->hit_domino};
-            enum dom_status status = need_at(path, k < FLOOR_SAMPLES ? lo + (real)k * step : hi, &here);
-            if (status != DOM_OK)
-                return status;
-            if (here.motion > most.motion) {
-                most = here;
-                top = here.theta;
-            }
-            need->hit = here.hit;
-            need->hit_domino = here.hit_domino;
-        }
-        if (most.motion > need->motion) {
-            need->motion = most.motion;
-            need->theta = most.theta;
-            need->domino = most.domino;
-        }
-        lo = fmax(top - step, lo);
-        hi = fmin(top + step, hi);
+    real step = (path->hi - path->lo) / FLOOR_SAMPLES, motion[FLOOR_SAMPLES + 1];
+    enum dom_status status = DOM_OK;
+    for (int k = 0; k <= FLOOR_SAMPLES && status == DOM_OK; k++)
+        status = need_at(path, k < FLOOR_SAMPLES ? path->lo + (real)k * step : path->hi, need, &motion[k]);
+    for (int k = 0; k < FLOOR_SAMPLES && status == DOM_OK; k++) {
+        real lo = path->lo + (real)k * step, hi = k + 1 < FLOOR_SAMPLES ? lo + step : path->hi;
+        status = need_between(path, lo, hi, &motion[k], FLOOR_HALVINGS, need);
     }
-    return DOM_OK;
+    return status;
 }
 
 /* ---- Of a train ---- */

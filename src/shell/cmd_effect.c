@@ -10,6 +10,21 @@
 
 /* ---- effect ---- */
 
+/* People are told what 'on' took, since they did not say it. */
+static void effect_say(struct session *session, struct answer *a, enum dom_effect_name name, bool before)
+{
+    char setting[EFFECT_SETTING], usage[EFFECT_USAGE];
+    const struct dom_effect *e = dom_effect(name);
+    bool listed = name == DOM_EFFECT_row && session->listed.domino;
+    const struct dom_effect_argument *first = &e->argument[0];
+    answer_say(
+        a, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", e->name, before ? "on" : "on now",
+        listed ? "" : first->name, listed ? "" : " = ", effect_setting(session, name, setting),
+        listed ? first->or_file + strspn(first->or_file, "a ") : first->meaning, effect_usage(name, usage));
+    session->fresh = false;
+    session->answered = session->answered || answer_for_people(a);
+}
+
 static bool run_effect(struct session *session, const struct call *call)
 {
     enum dom_effect_name name = (enum dom_effect_name)call->number[0];
@@ -21,7 +36,11 @@ static bool run_effect(struct session *session, const struct call *call)
         dom_real usual[DOM_EFFECT_ARGUMENTS];
         for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
             usual[i] = dom_effect(name)->argument[i].usual;
-        return now->on || effect_turn_on(session, name, usual, DOM_EFFECT_ARGUMENTS, NULL);
+        bool before = now->on;
+        if (!before && !effect_turn_on(session, name, usual, DOM_EFFECT_ARGUMENTS, NULL))
+            return false;
+        effect_say(session, call->answer, name, before);
+        return true;
     }
     return effect_turn_on(session, name, &call->number[1], call->count - 1, word);
 }

@@ -127,16 +127,88 @@ static enum dom_status mend_search(struct scene_row *scene, const struct dom_ver
     return DOM_OK;
 }
 
+/* ---- A push that is missing ---- */
+
+static bool falls_pushed(struct scene_row *scene, dom_real push, enum dom_status *status)
+{
+    struct dom_verdict v = {.end = DOM_ROW_STOPS};
+    struct dom_row pushed = scene->row;
+    pushed.push = push;
+    if (*status == DOM_OK)
+        *status = dom_row_run(&pushed, false, NULL, NULL, &v);
+    return *status == DOM_OK && v.end == DOM_ROW_FALLS;
+}
+
+/* What turns the first over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2. */
+static dom_real push_over_edge(const struct scene_row *scene)
+{
+    dom_real h = scene->domino[0].height, d = scene->domino[0].thickness, reach = sqrt(h * h + d * d);
+    return sqrt(3 * scene->row.g * d * d / ((reach + h) * reach * reach));
+}
+
+/* Rounded up, so that it is still enough. */
+static dom_real few_digits(dom_real value)
+{
+    dom_real digit = pow(10, floor(log10(value)) - 3);
+    return ceil(value / digit) * digit;
+}
+
+/* The weakest push found with which all fall, of four digits; NaN where none up to the strongest does. */
+static dom_real push_missing(struct scene_row *scene, enum dom_status *status)
+{
+    const dom_real strongest = dom_effect(DOM_EFFECT_push)->argument[0].highest;
+    dom_real bad = isnan(scene->row.push) ? 0 : scene->row.push, good = fmax(push_over_edge(scene), bad) / 2;
+    do {
+        good = fmin(2 * good, strongest);
+        if (falls_pushed(scene, good, status))
+            break;
+        bad = good;
+    } while (good < strongest && *status == DOM_OK);
+    if (!(bad < good))
+        return DOM_NAN;
+    while (good - bad > good * (dom_real)1e-4 && *status == DOM_OK) {
+        dom_real middle = (good + bad) / 2;
+        *(falls_pushed(scene, middle, status) ? &good : &bad) = middle;
+    }
+    dom_real rounded = few_digits(good);
+    return falls_pushed(scene, rounded, status) ? rounded : good;
+}
+
+/* Is it the start that has too little, before any gap comes to matter? */
+static bool push_lacks(const struct dom_verdict *v)
+{
+    return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
+}
+
+static enum dom_status push_say(struct answer *a, struct scene_row *scene, const struct dom_verdict *v)
+{
+    enum dom_status status = DOM_OK;
+    dom_real push = push_missing(scene, &status);
+    if (status != DOM_OK)
+        return status;
+    answer_say(a, v->end == DOM_ROW_LEANS
+                      ? "A push is missing: the first domino touches the second before it is over its edge."
+                      : "A stronger push is missing: this one does not turn the first domino over its edge.");
+    if (isnan(push))
+        answer_say(a, "No push alone lets all fall: push it all the same, then ask 'mend' again.");
+    else
+        answer_say(a, "With %.4g rad/s all fall: 'effect push %.4g'.", (double)push, (double)push);
+    return DOM_OK;
+}
+
+/* ---- Answers ---- */
+
 static const char no_single_gap[] =
     "no change of a single gap lets all fall: change several, the push, or the dominoes";
 
-static void mend_say(struct answer *a, const struct mended *m, size_t found)
+static void mend_say(struct answer *a, const struct mended *m, size_t found, bool pushless)
 {
     if (found == 0) {
-        answer_say(a, "There is %s.", no_single_gap);
+        answer_say(a, "N%s.", no_single_gap + 1);
         return;
     }
-    answer_say(a, "The smallest change: %s the gap before domino %zu by %.3g mm, from %.5g mm to %.7g mm.",
+    answer_say(a, "%s %s the gap before domino %zu by %.3g mm, from %.5g mm to %.7g mm.",
+               pushless ? "Without another push the smallest change:" : "The smallest change:",
                m->to < m->gap ? "narrow" : "widen", m->k + 1, (double)(1000 * fabs(m->to - m->gap)),
                (double)(1000 * m->gap), (double)(1000 * m->to));
     answer_say(a, "'place %zu %.7g' does it, just so.", m->k + 1, (double)m->to);
@@ -158,6 +230,8 @@ bool mend_run(struct session *session, const struct call *call)
     struct mended *list = calloc(scene.row.count, sizeof *list);
     enum dom_status status = list ? dom_row_run(&scene.row, false, NULL, NULL, &v) : DOM_NO_MEMORY;
     bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
+    if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
+        status = push_say(a, &scene, &v);
     if (status == DOM_OK && !falls)
         status = mend_search(&scene, &v, list, &found);
     for (size_t i = 0; status == DOM_OK && i < found; i++)
@@ -173,7 +247,7 @@ bool mend_run(struct session *session, const struct call *call)
     else if (falls)
         verdict_say(session, a, &scene, &v, false);
     else if (status == DOM_OK)
-        mend_say(a, list, found);
+        mend_say(a, list, found, push_lacks(&v));
     free(list);
     free(scene.domino);
     return status == DOM_OK || row_status(session, status);

@@ -55,6 +55,7 @@ static bool run_row(struct session *session, const struct call *call)
         return false;
     bool weighed = scene_weighed(session);
     call->answer->columns = weighed ? row_columns : row_relative_columns;
+    call->answer->units = !call->answer->swept;
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct dom_domino *d = &scene.domino[k];
         answer_row(call->answer,
@@ -143,6 +144,15 @@ static bool floor_visit(const struct dom_fall *f, void *context)
 
 static const char lifted[] = "a domino is lifted off the floor: no friction holds it";
 
+/* NaN where friction locks farther on, and no energy is enough. */
+static dom_real enough(dom_real energy)
+{
+    return isfinite(energy) ? energy : DOM_NAN;
+}
+
+static const char locks_farther_on[] =
+    "what is left of the motion does not carry it over, and farther on friction locks: no energy would";
+
 static bool fall_row(const struct dom_fall *f, void *context)
 {
     struct falling *c = context;
@@ -150,7 +160,8 @@ static bool fall_row(const struct dom_fall *f, void *context)
     answer_row(c->answer,
                ROW(cell_count((dom_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 4),
                    cell_narrow(f->time, 4), cell_narrow(f->time + f->duration, 4), cell_narrow(f->omega, 4),
-                   cell_narrow(f->kinetic, 4), cell_narrow(f->barrier, 4), cell_narrow(f->margin, 4),
+                   cell_narrow(f->kinetic, 4), cell_narrow(enough(f->barrier), 4),
+                   cell_narrow(enough(f->margin), 4),
                    cell_narrow(c->scene->row.floor ? slip_most(f).needs : DOM_NAN, 3)),
                !answer_for_people(c->answer) && slip_most(f).needs > 0 && !isfinite(slip_most(f).needs)
                    ? lifted
@@ -172,6 +183,8 @@ void verdict_say(struct session *session, struct answer *a, const struct scene_r
                    isnan(scene->row.push) ? "first hit" : "push");
     else if (v->end == DOM_ROW_FALLS)
         answer_say(a, "All fall; one comes so close to a stop that its time has no value.");
+    else if (v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
+        answer_say(a, "It stops at domino %zu of %zu: %s.", v->domino, count, locks_farther_on);
     else if (v->end == DOM_ROW_STOPS)
         answer_say(a, "It stops at domino %zu of %zu, short by %.4g %s: %s.%s", v->domino, count,
                    (double)v->short_by, energy_unit(session), dom_row_end_text(v->end),
@@ -288,12 +301,15 @@ static bool run_verdict(struct session *session, const struct call *call)
         columns_in_joules(verdict_columns, room);
         a->columns = room;
     }
-    answer_row(
-        a,
-        ROW(cell_word(end_word(v.end)), cell_count((dom_real)v.domino), cell_bound(v.short_by, DOM_NAN),
-            cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOM_NAN, DOM_NAN),
-            v.weakest ? cell_count((dom_real)v.weakest) : cell_real(DOM_NAN), cell_bound(v.spare, DOM_NAN)),
-        v.end == DOM_ROW_FALLS ? NULL : dom_row_end_text(v.end));
+    answer_row(a,
+               ROW(cell_word(end_word(v.end)), cell_count((dom_real)v.domino),
+                   cell_bound(enough(v.short_by), DOM_NAN),
+                   cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOM_NAN, DOM_NAN),
+                   v.weakest ? cell_count((dom_real)v.weakest) : cell_real(DOM_NAN),
+                   cell_bound(v.spare, DOM_NAN)),
+               v.end == DOM_ROW_FALLS ? NULL
+               : isfinite(v.short_by) ? dom_row_end_text(v.end)
+                                      : locks_farther_on);
     a->columns = verdict_columns;
     if (session->effect[DOM_EFFECT_floor].on)
         floor_say(session, a, &c);
@@ -404,7 +420,7 @@ const struct command row_commands[] = {
      .summary = "the smallest change of one gap that saves a row",
      .help =
          "For each gap up to where the row ends, the nearest value with which all fall, the smallest change "
-         "first. "
+         "first; and before them the push, where that is what is missing. "
          "Each is looked for in 40 steps, and then halved down; a window narrower than a step may be missed.",
      .see = "fall place budget",
      .columns = mend_columns,
@@ -419,7 +435,8 @@ const struct command row_commands[] = {
      .run = run_place},
     {.name = "row",
      .summary = "the dominoes of the row",
-     .help = "With 'set output csv', 'row > FILE' is a file that 'effect row FILE' reads.",
+     .help = "With 'set output csv', 'row > FILE' is a file that 'effect row FILE' reads: its first line has "
+             "the units.",
      .example = "effect row 3; row",
      .see = "effect fall",
      .columns = row_all_columns,

@@ -81,21 +81,56 @@ static char *path_beside(const struct session *session, const char *path)
     return beside;
 }
 
+/* What is on and says nothing without the row, as ", with push and placement". */
+static void row_needed(const struct session *session, char *text, size_t size)
+{
+    int n = 0;
+    text[0] = '\0';
+    for (int k = 0; k < DOM_EFFECT_COUNT && n < (int)size; k++)
+        if (session->effect[k].on && dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
+            n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ",
+                          dom_effect((enum dom_effect_name)k)->name);
+}
+
+/* Row off, and what needs it. */
+static void row_drop(struct session *session)
+{
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+        if (k == DOM_EFFECT_row || dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
+            session->effect[k] = (struct effect_state){.on = false};
+    listed_free(&session->listed);
+    effects_apply(session);
+}
+
+/* False: an error was reported, and there is no row any more: what was asked for is not the one before. */
 static bool row_from_file(struct session *session, const char *name)
 {
-    struct rowfile file;
-    if (session->safe)
-        return session_error(session, "'row %s' reads a file, which a safe session does not", name);
-    char *path = path_beside(session, name);
-    bool read = path ? rowfile_read(session, path, &file) : session_status(session, DOM_NO_MEMORY);
-    /* What is saved is found from anywhere; a pipe has no other path. */
-    char *kept = read ? realpath(path, NULL) : NULL;
-    if (kept || !read)
-        free(path);
-    else
-        kept = path;
-    if (!read)
+    struct rowfile file = {.domino = NULL};
+    char then[160] = "", setting[EFFECT_SETTING], needed[64], *kept = NULL;
+    row_needed(session, needed, sizeof needed);
+    if (session->effect[DOM_EFFECT_row].on)
+        snprintf(then, sizeof then, "; the row before it (%s%s) is off now%s",
+                 session->listed.domino ? "" : "N = ", effect_setting(session, DOM_EFFECT_row, setting),
+                 needed);
+    if (session->safe) {
+        session_error(session, "'row %s' reads a file, which a safe session does not%s", name, then);
+    } else {
+        char *path = path_beside(session, name);
+        bool read = path && rowfile_read(session, path, then, &file);
+        /* What is saved is found from anywhere; a pipe has no other path. */
+        kept = read ? realpath(path, NULL) : NULL;
+        if (read && !kept)
+            kept = path;
+        else
+            free(path);
+        if (!path)
+            session_error(session, "%s%s", dom_status_text(DOM_NO_MEMORY), then);
+    }
+    if (!kept) {
+        rowfile_free(&file);
+        row_drop(session);
         return false;
+    }
     listed_free(&session->listed);
     session->listed = (struct listed_row){
         .domino = file.domino, .count = file.count, .weighed = file.weighed, .path = kept};

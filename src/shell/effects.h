@@ -23,7 +23,8 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
 
 /*
  * Turns an effect on; values that are not given are the usual ones.  path, unless NULL, is the file in the
- * place of its first argument.  False: an error was reported, and nothing has changed.
+ * place of its first argument.  False: an error was reported, and nothing has changed; but
+ * a file that gives no row leaves none in force, nor what needs one, and the error says so.
  */
 bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
                     const char *path);

@@ -217,9 +217,12 @@ static void row_csv(struct answer *a, const struct cell *cells, const char *reas
 {
     char text[CELL_TEXT];
     if (!a->begun) {
-        for (int i = 0; a->columns[i].key; i++)
-            fprintf(a->out, column_bounded(a, i) ? "%s%s,%s_error" : "%s%s", i ? "," : "", a->columns[i].key,
-                    a->columns[i].key);
+        for (int i = 0; a->columns[i].key; i++) {
+            const struct column *c = &a->columns[i];
+            fprintf(a->out, a->units && *c->unit ? "%s%s (%s)" : "%s%s", i ? "," : "", c->key, c->unit);
+            if (column_bounded(a, i))
+                fprintf(a->out, ",%s_error", c->key);
+        }
         fputs(reason ? ",reason\n" : "\n", a->out);
     }
     for (int i = 0; a->columns[i].key; i++) {

@@ -28,6 +28,7 @@ struct answer {
     struct output_style style;
     const struct column *columns; /* ends with a NULL key */
     bool rows;                    /* a table with a head, rather than a line a column */
+    bool units;                   /* csv names its columns with their units: it is read back */
     bool begun;
     bool prepared; /* nothing else stands before the next row any more */
     bool planned;  /* width, letters, bold and bounded are known */

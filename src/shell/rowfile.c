@@ -26,18 +26,20 @@ static const struct kind {
     const char *range, *is, *units; /* for people: of the value; of a cell; of the head */
     const char *more;               /* besides unit, one that expressions do not have */
     int times, over;                /* that one in SI */
+    const char *usual;              /* the one that an error proposes */
 } kinds[KINDS] = {
-    {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "m", 1, 1},
-    {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "m", 1, 1},
-    {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1},
-    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "mass (g)", "kg, g", "g", 1, 1000},
+    {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "mass (g)", "kg, g", "g", 1, 1000,
+     "g"},
     {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "density (g/cm^3)",
-     "kg/m^3, g/cm^3", "g/cm^3", 1000, 1},
-    {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1},
+     "kg/m^3, g/cm^3", "g/cm^3", 1000, 1, "g/cm^3"},
+    {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
     {"relative", "", false, false, 1e-40, 1e38, "1e-40 .. 1e38",
-     "it is a plain number: mass over that of the first", "none", "", 1, 1},
+     "it is a plain number: mass over that of the first", "none", "", 1, 1, ""},
     {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "it is a plain number, for the reader's eye", "none", "",
-     1, 1},
+     1, 1, ""},
 };
 
 enum { CELLS = KINDS + 1, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
@@ -53,8 +55,9 @@ struct reader {
     const char *separator, *between, *blanks; /* between: the separator for people */
     int columns;                              /* 0: the head is still to come */
     int column[KINDS];                        /* of a kind, from 1; 0 for none */
-    dom_real unit[KINDS];
-    int cells; /* of this line; only CELLS of them are kept */
+    dom_real unit[KINDS];                     /* in SI; 0 where the head has none */
+    const char *then;                         /* what an error leads to, behind its message; "" for nothing */
+    int cells;                                /* of this line; only CELLS of them are kept */
     char *cell[CELLS];
     char *buffer; /* of LINE_MOST bytes, which a stack may not have */
 };
@@ -83,7 +86,8 @@ report(const struct reader *r, const char *at, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    session_error(r->session, "%s:%ld:%d: %s", r->path, r->line, at ? text_column(&r->text, at) : 1, message);
+    session_error(r->session, "%s:%ld:%d: %s%s", r->path, r->line, at ? text_column(&r->text, at) : 1,
+                  message, r->then);
 }
 
 /* The same, as the value false. */
@@ -178,7 +182,11 @@ static bool unit_read(struct reader *r, int kind, const char *at)
     char *cube = strstr(name, "\u00b3");
     if (cube)
         memcpy(cube, "^3", 2);
-    r->unit[kind] = *at == '\0' ? 1 : one ? unit_value(k, name) : 0;
+    if (*at == '\0') { /* then each cell must have one, unless they are pure numbers */
+        r->unit[kind] = *k->unit ? 0 : 1;
+        return true;
+    }
+    r->unit[kind] = one ? unit_value(k, name) : 0;
     return r->unit[kind] > 0 ||
            wrong(r, begin, "'%s' is no unit of %s; those are %s", names_shown(at, shown), k->name, k->units);
 }
@@ -246,6 +254,17 @@ static bool value_check(const struct reader *r, int kind, dom_real value, const 
                  k->range);
 }
 
+/* What nobody said is not guessed: metres in a file of millimetres would be a row of towers. */
+static bool no_unit(const struct reader *r, int kind, const char *cell)
+{
+    const struct kind *k = &kinds[kind];
+    char shown[NAMES_SHOWN], here[64] = "";
+    if (*k->unit == 'm')
+        snprintf(here, sizeof here, ", or '%.40s %s' in the cell", names_shown(cell, shown), k->usual);
+    return wrong(r, cell, "%s has no unit: '%s' would be %s %s; write '%s (%s)' in the first line%s", k->name,
+                 names_shown(cell, shown), names_shown(cell, shown), k->unit, k->name, k->usual, here);
+}
+
 /* What the cell says, in SI; its range is not judged. */
 static bool cell_value(const struct reader *r, int kind, const char *cell, dom_real *value)
 {
@@ -265,6 +284,8 @@ static bool cell_value(const struct reader *r, int kind, const char *cell, dom_r
     bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
     if (!bare && (*k->unit != 'm' || q.length != 1 || q.time != 0 || q.angle != 0))
         return wrong(r, cell, "%s: this is %s; %s", k->name, expression_kind(q, text, sizeof text), k->is);
+    if (bare && r->unit[kind] == 0 && q.value != 0)
+        return no_unit(r, kind, cell);
     *value = bare ? q.value * r->unit[kind] : q.value;
     return true;
 }
@@ -331,17 +352,18 @@ static bool lines_read(struct reader *r, struct rowfile *rows)
     }
 }
 
-bool rowfile_read(struct session *session, const char *path, struct rowfile *rows)
+bool rowfile_read(struct session *session, const char *path, const char *then, struct rowfile *rows)
 {
     char shown[NAMES_SHOWN];
-    struct reader r = {.session = session, .in = io_read(path, session->train.interrupt)};
+    struct reader r = {.session = session, .then = then, .in = io_read(path, session->train.interrupt)};
     *rows = (struct rowfile){NULL, 0, false};
     if (r.in && !(r.buffer = malloc(LINE_MOST))) {
         fclose(r.in);
         r.in = NULL;
     }
     if (!r.in)
-        return session_error(session, "cannot read '%s': %s", names_shown(path, shown), strerror(errno));
+        return session_error(session, "cannot read '%s': %s%s", names_shown(path, shown), strerror(errno),
+                             then);
     /* A name may not hide the rest of a message, nor break its line. */
     r.path = strlen(path) > 255 || strpbrk(path, "\n\r\t\033") ? names_shown(path, shown) : path;
     bool good = lines_read(&r, rows);

@@ -14,7 +14,9 @@ const struct dom_effect dom_effect_row = {
         "and "
         "as heavy as q says. A file gives every domino of its own: a csv with the columns height, thickness, "
         "gap "
-        "and, if known, mass or density, in SI units or with units in its head. The row starts with a push "
+        "and, if known, mass or density, with units in its head, 'height (mm)', or in its cells. The row "
+        "starts "
+        "with a push "
         "('effect push') or with the first domino tipped over its edge. Where a tip would pass above the "
         "next "
         "domino, or a contact would have to pull, the model ends, and says so. 'fall' runs it.",
