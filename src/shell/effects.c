@@ -84,8 +84,10 @@ static char *path_beside(const struct session *session, const char *path)
 static bool row_from_file(struct session *session, const char *name)
 {
     struct rowfile file;
+    char shown[NAMES_SHOWN];
     if (session->safe)
-        return session_error(session, "'row %s' reads a file, which a safe session does not", name);
+        return session_error(session, "'row %s' reads a file, which a safe session does not",
+                             names_shown(name, shown));
     char *path = path_beside(session, name);
     bool read = path ? rowfile_read(session, path, &file) : session_status(session, DOM_NO_MEMORY);
     char *kept = read ? realpath(path, NULL) : NULL; /* what is saved is found from anywhere */
