@@ -98,7 +98,7 @@ harmless() { # FILE
     grep -qF "$name" table
     name=$(printf '\x01%.0s' {1..200})
     printf 'foo\n' >"$name"
-    for line in "pool $name" "effect row $name" "source $name"; do
+    for line in "pool $name" "effect row \"$name\"" "source $name"; do
         run -1 --separate-stderr "$DOMINO" -e "$line"
         [[ $stderr =~ (no block|other fields|one column|unknown command) ]] || same "$line" 'what is wrong' "$stderr"
     done
