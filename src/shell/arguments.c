@@ -85,9 +85,10 @@ char *read_file(struct reader *r)
     const struct text *t = r->text;
     char *name = copy_word(t->typed + t->from[word.begin - t->line], t->typed + t->from[word.end - t->line],
                            word.quoted);
-    char *path = name && *name == '~' ? tilde_expand_word(name) : name;
-    if (path != name)
-        free(name);
+    if (!name || *name != '~')
+        return name;
+    char *path = tilde_expand_word(name);
+    free(name);
     return path;
 }
 
