@@ -85,9 +85,10 @@ char *read_file(struct reader *r)
     const struct text *t = r->text;
     char *name = copy_word(t->typed + t->from[word.begin - t->line], t->typed + t->from[word.end - t->line],
                            word.quoted);
-    char *path = name && *name == '~' ? tilde_expand_word(name) : name;
-    if (path != name)
-        free(name);
+    if (!name || *name != '~')
+        return name;
+    char *path = tilde_expand_word(name);
+    free(name);
     return path;
 }
 
@@ -253,14 +254,14 @@ static bool read_effect(struct reader *r, struct call *call, int i)
     enum dom_effect_name effect = (enum dom_effect_name)call->number[0];
     const struct dom_effect_argument *of = &dom_effect(effect)->argument[i - 1];
     char usage[EFFECT_USAGE], shown[NAMES_SHOWN], word[NAMES_SHOWN];
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
+    size_t length = strcspn(r->at, " \t;>#");
+    snprintf(word, sizeof word, "%.*s", (int)length, r->at);
     bool turned = strcmp(word, "on") == 0 || strcmp(word, "off") == 0;
     if (i > DOM_EFFECT_ARGUMENTS || (!of->name && !turned) || call->word[1])
         return session_error(r->session, "'%s' is one argument too many; usage: effect %s",
                              names_shown(word, shown), effect_usage(effect, usage));
-    size_t length = strlen(word);
     bool named = (isalpha((unsigned char)*word) && !is_value_name(word) && !strchr(word, '(')) ||
-                 (length > 4 && strcmp(word + length - 4, ".csv") == 0);
+                 (length > 4 && memcmp(r->at + length - 4, ".csv", 4) == 0);
     if ((turned && i == 1) || (of->or_file && (named || strchr("\"./~", *word)))) {
         call->word[i] = read_file(r);
         return call->word[i] || session_error(r->session, "%s", unclosed);

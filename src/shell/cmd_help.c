@@ -3,7 +3,6 @@
 #include "command.h"
 #include "complete.h"
 #include "effects.h"
-#include "escape.h"
 #include "terminal.h"
 #include "wide.h"
 #include <ctype.h>
@@ -293,11 +292,9 @@ static bool run_manual(struct session *session, const struct call *call)
     return true;
 }
 
-/* A line each, on a terminal perhaps: names of files that would break it are not offered. */
 static void print_candidate(const char *candidate, void *out)
 {
-    if (!escape_needed(candidate))
-        fprintf(out, "%s\n", candidate);
+    fprintf(out, "%s\n", candidate);
 }
 
 static bool run_complete(struct session *session, const struct call *call)

@@ -2,6 +2,7 @@
 #include "complete.h"
 #include "command.h"
 #include "effects.h"
+#include "escape.h"
 #include "grid.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -229,7 +230,8 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
     for (int state = 0; offer.files && files && (file = rl_filename_completion_function(last, state)) != NULL;
          state = 1) {
         rl_filename_completion_desired = 1; /* a '/' behind folders, '"' around blanks */
-        emit(file, context);
+        if (!escape_needed(file))           /* it is written on the terminal */
+            emit(file, context);
         free(file);
     }
 }

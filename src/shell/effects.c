@@ -106,14 +106,16 @@ static void row_drop(struct session *session)
 static bool row_from_file(struct session *session, const char *name)
 {
     struct rowfile file = {.domino = NULL};
-    char then[160] = "", setting[EFFECT_SETTING], needed[64], *kept = NULL;
+    char then[EFFECT_SETTING + 160] = "", setting[EFFECT_SETTING], needed[64], shown[NAMES_SHOWN],
+                               *kept = NULL;
     row_needed(session, needed, sizeof needed);
     if (session->effect[DOM_EFFECT_row].on)
         snprintf(then, sizeof then, "; the row before it (%s%s) is off now%s",
                  session->listed.domino ? "" : "N = ", effect_setting(session, DOM_EFFECT_row, setting),
                  needed);
     if (session->safe) {
-        session_error(session, "'row %s' reads a file, which a safe session does not%s", name, then);
+        session_error(session, "'row %s' reads a file, which a safe session does not%s",
+                      names_shown(name, shown), then);
     } else {
         char *path = path_beside(session, name);
         bool read = path && rowfile_read(session, path, then, &file);

@@ -17,7 +17,7 @@ enum { EFFECT_USAGE = 64 };
 const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE]);
 
 /* "0.2", "13", "record.csv"; "" where it is off. */
-enum { EFFECT_SETTING = 64 };
+enum { EFFECT_SETTING = 256 }; /* the longest name of a file */
 const char *effect_setting(const struct session *session, enum dom_effect_name name,
                            char setting[EFFECT_SETTING]);
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output.h"
 #include "escape.h"
+#include "fitted.h"
 #include "swept.h"
 #include "terminal.h"
 #include "wide.h"
 #include <errno.h>
 #include <stdarg.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* What a number needs beside its digits: "-0." and "e-300". */
@@ -143,13 +143,17 @@ void output_wrapped(FILE *out, const char *text, int left, int right)
     int at = left;
     while (*text) {
         size_t length = strcspn(text, " ");
-        char word[TEXT_LINE];
-        snprintf(word, sizeof word, "%.*s", (int)length, text);
-        if (at > left && right > left + 12 && at + 1 + terminal_columns(word) > right) {
+        int columns = 0;
+        for (size_t i = 0; i < length; i++)
+            columns += ((unsigned char)text[i] & 0xc0) != 0x80;
+        if (at > left && right > left + 12 && at + 1 + columns > right) {
             fprintf(out, "\n%*s", left, "");
             at = left;
         }
-        at += fprintf(out, at > left ? " %s" : "%s", word) - (int)strlen(word) + terminal_columns(word);
+        if (at > left)
+            putc(' ', out);
+        at += columns + (at > left);
+        fwrite(text, 1, length, out);
         text += length + (text[length] == ' ');
     }
 }
@@ -385,73 +389,10 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
     return part;
 }
 
-/*
- * The one place where numbers that the precision does not hold become cells without a value; the reason of
- * that, unless the row has its own.
- */
-static const char *row_finite(struct answer *a, struct cell *shown, const char *reason,
-                              char lost[ANSWER_REASON])
-{
-    const enum dom_precision precision = a->style.precision;
-    const char *key = NULL;
-    for (int i = 0; a->columns[i].key; i++)
-        if (!cell_finite(&a->style, shown[i])) {
-            shown[i].kind = CELL_NONE;
-            key = key ? key : a->columns[i].key;
-        }
-    if (!key)
-        return reason;
-    snprintf(lost, ANSWER_REASON, "%s is beyond what %s precision can hold%s", key,
-             dom_arithmetic(precision)->name,
-             precision == DOM_QUAD ? "" : "; 'set precision quad' holds more");
-    if (a->style.output == OUTPUT_TABLE && !*a->unsaid) /* said below it, once */
-        memcpy(a->unsaid, lost, sizeof a->unsaid);
-    return a->style.output == OUTPUT_TABLE || (reason && *reason) ? reason : lost;
-}
-
-/* In csv the first of the rows decides whether there is a column for reasons. */
-static const char *row_reason(struct answer *a, const char *reason)
-{
-    if (a->style.output != OUTPUT_CSV || a->swept)
-        return reason;
-    a->reasoned = a->begun ? a->reasoned : reason != NULL;
-    if (a->reasoned)
-        return reason ? reason : "";
-    if (reason && !*a->unsaid)
-        snprintf(a->unsaid, sizeof a->unsaid, "%s", reason);
-    return NULL;
-}
-
-const char *answer_unsaid(struct answer *a)
-{
-    if (*a->unsaid && a->style.output == OUTPUT_TABLE)
-        answer_say(a, "%s", a->unsaid);
-    else if (*a->unsaid)
-        return a->unsaid;
-    return NULL;
-}
-
-/* Words as people may read them; what is to be freed is in own.  In json they are escaped as they are
- * written. */
-static const char *row_escape(const struct answer *a, struct cell *shown, const char *reason,
-                              char *own[ANSWER_COLUMNS])
-{
-    int n = 0;
-    for (; a->columns[n].key; n++) {
-        own[n] = NULL;
-        if (shown[n].kind == CELL_WORD && escape_needed(shown[n].word)) {
-            own[n] = escape_copy(shown[n].word);
-            shown[n].word = own[n] ? own[n] : "?";
-        }
-    }
-    own[n] = reason && escape_needed(reason) ? escape_copy(reason) : NULL;
-    return own[n] ? own[n] : reason;
-}
-
 void answer_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct cell shown[ANSWER_COLUMNS];
-    char *own[ANSWER_COLUMNS] = {NULL}, lost[ANSWER_REASON];
+    struct fitted fitted;
     for (int n = 0; a->columns[n].key; n++) {
         shown[n] = cells[n];
         shown[n].error = a->style.errors ? shown[n].error : 0;
@@ -460,9 +401,7 @@ void answer_write(struct answer *a, const struct cell *cells, const char *reason
             shown[n].error = style_angle(&a->style, shown[n].error);
         }
     }
-    reason = row_reason(a, row_finite(a, shown, reason, lost));
-    if (a->style.output != OUTPUT_JSON)
-        reason = row_escape(a, shown, reason, own);
+    reason = row_fit(a, shown, reason, &fitted);
     answer_prepare(a);
     bounds_prepare(a, cells);
     errno = 0;
@@ -477,8 +416,7 @@ void answer_write(struct answer *a, const struct cell *cells, const char *reason
     a->begun = true;
     if (ferror(a->out) && !a->lost)
         a->lost = errno;
-    for (int n = 0; n < ANSWER_COLUMNS; n++)
-        free(own[n]);
+    fitted_free(&fitted);
 }
 
 void answer_row(struct answer *a, const struct cell *cells, const char *reason)

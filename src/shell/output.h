@@ -46,7 +46,7 @@ struct answer {
 
 /*
  * One row; reason, unless NULL, says why something does not exist: a line for people, a last column or
- * key "reason" for programs.
+ * key "reason" for programs; csv has that column where its first row has a reason.
  */
 void answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 

@@ -141,7 +141,7 @@ struct part {
 
 struct pool {
     struct session *session;
-    const char *path;
+    const char *path; /* as it is shown */
     long line;
     char same[SAME_SIZE]; /* the common fields, as the first block has them; "" before it */
     dom_real sigma, heights;
@@ -298,6 +298,7 @@ bool pool_run(struct session *session, const struct call *call)
     FILE *in = standard ? io_stdin(interrupt) : io_read(p.path, interrupt);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
+    p.path = names_shown(p.path, shown); /* from here on for messages */
     bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
     if (good) {
         enum dom_status status = dom_study_interval(&p.study);

@@ -295,6 +295,20 @@ static void put_line(struct maker *m)
     put(m, PICK(m, ends));
 }
 
+/* Every session begins with some commands as functions, so that each of them is one soon. */
+static void put_function(struct maker *m)
+{
+    static const unsigned counts[] = {1, 1, 2, 1, 0, 3};
+    put(m, "print ");
+    put_name(m, command_names, NULL);
+    put(m, "(");
+    for (unsigned n = PICK(m, counts); n > 0; n--) {
+        put_number(m);
+        put(m, n > 1 ? "," : "");
+    }
+    put(m, ")\n");
+}
+
 /* ---- The scratch folder ---- */
 
 static char scratch[] = "/tmp/domino-fuzz-XXXXXX";
@@ -342,6 +356,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!m.line)
         abort();
     bool safe = pick(&m, 2) == 0;
+    for (int functions = 0; functions < 4; functions++)
+        put_function(&m);
     for (int lines = 0; m.size > 0 && lines < 12; lines++)
         put_line(&m);
     fclose(m.line);

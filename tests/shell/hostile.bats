@@ -88,6 +88,29 @@ harmless() { # FILE
     [[ $stderr == *"unknown command 'foo'"* ]] || same 'long name' foo "$stderr"
 }
 
+@test "long names: all of them in json, whole characters in a table, and no message is hidden" {
+    local name
+    name=$(printf 'é%.0s' {1..120}).csv
+    printf '%s\n' "$csv" >"$name"
+    same json "$name" "$(json "effect row $name; effects" | jq -r 'select(.effect == "row").state')"
+    "$DOMINO" -e "effect row $name; effects" >table
+    harmless table
+    grep -qF "$name" table
+    name=$(printf '\x01%.0s' {1..200})
+    printf 'foo\n' >"$name"
+    for line in "pool $name" "effect row \"$name\"" "source $name"; do
+        run -1 --separate-stderr "$DOMINO" -e "$line"
+        [[ $stderr =~ (no block|other fields|one column|unknown command) ]] || same "$line" 'what is wrong' "$stderr"
+    done
+    run -1 --separate-stderr "$DOMINO" --safe -e "effect row ${name}.csv"
+    [[ $stderr == *'a safe session does not'* ]]
+}
+
+@test "completion offers no name that a terminal should not see" {
+    touch row.csv $'r\e[31m' $'r\u009b' $'r\u202e' $'r\nx'
+    same files row.csv "$("$DOMINO" -e 'complete source r')"
+}
+
 @test "no file is written whose name has control characters" {
     local name
     for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do

@@ -52,6 +52,8 @@ calls() {
     while read -r scene; do
         for precision in float double quad; do
             for style in json csv table; do
+                # How a table looks is no matter of the precision, but for what it holds.
+                if [ "$style$precision" = csvfloat ] || [ "$style$precision" = tablequad ]; then continue; fi
                 echo "set output $style; set precision $precision; set errors on; $scene" >session.dom
                 # In quad, which is slow, what shows how numbers are written.
                 if [ "$precision" = quad ]; then grep -E '^(print|row|launch|draw)' calls.dom; else cat calls.dom; fi >>session.dom
@@ -67,7 +69,7 @@ calls() {
             done
         done
     done <<<"$scenes"
-    same sessions 144 "$sessions"
+    same sessions 112 "$sessions"
 }
 
 # The value of a key in the row that jq selects, and whether a reason stands there.
