@@ -97,13 +97,13 @@ END
 
 @test "eight that append to one file tear no line" {
     enter
-    "$DOMINO" -n -e 'set output csv; curve 0.2 0.6 40' >answer
+    "$DOMINO" -n -e 'manual; manual; manual' >answer # more than one block
+    echo 'manual; manual; manual' >three
     for _ in {1..8}; do
-        for _ in {1..10}; do echo 'curve 0.2 0.6 40 >> log'; done |
-            timeout -k 1 60 "$DOMINO" -n -e 'set output csv' -f - 3>&- &
+        for _ in {1..25}; do echo 'source three >> log'; done | timeout -k 1 60 "$DOMINO" -n -f - 3>&- &
     done
     wait
-    for _ in {1..80}; do cat answer; done | cmp - log
+    for _ in {1..200}; do cat answer; done | cmp - log
 }
 
 @test "a lock that somebody keeps is reported, and the file is left alone" {
