@@ -19,7 +19,7 @@ export -f refused
 
 replaced() {
     echo old >file
-    fill 0
+    fill
     refused 'curve 0.1 0.9 900 > file' file
     refused 'curve 0.1 0.9 900 > new' new
     refused 'curve 0.1 0.9 900 >> new' new
@@ -34,10 +34,10 @@ appended() {
     # A page of the disk has some room behind the file.
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 > file'
     cp file before
-    fill 0
+    fill
     refused 'curve 0.1 0.9 900 >> file' file
     cmp file before
-    rm filler
+    empty
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 >> file'
     cat before before | cmp - file
 }
@@ -46,10 +46,10 @@ export -f appended
 
 names() {
     echo old >file && ln file other
-    fill 0
+    fill
     refused 'curve 0.1 0.9 900 > file' file
     same 'the file' old "$(cat other)"
-    rm filler
+    empty
     "$DOMINO" -n -e 'fuel > file'
     same 'with room' "$("$DOMINO" -n -e fuel)" "$(cat other)"
 }
@@ -58,7 +58,7 @@ export -f names
 
 saved() {
     echo old >file
-    fill 0
+    fill
     refused 'save file' file
     same 'the file' old "$(cat file)"
 }
@@ -68,7 +68,7 @@ export -f saved
 @test "full disk: a history that does not fit is reported, and stays whole" {
     full_history() {
         printf 'show s\n' >history
-        fill 0
+        fill
         BATS_TEST_TMPDIR=$home expect -f "$faults/faults.exp" history_full "$PWD" </dev/null
     }
     export -f full_history

@@ -20,9 +20,9 @@ no_crash() { # WHAT STATUS
     [ "$2" -le 1 ] || same "$1: it ends by itself" '0 or 1' "$2"
 }
 
-# Runs a script of bash on a disk of its own with 64 kB, whose mount ends with the script.  In there 'fill BYTES'
-# leaves so many bytes free.  Where nothing may be mounted, files have a limit of size instead, which 'fill' sets.
-# The reason that a full disk gives is in $full.
+# Runs a script of bash on a disk of its own with 64 kB, whose mount ends with the script.  In there 'fill' leaves no
+# block free, and 'empty' all of them.  Where nothing may be mounted, files have a limit of size instead, which 'fill'
+# sets.  The reason that a full disk gives is in $full.
 disk() { # SCRIPT
     local own=() mounts=$BATS_TEST_TMPDIR/disk
     mkdir -p "$mounts"
@@ -31,15 +31,14 @@ disk() { # SCRIPT
     if unshare --mount "${own[@]}" mount -t tmpfs tmpfs "$mounts" 2>/dev/null; then
         full='No space left on device' timeout -k 1 60 unshare --mount "${own[@]}" bash -eu -c '
             mount -t tmpfs -o size=64k,mode=700 tmpfs "$1" && cd "$1"
-            fill() {
-                head -c 1M /dev/zero >filler 2>/dev/null || :
-                truncate -s "-$1" filler
-            }
+            fill() { head -c 1M /dev/zero >filler 2>/dev/null || :; }
+            empty() { rm filler; }
             eval "$2"' bash "$mounts" "$1"
     else
         full='File too large' timeout -k 1 60 bash -eu -c '
             cd "$1"
-            fill() { >filler; ulimit -f "$((($1 + 1023) / 1024 + 1))"; trap "" XFSZ; }
+            fill() { >filler; ulimit -Sf 0; }
+            empty() { rm filler; ulimit -Sf unlimited; }
             eval "$2"' bash "$mounts" "$1"
     fi
 }

@@ -8,10 +8,26 @@ load faults
 # Drafts have six letters behind their dot.
 drafts() { find . -name '*.??????' ! -name '*.script'; }
 
-# Ended by this signal, and not by the time limit of the test, which is KILL?
-ended_by() { # WHAT SIGNAL STATUS
-    same "$1: ended by SIG$2" "$((128 + $(kill -l "$2")))" "$3"
+# Starts the program in the background, as $child, with the signals as a shell at a terminal gives them.
+begin() { # ARGUMENT...
+    env --default-signal=INT,QUIT "$DOMINO" -n "$@" >/dev/null 2>&1 3>&- &
+    child=$!
 }
+
+# Sends it a signal, which must end it, and soon.
+end_by() { # WHAT SIGNAL
+    until [ "$(tr '\0' '\n' <"/proc/$child/cmdline" | head -n 1)" = "$DOMINO" ]; do kill -0 "$child"; done
+    kill -s "$2" "$child"
+    ended_by "$@"
+}
+ended_by() { # WHAT SIGNAL
+    local status
+    timeout 20 tail -s 0.01 --pid="$child" -f /dev/null || kill -KILL "$child"
+    wait "$child" && status=0 || status=$?
+    same "$1: ended by SIG$2" "$((128 + $(kill -l "$2")))" "$status"
+}
+
+teardown() { kill -KILL "${child:-}" 2>/dev/null || :; }
 
 every_file_command() { # SIGNAL
     enter
@@ -25,18 +41,12 @@ every_file_command() { # SIGNAL
     } >all.script
     "$DOMINO" -n -e 'set output csv; curve 0.2 0.6 40' >answer
     touch two log && ln two other
-    local wait status
+    local wait
     # Moments all over the commands; the last come while files are written again and again.
     for wait in 0.005 0.010 0.015 0.020 0.025 0.030 0.035 0.040 0.047 0.053; do
-        timeout -s KILL 20 "$DOMINO" -n all.script >/dev/null 2>&1 3>&- &
+        begin all.script
         sleep "$wait"
-        # The program itself, below timeout.
-        child=$(cat "/proc/$!/task/$!/children")
-        [ -n "$child" ] || { wait $! || :; continue; }
-        until [ "$(tr '\0' ' ' <"/proc/${child% }/cmdline" | cut -d' ' -f1)" = "$DOMINO" ]; do :; done
-        kill -s "$1" "${child% }"
-        wait $! && status=0 || status=$?
-        ended_by "after $wait s" "$1" "$status"
+        end_by "after $wait s" "$1"
         same "drafts" '' "$(drafts)"
         [ ! -e new ] || cmp new answer
         [ ! -s two ] || cmp two answer
@@ -56,21 +66,18 @@ every_file_command() { # SIGNAL
 @test "a limit of processor time leaves no draft" {
     enter
     ulimit -c 0
-    # shellcheck disable=SC2016
-    soon bash -c 'ulimit -St 1; exec "$DOMINO" -n -e "curve 0.01 0.9 10000000 > new"' && status=0 || status=$?
-    ended_by 'after a second' XCPU "$status"
+    ulimit -St 1
+    begin -e 'curve 0.01 0.9 10000000 > new'
+    ended_by 'after a second' XCPU
     same 'what is left' '' "$(inside)"
 }
 
 @test "SIGTERM while gnuplot draws leaves no file" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     enter
-    timeout -s KILL 20 "$DOMINO" -n -e 'animate film.gif 2' >/dev/null 2>&1 3>&- &
-    until [ -n "$(drafts)" ]; do kill -0 $!; done
-    child=$(cat "/proc/$!/task/$!/children")
-    kill -TERM "${child% }"
-    wait $! && status=0 || status=$?
-    ended_by 'the program' TERM "$status"
+    begin -e 'animate film.gif 2'
+    until [ -n "$(drafts)" ]; do kill -0 "$child"; done
+    end_by 'the program' TERM
     same 'what is left' '' "$(inside)"
 }
 
@@ -97,13 +104,13 @@ END
 
 @test "eight that append to one file tear no line" {
     enter
-    "$DOMINO" -n -e 'set output csv; curve 0.2 0.6 40' >answer
+    "$DOMINO" -n -e 'manual; manual; manual' >answer # more than one block
+    echo 'manual; manual; manual' >three
     for _ in {1..8}; do
-        for _ in {1..10}; do echo 'curve 0.2 0.6 40 >> log'; done |
-            timeout -k 1 60 "$DOMINO" -n -e 'set output csv' -f - 3>&- &
+        for _ in {1..25}; do echo 'source three >> log'; done | timeout -k 1 60 "$DOMINO" -n -f - 3>&- &
     done
     wait
-    for _ in {1..80}; do cat answer; done | cmp - log
+    for _ in {1..200}; do cat answer; done | cmp - log
 }
 
 @test "a lock that somebody keeps is reported, and the file is left alone" {
