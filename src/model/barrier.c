@@ -300,6 +300,11 @@ KERNEL real barrier_most(const struct lean *g)
     return g->d * half_of_u(g);
 }
 
+KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)
+{
+    return launch->fuel <= 0 ? DOM_NO_FUEL : launch->kinetic >= b->height ? DOM_OK : DOM_STOPS;
+}
+
 KERNEL real balance_tol(real tol, real left, real whole)
 {
     return left > whole / 4 ? tol : fmin(tol, fmax(tol * left / whole, 4 * REAL_EPSILON));
@@ -378,7 +383,8 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
         status = barrier_error(&g, &b, &b_error);
     if (status != DOM_OK)
         return status;
-    bool fuelled = l.fuel > 0;
+    enum dom_status verdict = barrier_verdict(&l, &b);
+    bool fuelled = verdict != DOM_NO_FUEL;
     real margin = l.kinetic - b.height;
     *barrier = (struct dom_barrier){
         .theta_m = b.theta_m,
@@ -393,5 +399,5 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
             .kinetic = l_error.kinetic,
             .margin = l_error.kinetic + b_error.height + UNIT * fabs(margin),
         };
-    return !fuelled ? DOM_NO_FUEL : margin >= 0 ? DOM_OK : DOM_STOPS;
+    return verdict;
 }

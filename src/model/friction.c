@@ -240,6 +240,13 @@ KERNEL real friction_omegasq(const struct lean *g, real omegasq_0, real theta)
     return exp(ln_G) * (omegasq_0 - u);
 }
 
+KERNEL real friction_left(const struct lean *g, real end, real by)
+{
+    real ln_G, u;
+    friction_at(g, end - by, &ln_G, &u);
+    return -exp(ln_G) * num_linear_moved(&g->flow->solution, end, by);
+}
+
 KERNEL enum dom_status friction_rate(const struct lean *g, struct tilt head, real theta, real *rate)
 {
     struct law law;

@@ -73,6 +73,10 @@ KERNEL enum dom_status friction_rate(const struct lean *lean, struct tilt head, 
 /* J(0) u: the kinetic energy that it takes to come to a tilt. */
 KERNEL real friction_climb(const struct lean *lean, real theta);
 
+/* w at the tilt `by` before `end`, of a motion that is used up there: G (u(end) - u), where nothing cancels.
+ */
+KERNEL real friction_left(const struct lean *lean, real end, real by);
+
 /* w = G (w(0) - u) at a tilt. */
 KERNEL real friction_omegasq(const struct lean *lean, real omegasq_0, real theta);
 

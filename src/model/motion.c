@@ -9,6 +9,7 @@ struct motion {
     real end; /* theta_c, or where the train comes to rest */
     real tol; /* of times: what a small margin leaves of the one that was asked for */
     bool stops;
+    real smooth, root, span; /* of the integral before a stop: see slowness_before */
 };
 
 static enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m)
@@ -16,96 +17,67 @@ static enum dom_status motion_begin(const struct dom_train *train, struct flow *
     enum dom_status status = cycle_whole(train, flow, &m->cycle, false);
     if (status != DOM_OK)
         return status;
-    m->end = tilt_angle(m->cycle.lean.c);
     real margin = m->cycle.launch.kinetic - m->cycle.barrier.height;
-    m->stops = margin < 0;
+    m->stops = cycle_stops(&m->cycle);
     m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
     if (!(m->tol < (real)0.125))
-        return DOM_NOT_CONVERGED; /* as a duration, a time would grow like ln(1/margin) */
-    return m->stops ? cycle_rest(m->cycle, &m->end) : DOM_OK;
+        return DOM_NO_MARGIN; /* as a duration, a time would grow like ln(1/margin) */
+    return cycle_end(&m->cycle, &m->end);
 }
 
 /*
- * H(end) - H(end - delta) for a small delta, as the integral of H' (Gauss, three points): nothing cancels.
- * With friction the same of u.
+ * The slowness before a stop grows like 1/sqrt(end - theta).  In u, theta = end (1 - u^2), it is smooth:
+ * dt/du = 2 end u / (tau omega).  What is left of the energy is H(end) - H(theta), from end - theta itself,
+ * and u runs from root over span as x does from 0 to 1: so nothing cancels, neither at the stop nor at the
+ * launch.
  */
-static enum dom_status motion_drop(const struct lean *g, real end, real delta, real *drop)
-{
-    const real root = sqrt((real)3 / 5);
-    const real place[] = {(1 - root) / 2, (real)1 / 2, (1 + root) / 2};
-    static const int weight[] = {5, 8, 5};
-    *drop = 0;
-    for (int k = 0; k < 3; k++) {
-        struct tilt head;
-        struct sums at;
-        enum dom_status status = lean_tilt(g, end - place[k] * delta, &head);
-        if (status == DOM_OK)
-            status =
-                g->mu > 0 ? friction_rate(g, head, end - place[k] * delta, &at.H1) : chain_sum(g, head, &at);
-        if (status != DOM_OK)
-            return status;
-        *drop += delta * (real)weight[k] / 18 * at.H1;
-    }
-    return DOM_OK;
-}
-
-/* This close to a stop, as a part of its tilt, the energy that is left comes from motion_drop. */
-#define CLOSE ((real)0.01)
-
-/* slowness_before of a train with friction: w = G (u(end) - u(theta)). */
-static real rubbing_before(struct motion *m, real theta, real delta, real root)
-{
-    struct cycle *c = &m->cycle;
-    real ln_G, u;
-    friction_at(&c->lean, theta, &ln_G, &u);
-    real left = c->launch.omegasq - u;
-    if (c->status == DOM_OK && root * root < CLOSE)
-        c->status = motion_drop(&c->lean, m->end, delta, &left);
-    return c->status == DOM_OK && left > 0 ? 2 * m->end * root / sqrt(exp(ln_G) * left) : REAL_NAN;
-}
-
-/*
- * With theta = end (1 - u^2) the slowness before a stop, which grows like 1/sqrt(end - theta), is smooth:
- * dt/du = 2 end u / (tau omega), and at u = 0 the limit of that.
- */
-static real slowness_before(real u, void *context)
+static real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct cycle *c = &m->cycle;
-    struct tilt head;
+    struct tilt head, rest;
     struct sums at = {.J = 1};
-    real delta = m->end * u * u, theta = m->end - delta, left = 0;
+    /* At the stop it is flat, to rounding, where the energy that is left would underflow. */
+    real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
+    real delta = fmin(m->end * u * u, m->end - m->smooth), theta = m->end - delta, left = 0;
     c->status = lean_tilt(&c->lean, theta, &head);
-    if (c->lean.mu > 0)
-        return rubbing_before(m, theta, delta, u);
-    if (c->status == DOM_OK)
-        c->status = u * u < CLOSE ? chain_sum(&c->lean, head, &at) : chain_rise(&c->lean, head, &at, NULL);
-    left = c->launch.kinetic - at.dH;
-    if (c->status == DOM_OK && u * u < CLOSE)
-        c->status = motion_drop(&c->lean, m->end, delta, &left);
+    if (c->status == DOM_OK && c->lean.mu > 0)
+        left = friction_left(&c->lean, m->end, delta); /* w, as J w with J = 1 */
+    else if (c->status == DOM_OK)
+        c->status = lean_tilt(&c->lean, m->end, &rest);
+    if (c->status == DOM_OK && c->lean.mu == 0) {
+        c->status = chain_rise_by(&c->lean, rest, head, -delta, &at);
+        left = -at.dH;
+    }
     return c->status == DOM_OK && left > 0 ? 2 * m->end * u * sqrt(at.J / left) : REAL_NAN;
+}
+
+/* The time from m->smooth to a tilt before the stop. */
+static enum dom_status motion_time_before(struct motion *m, real to, real *time)
+{
+    real part = 0, far = sqrt((m->end - m->smooth) / m->end);
+    m->root = sqrt(fmax((m->end - to) / m->end, 0));
+    m->span = (to - m->smooth) / m->end / (far + m->root);
+    enum num_status solver = num_integral(slowness_before, m, 0, 1, m->tol, &part, NULL);
+    *time += m->span * part;
+    return model_status(m->cycle.status, solver);
 }
 
 /* Time from one tilt to another. */
 static enum dom_status motion_time(struct motion *m, real from, real to, real *time)
 {
     const struct barrier *b = &m->cycle.barrier;
-    real smooth = to, part = 0;
+    m->smooth = to;
     *time = 0;
     if (to <= from)
         return DOM_OK;
     if (m->stops) { /* the last piece before the stop has an end like no other */
-        smooth = from;
+        m->smooth = from;
         for (int i = 0; i < b->edges; i++)
-            smooth = b->edge[i] < to ? fmax(smooth, b->edge[i]) : smooth;
+            m->smooth = b->edge[i] < m->end ? fmax(m->smooth, fmin(b->edge[i], to)) : m->smooth;
     }
-    enum dom_status status = cycle_integral(&m->cycle, slowness, from, smooth, m->tol, time, NULL);
-    if (status != DOM_OK || !m->stops)
-        return status;
-    enum num_status solver = num_integral(slowness_before, m, sqrt(fmax(1 - to / m->end, 0)),
-                                          sqrt(1 - smooth / m->end), m->tol, &part, NULL);
-    *time += part;
-    return model_status(m->cycle.status, solver);
+    enum dom_status status = cycle_integral(&m->cycle, slowness, from, m->smooth, m->tol, time, NULL);
+    return status == DOM_OK && m->smooth < to ? motion_time_before(m, to, time) : status;
 }
 
 KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)

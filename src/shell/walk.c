@@ -62,15 +62,6 @@ static bool contact_seen(const struct dom_force *f, void *context)
     return true;
 }
 
-bool walk_status(struct session *session, enum dom_status status)
-{
-    if (status != DOM_NOT_CONVERGED)
-        return session_status(session, status);
-    return session_no_answer(
-        session, "the margin is 0 to rounding: times grow like ln(1/margin) and have no value here; "
-                 "a slightly smaller r has");
-}
-
 enum { CONTACT_SAMPLES = 48, CONTACT_ZOOMS = 4 };
 
 /* Between two tilts, ever closer around the smallest force. */

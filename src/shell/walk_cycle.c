@@ -111,7 +111,7 @@ bool cycle_run(struct session *session, const struct call *call)
         status = cycle_rows(session, call, events, count);
     a->columns = cycle_columns;
     if (status != DOM_OK)
-        return walk_status(session, status);
+        return session_status(session, status);
     struct dom_state last;
     if (session->train.mu > 0 &&
         dom_cycle_state(&session->train, events[count - 1].theta, &last, NULL) == DOM_OK)

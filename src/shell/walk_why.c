@@ -106,7 +106,7 @@ bool why_run(struct session *session, const struct call *call)
     if (status == DOM_OK || status == DOM_NO_FUEL)
         status = dom_limit_rmax(&session->train, &limit, ERROR_OF(session, limit_error), NULL);
     if (status != DOM_OK)
-        return walk_status(session, status);
+        return session_status(session, status);
     why_say(session, a, verdict, &b, &limit);
     struct walk_contact contact;
     struct dom_event events[DOM_EVENTS_MAX];

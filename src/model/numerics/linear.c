@@ -142,14 +142,50 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     return NUM_OK;
 }
 
-KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *v)
+/* The panel that x is on. */
+static int panel_of(const struct num_linear *s, real x)
 {
     int k = s->panels - 1;
     while (k > 0 && x < s->panel[k].lo)
         k--;
-    const struct num_panel *panel = &s->panel[k];
+    return k;
+}
+
+KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *v)
+{
+    const struct num_panel *panel = &s->panel[panel_of(s, x)];
     real u = (x - panel->lo - (panel->hi - x)) / (panel->hi - panel->lo);
     u = fmin(fmax(u, -1), 1);
     *ln_G = series_at(panel->ln_G, N + 1, u);
     *v = series_at(panel->v, N + 1, u);
+}
+
+/* The series at x less that at x - by: T_k(x) - T_k(x - by) has a recurrence of its own, in which nothing
+ * cancels. */
+static real series_moved(const real *series, int n, real x, real by)
+{
+    real y = x - by, T = 1, T_next = y, moved = 0, moved_next = by, sum = 0;
+    for (int k = 1; k < n; k++) {
+        sum += series[k] * moved_next;
+        real T_then = 2 * y * T_next - T, moved_then = 2 * x * moved_next + 2 * by * T_next - moved;
+        T = T_next;
+        T_next = T_then;
+        moved = moved_next;
+        moved_next = moved_then;
+    }
+    return sum;
+}
+
+KERNEL real num_linear_moved(const struct num_linear *s, real x, real by)
+{
+    real sum = 0;
+    for (int k = panel_of(s, x); by > 0 && k >= 0; k--) {
+        const struct num_panel *panel = &s->panel[k];
+        real width = panel->hi - panel->lo, part = k == 0 ? by : fmin(by, x - panel->lo);
+        real u = fmin(fmax((x - panel->lo - (panel->hi - x)) / width, -1), 1);
+        sum += series_moved(panel->v, N + 1, u, 2 * part / width);
+        by -= part;
+        x = panel->lo;
+    }
+    return sum;
 }

@@ -53,4 +53,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
 /* ln G and v at x, which is inside, or an end. */
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);
 
+/* v(x) - v(x - by), as right as v' is, however small `by` is. */
+KERNEL real num_linear_moved(const struct num_linear *solution, real x, real by);
+
 #endif
