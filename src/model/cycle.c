@@ -149,11 +149,14 @@ KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real the
     return DOM_OK;
 }
 
-/* Of the tilt where the energy is used up: what is left of it and may be wrong with it, over its slope. */
-static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error)
+/*
+ * Of the tilt where the energy is used up: what is left of it and may be wrong with it, over its slope.
+ * energy, unless NULL, gets what that tilt leaves open of the energy.
+ */
+static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
 {
     struct tilt head;
-    struct sums at, e;
+    struct sums at = {0}, e = {0};
     enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
     if (status == DOM_OK)
         status = chain_rise(&cycle->lean, head, &at, &e);
@@ -161,6 +164,8 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
                      (1 + 4 * cycle->lean.tol) + /* to second order in a loose tolerance */
                  4 * UNIT * theta;
+    if (energy)
+        *energy = fabs(at.H1) * (real)*error;
     return status;
 }
 
@@ -179,7 +184,7 @@ KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta
     if (status == DOM_OK && error && cycle.lean.mu > 0)
         *error = DOM_NAN;
     else if (status == DOM_OK && error)
-        status = stop_error(&cycle, stop, error);
+        status = stop_error(&cycle, stop, error, NULL);
     if (status == DOM_OK)
         *theta = stop;
     return status;

@@ -201,12 +201,24 @@ static enum dom_status motion_acceleration(const struct lean *g, struct tilt hea
 
 /*
  * Of the time up to theta: the integral of the slowness's bound, and what the tolerance leaves.  Towards a
- * stop, where the slowness has no bound, the rounding of the energy counts through m->tol alone.
+ * stop, where the slowness has no bound, the rounding of the energy counts through m->tol, and through the
+ * tilt of the stop.  Off by of_end, this shifts times by of_end / omega, and by no more than the time from
+ * there on; early on, by half the share of the energy that it leaves open.
  */
-static enum dom_status time_error(struct motion *m, real theta, real time, real *error)
+static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
-    real of_speed = 0;
+    real of_speed = 0, theta = (real)state->theta, time = (real)state->time;
     enum num_status solver = NUM_OK;
+    if (m->stops) {
+        dom_real of_end;
+        real energy, w = (real)state->omegasq;
+        enum dom_status status = stop_error(&m->cycle, m->end, &of_end, &energy);
+        if (status != DOM_OK)
+            return status;
+        of_speed = (real)of_end / sqrt(w + fabs((real)state->acceleration) * (real)of_end);
+        if (w > 0)
+            of_speed = fmin(of_speed, time * energy / (2 * (real)state->kinetic));
+    }
     if (!m->stops && theta > 0)
         solver = num_integral(slowness_error, &m->cycle, 0, theta, (real)0.125, &of_speed, NULL);
     *error = 2 * of_speed + (real)(m->stops ? 64 : 1) * fmax(m->tol, 8 * UNIT) * time;
@@ -296,7 +308,7 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     if (rubs)
         of_time = REAL_NAN;
     else
-        status = time_error(&m, theta, time, &of_time);
+        status = time_error(&m, state, &of_time);
     *error = (struct dom_state){
         .time = of_time,
         .omegasq = omegasq_error,
