@@ -378,6 +378,19 @@ typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
                                  void *context);
 
+/* Whether the dominoes stay in contact: > 0 where they do.  Infinite where there is no contact in the cycle.
+ */
+struct dom_least_force {
+    dom_real force;   /* the smallest of the cycle, in the weight of the domino that it pushes */
+    dom_real theta;   /* the tilt of the head then */
+    size_t domino;    /* that is pushed, 0 = head */
+    dom_real impulse; /* the smallest of the collision, in m g tau of the head */
+};
+
+/* Over the cycle, or up to where the train stops, to about 1e-5 of the force.  Statuses as dom_cycle_state.
+ */
+enum dom_status dom_cycle_least_force(const struct dom_train *train, struct dom_least_force *least);
+
 /*
  * The friction coefficient that the floor needs so that no hinge slips: |R_x| / R_z of the floor's force, and
  * of its impulse in the collision; infinite where a domino would be lifted off it.

@@ -74,6 +74,7 @@ KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_flo
     struct flow flow;
     struct need need = {0};
     enum dom_status status = motion_begin(train, &flow, &m);
+    m.cycle.lean.tol = fmax(m.cycle.lean.tol, FORCES_TOL);
     for (int i = 1; status == DOM_OK && i < m.cycle.barrier.edges; i++) {
         const real *edge = m.cycle.barrier.edge, inside = 16 * REAL_EPSILON;
         real lo = i == 1 ? 0 : edge[i - 1] * (1 + inside), hi = fmin(edge[i] * (1 - inside), m.end);
@@ -81,6 +82,7 @@ KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_flo
         if (lo < hi)
             status = floor_over(&path, &need);
     }
+    motion_end(&m);
     if (status != DOM_OK)
         return status;
     if (train->work)

@@ -130,6 +130,11 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, 
     ASK(train, cycle_forces, train, theta, visit, context);
 }
 
+enum dom_status dom_cycle_least_force(const struct dom_train *train, struct dom_least_force *least)
+{
+    ASK(train, cycle_least_force, train, least);
+}
+
 enum dom_status dom_cycle_floor(const struct dom_train *train, struct dom_floor *floor)
 {
     ASK(train, cycle_floor, train, floor);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One cycle as it runs: events, times, accelerations. */
 #include "barrier.h"
+#include "forces.h"
+#include <stdlib.h>
 
 /* ---- Times ---- */
 
@@ -10,10 +12,12 @@ struct motion {
     real tol; /* of times: what a small margin leaves of the one that was asked for */
     bool stops;
     real smooth, root, span; /* of the integral before a stop: see slowness_before */
+    struct room room;        /* for forces */
 };
 
 static enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m)
 {
+    m->room = (struct room){0};
     enum dom_status status = cycle_whole(train, flow, &m->cycle, false);
     if (status != DOM_OK)
         return status;
@@ -23,6 +27,11 @@ static enum dom_status motion_begin(const struct dom_train *train, struct flow *
     if (!(m->tol < (real)0.125))
         return DOM_NO_MARGIN; /* as a duration, a time would grow like ln(1/margin) */
     return cycle_end(&m->cycle, &m->end);
+}
+
+static void motion_end(struct motion *m)
+{
+    free(m->room.list);
 }
 
 /*
@@ -174,29 +183,32 @@ KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_,
 static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration,
                                            size_t *n)
 {
+    struct sum_state a = {0};
     struct sums at;
     struct law law;
-    enum dom_status status = chain_sum(g, head, &at);
-    if (status == DOM_OK)
-        *n = at.n;
-    if (status == DOM_OK && g->mu > 0) {
-        status = friction_law(g, head, &law);
-        *acceleration = (law.C - law.B * w) / law.A;
-    }
-    if (status != DOM_OK || g->mu > 0)
-        return status;
     struct link k = link_head(g, head);
     real half_J1 = 0, bend = 0;
-    for (size_t i = 0; i < at.n; i++) {
+    for (;;) {
+        enum dom_status status = chain_watch(g, k.i);
+        if (status != DOM_OK)
+            return status;
+        add_J(&a, &k);
+        add_H1(&a, &k);
         half_J1 += k.inertia * k.slope * bend;
-        if (!k.leads || i + 1 == at.n)
+        if (k.i + 1 >= g->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, g->tol)))
             break;
         struct link leader = k;
         link_next(&k);
         bend = link_bend(&leader, bend, &k);
     }
+    enum dom_status status = sum_result(g, &a, 0, k.i + 1, &at);
+    *n = at.n;
     *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
-    return DOM_OK;
+    if (status == DOM_OK && g->mu > 0) {
+        status = friction_law(g, head, &law);
+        *acceleration = (law.C - law.B * w) / law.A;
+    }
+    return status;
 }
 
 /*

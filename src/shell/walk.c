@@ -49,69 +49,6 @@ void walk_columns_in(const struct session *session, struct answer *a, struct col
     a->columns = room;
 }
 
-/* ---- Contact ---- */
-
-static bool contact_seen(const struct dom_force *f, void *context)
-{
-    struct walk_contact *c = context;
-    if (f->of_own < c->force) {
-        c->force = f->of_own;
-        c->domino = f->i;
-    }
-    c->impulse = isfinite(f->impulse) ? fmin(c->impulse, f->impulse) : c->impulse;
-    return true;
-}
-
-enum { CONTACT_SAMPLES = 48, CONTACT_ZOOMS = 4 };
-
-/* Between two tilts, ever closer around the smallest force. */
-static enum dom_status contact_between(const struct dom_train *train, dom_real lo, dom_real hi,
-                                       struct walk_contact *contact)
-{
-    for (int zoom = 0; zoom < CONTACT_ZOOMS; zoom++) {
-        dom_real step = (hi - lo) / CONTACT_SAMPLES, lowest = lo;
-        struct walk_contact best = {.force = (dom_real)INFINITY};
-        for (int k = 0; k <= CONTACT_SAMPLES; k++) {
-            struct walk_contact here = {.force = (dom_real)INFINITY, .impulse = contact->impulse};
-            dom_real theta = k < CONTACT_SAMPLES ? lo + k * step : hi;
-            enum dom_status status = dom_cycle_forces(train, theta, contact_seen, &here);
-            if (status != DOM_OK)
-                return status;
-            contact->impulse = here.impulse;
-            here.theta = theta;
-            if (here.force < best.force) {
-                best = here;
-                lowest = theta;
-            }
-        }
-        if (best.force < contact->force) {
-            best.impulse = contact->impulse;
-            *contact = best;
-        }
-        lo = fmax(lowest - step, lo);
-        hi = fmin(lowest + step, hi);
-    }
-    return DOM_OK;
-}
-
-enum dom_status walk_contact(const struct dom_train *train, struct walk_contact *contact)
-{
-    struct dom_event events[DOM_EVENTS_MAX];
-    int count;
-    *contact = (struct walk_contact){.force = (dom_real)INFINITY, .impulse = (dom_real)INFINITY};
-    enum dom_status status = dom_cycle_events(train, events, &count);
-    status = status == DOM_STOPS ? DOM_OK : status;
-    /* A force jumps where a follower leaves: up to there and from there. */
-    dom_real from = 0;
-    for (int k = 1; k < count && status == DOM_OK; k++)
-        if (events[k].kind == DOM_EVENT_FALL || k + 1 == count) {
-            dom_real to = events[k].theta;
-            status = contact_between(train, from, to * (1 - (dom_real)1e-12), contact);
-            from = to * (1 + (dom_real)1e-12);
-        }
-    return status;
-}
-
 /* ---- In words ---- */
 
 static double percent(dom_real part, dom_real whole)

@@ -117,8 +117,9 @@ bool cycle_run(struct session *session, const struct call *call)
         dom_cycle_state(&session->train, events[count - 1].theta, &last, NULL) == DOM_OK)
         answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
                    (double)(last.rubbed * walk_units(session, 1).energy), walk_units(session, 1).energy_unit);
-    struct walk_contact contact;
-    if (answer_for_people(a) && walk_contact(&session->train, &contact) == DOM_OK && isfinite(contact.force))
+    struct dom_least_force contact;
+    if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK &&
+        isfinite(contact.force))
         answer_say(
             a, "Dominoes stay in contact: the smallest contact force is %.4g times the weight of its domino.",
             (double)contact.force);
