@@ -362,6 +362,19 @@ enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, s
 /* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TILT. */
 enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta);
 
+/* How the rows of dom_cycle_walk are spaced. */
+enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
+
+/*
+ * Calls visit for `rows` states of the cycle evenly in time or in tilt, and for each event (else NULL), in
+ * order; it returns false to end the walk early.  Its error is NULL unless errors are asked for.  Statuses as
+ * dom_cycle_events, DOM_STOPS after all rows; many states cost far less than as many dom_cycle_state.
+ */
+typedef bool dom_state_visit(const struct dom_state *state, const struct dom_state *error,
+                             const struct dom_event *event, void *context);
+enum dom_status dom_cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by, bool errors,
+                               dom_state_visit *visit, void *context);
+
 /* Domino i, and the contact of the follower that leans on it. */
 struct dom_force {
     size_t i;

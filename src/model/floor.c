@@ -73,7 +73,7 @@ KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_flo
     struct motion m;
     struct flow flow;
     struct need need = {0};
-    enum dom_status status = motion_begin(train, &flow, &m);
+    enum dom_status status = motion_begin(train, &flow, &m, false);
     m.cycle.lean.tol = fmax(m.cycle.lean.tol, FORCES_TOL);
     for (int i = 1; status == DOM_OK && i < m.cycle.barrier.edges; i++) {
         const real *edge = m.cycle.barrier.edge, inside = 16 * REAL_EPSILON;

@@ -191,7 +191,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     struct tilt head = {0, 1, 0};
     struct pace pace = {0};
     real theta = (real)theta_;
-    enum dom_status status = motion_begin(train, &flow, &m);
+    enum dom_status status = motion_begin(train, &flow, &m, false);
     if (status == DOM_OK)
         status = lean_tilt(&m.cycle.lean, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
@@ -282,7 +282,7 @@ KERNEL enum dom_status cycle_least_force(const struct dom_train *train, struct d
 {
     struct flow flow;
     struct least_context c = {.least = (real)INFINITY, .impulse = (real)INFINITY};
-    enum dom_status status = motion_begin(train, &flow, &c.motion);
+    enum dom_status status = motion_begin(train, &flow, &c.motion, false);
     if (status != DOM_OK)
         return status;
     const struct barrier *b = &c.motion.cycle.barrier;

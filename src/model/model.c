@@ -124,6 +124,12 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom
     ASK(train, cycle_tilt, train, time, theta);
 }
 
+enum dom_status dom_cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by, bool errors,
+                               dom_state_visit *visit, void *context)
+{
+    ASK(train, cycle_walk, train, rows, by, errors, visit, context);
+}
+
 enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
                                  void *context)
 {

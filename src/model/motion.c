@@ -15,10 +15,11 @@ struct motion {
     struct room room;        /* for forces */
 };
 
-static enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m)
+static enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m,
+                                    bool errors)
 {
     m->room = (struct room){0};
-    enum dom_status status = cycle_whole(train, flow, &m->cycle, false);
+    enum dom_status status = cycle_whole(train, flow, &m->cycle, errors);
     if (status != DOM_OK)
         return status;
     real margin = m->cycle.launch.kinetic - m->cycle.barrier.height;
@@ -89,24 +90,21 @@ static enum dom_status motion_time(struct motion *m, real from, real to, real *t
     return status == DOM_OK && m->smooth < to ? motion_time_before(m, to, time) : status;
 }
 
-KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
+/* The events without their times. */
+static enum dom_status motion_events(const struct motion *m, struct dom_event *events, int *count)
 {
-    struct motion m;
-    struct flow flow;
     bool leaves;
     struct tilt leave;
     size_t domino = 0;
-    enum dom_status status = motion_begin(train, &flow, &m);
-    if (status == DOM_OK)
-        status = chain_leave(&m.cycle.lean, &leaves, &leave, &domino);
+    enum dom_status status = chain_leave(&m->cycle.lean, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    real top = m.cycle.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
+    real top = m->cycle.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
     int n = 0;
     events[n++] = (struct dom_event){.kind = DOM_EVENT_LAUNCH};
-    if (top > 0 && top < m.end)
+    if (top > 0 && top < m->end)
         events[n++] = (struct dom_event){.kind = DOM_EVENT_TOP, .theta = top};
-    if (leaves && fall < m.end) {
+    if (leaves && fall < m->end) {
         int at = n++;
         bool first = at > 1 && fall < top;
         if (first)
@@ -114,7 +112,19 @@ KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_ev
         events[first ? at - 1 : at] =
             (struct dom_event){.kind = DOM_EVENT_FALL, .theta = fall, .domino = domino};
     }
-    events[n++] = (struct dom_event){.kind = m.stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m.end};
+    events[n++] = (struct dom_event){.kind = m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m->end};
+    *count = n;
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
+{
+    struct motion m;
+    struct flow flow;
+    int n = 0;
+    enum dom_status status = motion_begin(train, &flow, &m, false);
+    if (status == DOM_OK)
+        status = motion_events(&m, events, &n);
     for (int i = 1; i < n && status == DOM_OK; i++) {
         real step = 0;
         status = motion_time(&m, (real)events[i - 1].theta, (real)events[i].theta, &step);
@@ -122,59 +132,6 @@ KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_ev
     }
     *count = status == DOM_OK ? n : 0;
     return status == DOM_OK && m.stops ? DOM_STOPS : status;
-}
-
-/*
- * The tilt at a time, by Newton, whose derivative is omega, and halving where that leaves the bracket;
- * *at is where it begins and where it ends.
- */
-static enum dom_status tilt_search(struct motion *m, real time, real tol, real *at)
-{
-    real lo = 0, hi = m->end;
-    m->tol = tol;
-    for (int i = 0; i < 200; i++) {
-        real omegasq = 0, passed = 0;
-        enum dom_status status = cycle_speed(&m->cycle, *at, &omegasq, NULL);
-        if (status == DOM_OK)
-            status = motion_time(m, 0, *at, &passed);
-        if (status != DOM_OK)
-            return status;
-        real off = time - passed, next = *at + off * sqrt(fmax(omegasq, 0));
-        *(off >= 0 ? &lo : &hi) = *at;
-        if (!(next > lo && next < hi))
-            next = (lo + hi) / 2;
-        bool there = fabs(next - *at) <= fmax(tol, 4 * REAL_EPSILON) * m->end;
-        *at = next;
-        if (there)
-            return DOM_OK;
-    }
-    return DOM_NOT_CONVERGED;
-}
-
-KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_, dom_real *theta)
-{
-    struct motion m;
-    struct flow flow;
-    real time = (real)time_, whole = 0, at = 0;
-    enum dom_status status = motion_begin(train, &flow, &m);
-    if (status == DOM_OK)
-        status = motion_time(&m, 0, m.end, &whole);
-    if (status != DOM_OK)
-        return status;
-    if (!(time >= 0 && time <= whole * (1 + 4 * REAL_EPSILON)))
-        return DOM_BAD_TILT;
-    if (time == 0 || time >= whole) {
-        *theta = time == 0 ? 0 : m.end;
-        return DOM_OK;
-    }
-    /* Cheap integrals lead close by; then each step doubles the digits. */
-    const real tol = m.tol;
-    status = tilt_search(&m, time, fmax(tol, (real)1e-8), &at);
-    if (status == DOM_OK && tol < (real)1e-8)
-        status = tilt_search(&m, time, tol, &at);
-    if (status == DOM_OK)
-        *theta = at;
-    return status;
 }
 
 /* ---- Accelerations ---- */
@@ -256,40 +213,32 @@ static enum dom_status fallen_energy(const struct lean *g, real theta, real *lef
     return status;
 }
 
-KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta_, struct dom_state *state,
-                                   struct dom_state *error)
+/* The state at a tilt; time NaN: not known yet. */
+static enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state,
+                                    struct dom_state *error)
 {
-    struct motion m;
-    struct flow flow;
+    struct cycle *c = &m->cycle;
     struct tilt head;
     struct sums at, e = {0};
     struct fuel fuel, fuel_error = {0};
-    real theta = (real)theta_, omegasq = 0, omegasq_error = 0, time = 0, acceleration = 0;
+    real omegasq = 0, omegasq_error = 0, acceleration = 0;
     size_t matter;
-    enum dom_status status = motion_begin(train, &flow, &m);
-    if (status != DOM_OK)
-        return status;
-    struct cycle *c = &m.cycle;
-    status = lean_tilt(&c->lean, theta, &head);
-    if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
+    enum dom_status status = lean_tilt(&c->lean, theta, &head);
+    if (status == DOM_OK && theta > m->end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
-    theta = fmin(theta, m.end);
+    theta = fmin(theta, m->end);
     bool rubs = c->lean.mu > 0;
-    if (status == DOM_OK && error && rubs)
-        c->launch_error = (struct launch){REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN};
-    else if (status == DOM_OK && error)
-        status = collision_launch(&c->lean, train->fuel, &c->launch, &c->launch_error);
     if (status == DOM_OK)
         status = chain_rise(&c->lean, head, &at, error ? &e : NULL);
     if (status == DOM_OK)
         status = cycle_speed(c, theta, &omegasq, error ? &omegasq_error : NULL);
     /* At the stop it is 0, which rounding hides. */
-    bool rests = m.stops && theta >= m.end * (1 - 4 * REAL_EPSILON);
+    bool rests = m->stops && theta >= m->end * (1 - 4 * REAL_EPSILON);
     omegasq = rests ? 0 : fmax(omegasq, 0);
     if (status == DOM_OK)
         status = fallen_energy(&c->lean, theta, &at.left);
-    if (status == DOM_OK)
-        status = motion_time(&m, 0, theta, &time);
+    if (status == DOM_OK && isnan(time))
+        status = motion_time(m, 0, theta, &time);
     if (status == DOM_OK)
         status = motion_acceleration(&c->lean, head, omegasq, &acceleration, &matter);
     if (status == DOM_OK)
@@ -298,8 +247,8 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         return status;
     /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
     real keeps = c->launch.keeps;
-    real after =
-        rubs ? flow.J_c * c->launch.omegasq / (c->lean.r * keeps * keeps) : c->launch.kinetic + fuel.exact;
+    real after = rubs ? c->lean.flow->J_c * c->launch.omegasq / (c->lean.r * keeps * keeps)
+                      : c->launch.kinetic + fuel.exact;
     real before = c->lean.weight * after, J0 = c->launch.J0;
     *state = (struct dom_state){
         .theta = theta,
@@ -320,7 +269,7 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
     if (rubs)
         of_time = REAL_NAN;
     else
-        status = time_error(&m, state, &of_time);
+        status = time_error(m, state, &of_time);
     *error = (struct dom_state){
         .time = of_time,
         .omegasq = omegasq_error,
@@ -332,4 +281,13 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
         .lost = (of_before + before * c->launch_error.J0 / J0) / J0 + UNIT * before,
     };
     return status;
+}
+
+KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state,
+                                   struct dom_state *error)
+{
+    struct motion m;
+    struct flow flow;
+    enum dom_status status = motion_begin(train, &flow, &m, error != NULL);
+    return status == DOM_OK ? motion_state(&m, (real)theta, REAL_NAN, state, error) : status;
 }

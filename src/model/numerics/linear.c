@@ -26,30 +26,6 @@ static void series_of(const real *node, const real *value, real *series)
     series[0] /= 2;
 }
 
-/* Clenshaw. */
-static real series_at(const real *series, int n, real x)
-{
-    real b = 0, before = 0;
-    for (int k = n - 1; k > 0; k--) {
-        real next = 2 * x * b - before + series[k];
-        before = b;
-        b = next;
-    }
-    return x * b - before + series[0];
-}
-
-/* The integral from -1 times half, as a series of N + 1 terms that is `start` at -1. */
-static void series_integral(const real *series, real half, real start, real *integral)
-{
-    real at_left = 0;
-    for (int k = 1; k <= N; k++) {
-        real below = k == 1 ? 2 * series[0] : series[k - 1], above = k + 1 < N ? series[k + 1] : 0;
-        integral[k] = half * (below - above) / (2 * (real)k);
-        at_left += k % 2 ? -integral[k] : integral[k];
-    }
-    integral[0] = start - at_left;
-}
-
 /*
  * What the series leaves out, by its last terms; they never die below the noise of the values, or a few units
  * each.
@@ -100,7 +76,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         largest = fmax(largest, fabs(series[k]));
     if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise))
         return false;
-    series_integral(series, half, ln_G, panel->ln_G);
+    series_integral(series, N, half, ln_G, panel->ln_G);
     for (int j = 0; j < N; j++) {
         real by = exp(-series_at(panel->ln_G, N + 1, node[j]));
         at.c[j] *= by;
@@ -109,7 +85,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
     series_of(node, at.c, series);
     if (!series_died(series, tol, at.c_noise * shrunk))
         return false;
-    series_integral(series, half, v, panel->v);
+    series_integral(series, N, half, v, panel->v);
     return true;
 }
 
