@@ -171,7 +171,7 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
         rubbing_next(&k);
     }
     friction_count(g, k.link.i + 1);
-    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost, B.size, C.size};
+    *law = (struct law){A.sum + A.lost, B.sum + B.lost, C.sum + C.lost, B.size, C.size, k.link.i + 1};
     return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
@@ -196,9 +196,13 @@ KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, re
     return isfinite(*drive) ? DOM_OK : DOM_NOT_FINITE;
 }
 
+/* Of all passes of a flow, some hundred: in double they take half a second. */
+#define FLOW_DOMINOES ((size_t)8000000)
+
 struct flow_context {
     const struct lean *lean;
     enum dom_status status;
+    size_t dominoes; /* so far */
 };
 
 /* dw/dtheta = -2 B / A w + 2 C / A. */
@@ -210,6 +214,9 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
     f->status = lean_tilt(f->lean, theta, &head);
     if (f->status == DOM_OK)
         f->status = friction_law(f->lean, head, &law);
+    f->dominoes += f->status == DOM_OK ? law.n : 0;
+    if (f->dominoes > FLOW_DOMINOES)
+        f->status = DOM_TOO_LONG;
     /* With A <= 0 no acceleration fits the forces (Painleve): the train is locked. */
     if (f->status == DOM_OK && law.A <= 0)
         f->status = DOM_LOCKS;

@@ -47,6 +47,7 @@ struct flow {
 struct law {
     real A, B, C;
     real B_size, C_size; /* of all terms, whatever their signs: what their roundings are relative to */
+    size_t n;            /* dominoes followed */
 };
 
 KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);

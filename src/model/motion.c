@@ -136,7 +136,26 @@ KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_ev
 
 /* ---- Accelerations ---- */
 
-/* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w. */
+/* The rest of J, H1 and J'/2 from this domino on, where it is near enough to theta_inf (far_near). */
+static bool acceleration_closes(const struct link *k, real bend, struct sum_state *a, real *half_J1)
+{
+    const struct lean *g = k->lean;
+    const struct far *far = &g->far;
+    if (g->n != CHAIN_ENDLESS || g->falls_off || g->behind)
+        return false;
+    real e = far_off(g, k->tilt), H1 = k->weight * k->slope, J = k->inertia * k->slope * k->slope;
+    if (e > g->inf.x / 16 || !far_done(&a->H1, H1 * far->H1, H1 * far->H3 * e * e, g->tol) ||
+        !far_done(&a->J, J * far->J0, J * far->J2 * e * e, g->tol))
+        return false;
+    real J_far = far->J0 - far->J1 * e + far->J2 * e * e / 2, J1_far = far->J1 - far->J2 * e;
+    series_add(&a->H1, H1 * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
+    series_add(&a->J, J * J_far);
+    *half_J1 += k->inertia * k->slope * (bend * J_far + k->slope * k->slope * J1_far / 2);
+    return true;
+}
+
+/* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w.  *n, unless NULL: the
+ * dominoes that matter. */
 static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration,
                                            size_t *n)
 {
@@ -149,6 +168,8 @@ static enum dom_status motion_acceleration(const struct lean *g, struct tilt hea
         enum dom_status status = chain_watch(g, k.i);
         if (status != DOM_OK)
             return status;
+        if (!n && acceleration_closes(&k, bend, &a, &half_J1))
+            break;
         add_J(&a, &k);
         add_H1(&a, &k);
         half_J1 += k.inertia * k.slope * bend;
@@ -159,7 +180,8 @@ static enum dom_status motion_acceleration(const struct lean *g, struct tilt hea
         bend = link_bend(&leader, bend, &k);
     }
     enum dom_status status = sum_result(g, &a, 0, k.i + 1, &at);
-    *n = at.n;
+    if (n)
+        *n = at.n;
     *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
     if (status == DOM_OK && g->mu > 0) {
         status = friction_law(g, head, &law);
@@ -222,7 +244,6 @@ static enum dom_status motion_state(struct motion *m, real theta, real time, str
     struct sums at, e = {0};
     struct fuel fuel, fuel_error = {0};
     real omegasq = 0, omegasq_error = 0, acceleration = 0;
-    size_t matter;
     enum dom_status status = lean_tilt(&c->lean, theta, &head);
     if (status == DOM_OK && theta > m->end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
@@ -240,7 +261,7 @@ static enum dom_status motion_state(struct motion *m, real theta, real time, str
     if (status == DOM_OK && isnan(time))
         status = motion_time(m, 0, theta, &time);
     if (status == DOM_OK)
-        status = motion_acceleration(&c->lean, head, omegasq, &acceleration, &matter);
+        status = motion_acceleration(&c->lean, head, omegasq, &acceleration, NULL);
     if (status == DOM_OK)
         status = energy_fuel(&c->lean, &fuel, error ? &fuel_error : NULL);
     if (status != DOM_OK)
