@@ -400,7 +400,7 @@ struct dom_least_force {
     dom_real impulse; /* the smallest of the collision, in m g tau of the head */
 };
 
-/* Over the cycle, or up to where the train stops, to about 1e-5 of the force.  Statuses as dom_cycle_state.
+/* Over the cycle, or up to where the train stops, to about 1e-5 of that weight.  Statuses as dom_cycle_state.
  */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, struct dom_least_force *least);
 

@@ -139,7 +139,7 @@ KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real the
             return status;
         /* What is left near a stop is known as well as was asked only from finer sums. */
         real needed = balance_tol(cycle.lean.tol, w, cycle.launch.omegasq);
-        if (!(needed < cycle.lean.tol / 4))
+        if (w == 0 || !(needed < cycle.lean.tol / 4))
             break;
         finer.tol = needed;
     }

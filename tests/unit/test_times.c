@@ -227,12 +227,182 @@ static void top_of_one_train(void **state)
     assert_true(fabs((double)(b.theta_m - expected.theta_m)) <= error.theta_m && error.theta_m < 1e-13);
 }
 
+/* What each function of the cycle says of a train: DOM_OK, DOM_STOPS, or another reason to have no verdict.
+ */
+static void one_verdict(const struct dom_train *train, enum dom_status expected)
+{
+    struct dom_angles angles;
+    struct dom_event events[DOM_EVENTS_MAX];
+    struct dom_state s;
+    struct dom_barrier b;
+    dom_real stop, w, time;
+    int n;
+    assert_status(dom_angles_find(train, &angles, NULL), DOM_OK);
+    enum dom_status verdict = dom_barrier_find(train, &b, NULL);
+    if (verdict != expected)
+        fail_train(dom_status_text(verdict), train, 0, (double)b.kinetic, (double)b.barrier);
+    assert_status(dom_cycle_stop(train, &stop, NULL), DOM_OK);
+    assert_int_equal(isnan((double)stop), expected == DOM_OK);
+    assert_status(dom_cycle_omegasq(train, angles.theta_c, &w, NULL), expected);
+    assert_status(dom_cycle_omegasq(train, b.theta_m, &w, NULL), expected);
+    enum dom_status status = dom_cycle_duration(train, &time, NULL);
+    if (status != DOM_NO_MARGIN)
+        assert_status(status, expected);
+    status = dom_cycle_events(train, events, &n);
+    if (status == DOM_NO_MARGIN)
+        return;
+    assert_status(status, expected);
+    assert_status(dom_cycle_state(train, angles.theta_c, &s, NULL), expected);
+    assert_int_equal(events[n - 1].kind, expected == DOM_OK ? DOM_EVENT_HIT : DOM_EVENT_STOP);
+    if (expected == DOM_STOPS) { /* it comes as far as its stop, and no farther */
+        assert_status(dom_cycle_omegasq(train, stop, &w, NULL), DOM_OK);
+        assert_true(w == 0);
+        assert_status(dom_cycle_state(train, stop, &s, NULL), DOM_OK);
+        assert_true(s.omegasq == 0);
+        assert_status(dom_cycle_omegasq(train, stop * (1 + 1e-5), &w, NULL), DOM_STOPS);
+    }
+}
+
+/* Near r_max the verdict is that of quad, at any tolerance, in every function. */
+static void verdicts_near_the_limit(void **state)
+{
+    (void)state;
+    uint64_t seed = 84;
+    int goes = 0, stops = 0;
+    for (int i = 0; i < 120; i++) {
+        struct dom_train train = random_train(&seed), fine;
+        struct dom_limit limit;
+        struct dom_barrier b;
+        train.tol = 1e-12;
+        train.s = random_log(&seed, 0.02, 0.6);
+        train.mu = i % 4 ? 0 : random_log(&seed, 1e-3, 0.5);
+        if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends != DOM_END_BARRIER)
+            continue;
+        train.r = limit.r_max * (1 + (random_unit(&seed) < 0.5 ? -1 : 1) * random_log(&seed, 1e-9, 1e-4));
+        train.r = (double)fmax((double)train.r, 1);
+        fine = in_quad(train);
+        fine.tol = 1e-20;
+        enum dom_status expected = dom_barrier_find(&fine, &b, NULL);
+        if ((expected != DOM_OK && expected != DOM_STOPS) || fabs((double)(b.margin / b.kinetic)) < 1e-11)
+            continue;
+        const double tols[] = {0.1, 0.01, 1e-3, 1e-5, 1e-8, 1e-12};
+        for (int k = 0; k < 6; k++) {
+            train.tol = tols[k];
+            one_verdict(&train, expected);
+        }
+        goes += expected == DOM_OK;
+        stops += expected == DOM_STOPS;
+    }
+    print_message("# %d go on, %d stop\n", goes, stops);
+    assert_true(goes > 25 && stops > 25);
+}
+
+/* A cycle as a table has the times and tilts that single answers give. */
+struct seen {
+    const struct dom_train *train;
+    int rows, events;
+    double before;
+};
+
+static bool state_seen(const struct dom_state *s, const struct dom_state *error,
+                       const struct dom_event *event, void *context)
+{
+    struct seen *seen = context;
+    struct dom_state alone;
+    assert_null(error);
+    assert_status(dom_cycle_state(seen->train, s->theta, &alone, NULL), DOM_OK);
+    double size = fmax((double)alone.time, 1e-300);
+    if (fabs((double)(s->time - alone.time)) > 1e-10 * size + 1e-16)
+        fail_train("time", seen->train, (double)s->theta, (double)s->time, (double)alone.time);
+    assert_true(s->omegasq == alone.omegasq && s->kinetic == alone.kinetic);
+    assert_true((double)s->time >= seen->before);
+    seen->before = (double)s->time;
+    seen->events += event != NULL;
+    seen->rows += !event;
+    return true;
+}
+
+static void tables_and_answers(void **state)
+{
+    (void)state;
+    uint64_t seed = 85;
+    int tables = 0;
+    for (int i = 0; i < 150; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_event events[DOM_EVENTS_MAX];
+        int n;
+        train.tol = 1e-12;
+        train.s = random_log(&seed, 0.05, 1);
+        train.r = fmax(fmin((double)train.r, within_reach(&train)), 1);
+        train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
+        enum dom_status expected = dom_cycle_events(&train, events, &n);
+        struct seen seen = {.train = &train};
+        enum dom_status status =
+            dom_cycle_walk(&train, 7, i % 2 ? DOM_BY_TILT : DOM_BY_TIME, false, state_seen, &seen);
+        assert_status(status, expected);
+        if (expected != DOM_OK && expected != DOM_STOPS)
+            continue;
+        assert_int_equal(seen.events, n);
+        assert_true(seen.rows >= 5 - n);
+        tables++;
+    }
+    assert_true(tables > 50);
+}
+
+/* The smallest contact force is that of many forces along the cycle. */
+static bool force_seen(const struct dom_force *f, void *context)
+{
+    double *least = context;
+    if (f->of_own < *least)
+        *least = (double)f->of_own;
+    return true;
+}
+
+static void least_forces(void **state)
+{
+    (void)state;
+    uint64_t seed = 86;
+    int checked = 0;
+    for (int i = 0; i < 120; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_event events[DOM_EVENTS_MAX];
+        struct dom_least_force found;
+        int n;
+        train.tol = 1e-12;
+        train.s = random_log(&seed, 0.05, 0.95);
+        train.r = fmax(fmin((double)train.r, 0.95 / (double)train.s), 1);
+        train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
+        enum dom_status status = dom_cycle_events(&train, events, &n);
+        if (status != DOM_OK && status != DOM_STOPS)
+            continue;
+        assert_status(dom_cycle_least_force(&train, &found), DOM_OK);
+        double least = INFINITY, end = (double)events[n - 1].theta;
+        for (int k = 0; k <= 500; k++)
+            assert_status(dom_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
+        if (isinf(least) || least > 1e6)
+            continue;
+        /* Between 500 tilts it may be smaller by what a parabola leaves. */
+        if (found.force > least + 1e-5 + 1e-5 * fabs(least) ||
+            found.force < least - 0.02 * fabs(least) - 1e-3)
+            fail_train("least force", &train, (double)found.theta, (double)found.force, least);
+        checked++;
+    }
+    print_message("# %d least forces\n", checked);
+    assert_true(checked > 30);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(times_before_a_stop), cmocka_unit_test(first_moment),
-        cmocka_unit_test(stops_have_times),    cmocka_unit_test(slight_motions),
-        cmocka_unit_test(tops_that_vanish),    cmocka_unit_test(top_of_one_train),
+        cmocka_unit_test(times_before_a_stop),
+        cmocka_unit_test(first_moment),
+        cmocka_unit_test(stops_have_times),
+        cmocka_unit_test(slight_motions),
+        cmocka_unit_test(tops_that_vanish),
+        cmocka_unit_test(top_of_one_train),
+        cmocka_unit_test(verdicts_near_the_limit),
+        cmocka_unit_test(tables_and_answers),
+        cmocka_unit_test(least_forces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
