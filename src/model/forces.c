@@ -211,7 +211,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
 struct least_context {
     struct motion motion;
     real theta, force, least, least_theta, impulse;
-    size_t domino;
+    size_t domino, dominoes; /* the second: in motion */
     enum dom_status status;
 };
 
@@ -244,6 +244,7 @@ static real least_at(real theta, void *context)
     c->status = lean_tilt(g, theta, &head);
     if (c->status == DOM_OK)
         c->status = motion_pace(&c->motion, theta, head, &pace);
+    c->dominoes = pace.n;
     if (c->status == DOM_OK)
         c->status = forces_walk(g, head, &pace, pace.n, least_seen, c);
     return c->status == DOM_OK ? -c->force : REAL_NAN;
@@ -251,28 +252,32 @@ static real least_at(real theta, void *context)
 
 /* A force is smallest where it is between two samples, to a thousandth of their distance. */
 #define LEAST_SAMPLES 24
+#define LEAST_LONG    100000 /* dominoes: a train that long, of a tiny s, moves smoothly, and a third serves */
 #define LEAST_TOL     ((real)1e-3 / LEAST_SAMPLES)
 
 /* Over [lo, hi], where forces do not jump. */
 static enum dom_status least_over(struct least_context *c, real lo, real hi)
 {
-    real value[LEAST_SAMPLES + 1], step = (hi - lo) / LEAST_SAMPLES, at;
+    real value[LEAST_SAMPLES + 1], at;
+    value[0] = least_at(lo, c);
+    const int samples = c->dominoes > LEAST_LONG ? LEAST_SAMPLES / 3 : LEAST_SAMPLES;
+    const real step = (hi - lo) / (real)samples;
     int top = 0;
-    for (int k = 0; k <= LEAST_SAMPLES; k++) {
-        value[k] = least_at(k < LEAST_SAMPLES ? lo + (real)k * step : hi, c);
-        if (c->status != DOM_OK)
-            return c->status;
+    for (int k = 1; k <= samples && c->status == DOM_OK; k++) {
+        value[k] = least_at(k < samples ? lo + (real)k * step : hi, c);
         top = value[k] > value[top] ? k : top;
     }
+    if (c->status != DOM_OK)
+        return c->status;
     real middle = lo + (real)top * step, before = middle - step, behind = middle + step;
     if (top == 0) { /* at the end itself, unless forces fall from there on */
         before = lo;
         middle = lo + step * LEAST_TOL;
-    } else if (top == LEAST_SAMPLES) {
+    } else if (top == samples) {
         behind = hi;
         middle = hi - step * LEAST_TOL;
     }
-    real higher = fmax(value[0], value[LEAST_SAMPLES]), noise = FORCES_TOL * fabs(higher);
+    real higher = fmax(value[0], value[samples]), noise = FORCES_TOL * fabs(higher);
     if (isfinite(value[top]) && least_at(middle, c) > higher + noise)
         num_maximum(least_at, c, before, middle, behind, LEAST_TOL, &at);
     return c->status;
