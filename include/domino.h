@@ -51,6 +51,8 @@ typedef long double dom_real;
     X(NO_FUEL, "the fuel P is not positive: a cycle sets no energy free")                                    \
     X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
     X(LOCKS, "friction locks the train: a contact force passes behind the hinge that it is to turn")         \
+    X(NO_MARGIN, "the margin is 0 to rounding: times grow like ln(1/margin) and have no value here; a "      \
+                 "slightly smaller r has")                                                                   \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
     X(TOO_LONG, "more dominoes matter than can be followed")                                                 \
     X(UNDERFLOW, "r^(2q+1) is beyond the range of the precision; a smaller r or q is not")                   \
@@ -278,7 +280,8 @@ struct dom_barrier {
 };
 
 /*
- * DOM_OK: the train goes on (margin >= 0).  DOM_STOPS: it does not; all members are written.
+ * DOM_OK: the train goes on (margin >= 0).  DOM_STOPS: it does not; all members are written.  Every function
+ * of one cycle gives this same verdict, also where a rough tolerance does not show it: then it is refined.
  * DOM_NO_FUEL: theta_m and barrier are written, the others are NaN.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
@@ -301,8 +304,8 @@ enum dom_status dom_cycle_stop(const struct dom_train *train, dom_real *theta, d
 
 /*
  * Duration of a cycle t_f / tau = integral of 1/(tau omega) over [0, theta_c].  It diverges like
- * ln(1 / margin): where the margin is 0 to rounding it is NOT_CONVERGED, and before that its relative
- * error grows like kinetic / margin times the unit roundoff.  NO_FUEL or STOPS without a whole cycle.
+ * ln(1 / margin): where the margin is 0 to rounding it is NO_MARGIN, and before that its relative error
+ * grows like kinetic / margin times the unit roundoff.  NO_FUEL or STOPS without a whole cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error);
 
@@ -327,7 +330,7 @@ enum { DOM_EVENTS_MAX = 5 };
 
 /*
  * The events of the cycle in their order, at most DOM_EVENTS_MAX.  DOM_STOPS: the last is DOM_EVENT_STOP.
- * DOM_NO_FUEL: there are none.
+ * DOM_NO_FUEL: there are none.  DOM_NO_MARGIN, of all that have a time: see dom_cycle_duration.
  */
 enum dom_status dom_cycle_events(const struct dom_train *train, struct dom_event *events, int *count);
 
@@ -359,6 +362,19 @@ enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, s
 /* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TILT. */
 enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta);
 
+/* How the rows of dom_cycle_walk are spaced. */
+enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
+
+/*
+ * Calls visit for `rows` states of the cycle evenly in time or in tilt, and for each event (else NULL), in
+ * order; it returns false to end the walk early.  Its error is NULL unless errors are asked for.  Statuses as
+ * dom_cycle_events, DOM_STOPS after all rows; many states cost far less than as many dom_cycle_state.
+ */
+typedef bool dom_state_visit(const struct dom_state *state, const struct dom_state *error,
+                             const struct dom_event *event, void *context);
+enum dom_status dom_cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by, bool errors,
+                               dom_state_visit *visit, void *context);
+
 /* Domino i, and the contact of the follower that leans on it. */
 struct dom_force {
     size_t i;
@@ -374,6 +390,19 @@ struct dom_force {
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
                                  void *context);
+
+/* Whether the dominoes stay in contact: > 0 where they do.  Infinite where there is no contact in the cycle.
+ */
+struct dom_least_force {
+    dom_real force;   /* the smallest of the cycle, in the weight of the domino that it pushes */
+    dom_real theta;   /* the tilt of the head then */
+    size_t domino;    /* that is pushed, 0 = head */
+    dom_real impulse; /* the smallest of the collision, in m g tau of the head */
+};
+
+/* Over the cycle, or up to where the train stops, to about 1e-5 of that weight.  Statuses as dom_cycle_state.
+ */
+enum dom_status dom_cycle_least_force(const struct dom_train *train, struct dom_least_force *least);
 
 /*
  * The friction coefficient that the floor needs so that no hinge slips: |R_x| / R_z of the floor's force, and

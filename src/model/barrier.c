@@ -145,7 +145,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     struct sample next = {p, rises(p, c)};
     if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && c->lean->mu > 0) {
         real half;
-        enum num_status status = num_root(slope_of_H, c, last->p, p, tol, &half);
+        enum num_status status =
+            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &half);
         c->status = model_status(c->status, status);
         if (c->status == DOM_OK)
             c->status = barrier_try(c, half, b);
@@ -300,6 +301,11 @@ KERNEL real barrier_most(const struct lean *g)
     return g->d * half_of_u(g);
 }
 
+KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)
+{
+    return launch->fuel <= 0 ? DOM_NO_FUEL : launch->kinetic >= b->height ? DOM_OK : DOM_STOPS;
+}
+
 KERNEL real balance_tol(real tol, real left, real whole)
 {
     return left > whole / 4 ? tol : fmin(tol, fmax(tol * left / whole, 4 * REAL_EPSILON));
@@ -330,36 +336,81 @@ KERNEL real barrier_width(const struct lean *g, struct tilt from, const struct b
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
-/* H''(theta) by a difference that stays inside the cycle; for error bounds its size is enough. */
-static real curvature(struct slope_context *c, real theta, real end)
+/* H' at a tilt: its sign, 0 where rounding hides it, and its size. */
+static enum dom_status sure_slope(const struct lean *g, real theta, int *sign, real *size)
 {
-    real h = sqrt(REAL_EPSILON) * 64 * theta, lo = fmax(theta - h, 0), hi = fmin(theta + h, end);
-    real below = slope_of_H(tan(lo / 2), c), above = c->status == DOM_OK ? slope_of_H(tan(hi / 2), c) : 0;
-    return (above - below) / (hi - lo);
+    struct tilt head;
+    struct sums at, e;
+    enum dom_status status = lean_tilt(g, theta, &head);
+    if (status == DOM_OK)
+        status = chain_rise(g, head, &at, &e);
+    if (status != DOM_OK)
+        return status;
+    *sign = at.H1 > e.H1 ? 1 : at.H1 < -e.H1 ? -1 : 0;
+    *size = fabs(at.H1) + e.H1;
+    return DOM_OK;
+}
+
+/*
+ * How far theta may be from the top, over [first, last]: H rises for sure this far before it, and falls for
+ * sure this far behind, or there the cycle begins or ends.  By H'' that is where H' has changed by twice what
+ * may be wrong with it; where H'' jumps or vanishes, the distance is doubled until it is.
+ */
+static enum dom_status top_error(const struct lean *g, real theta, real first, real last, real *error,
+                                 real *steepest)
+{
+    struct tilt head;
+    struct sums at;
+    int sign = 0;
+    real size = 0, least = 8 * UNIT * theta;
+    enum dom_status status = sure_slope(g, theta, &sign, steepest);
+    if (status == DOM_OK)
+        status = lean_tilt(g, theta, &head);
+    if (status == DOM_OK)
+        status = chain_bend_from(g, standing, head, &at);
+    if (status != DOM_OK)
+        return status;
+    *error = least;
+    bool begins = theta <= first && sign < 0, ends = theta >= last * (1 - 4 * REAL_EPSILON) && sign > 0;
+    if (begins || ends)
+        return DOM_OK;
+    real off = fmax(fmin(2 * *steepest / fabs(at.H2), last), fmax(least, REAL_MIN));
+    for (bool sure = false; !sure; off *= 2) {
+        real lo = theta - off, hi = theta + off;
+        int before = 1, behind = -1;
+        if (lo > first)
+            status = sure_slope(g, lo, &before, &size);
+        *steepest = fmax(*steepest, size);
+        if (status == DOM_OK && hi < last)
+            status = sure_slope(g, hi, &behind, &size);
+        if (status != DOM_OK)
+            return status;
+        *steepest = fmax(*steepest, size);
+        sure = before > 0 && behind < 0;
+        *error = off + least;
+    }
+    return DOM_OK;
 }
 
 KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier *b, struct barrier *error)
 {
     struct tilt head;
     struct sums at, e;
-    struct slope_context c = {.lean = g, .from = standing, .known = -1};
+    real steepest = 0;
     *error = (struct barrier){.theta_m = 0, .height = 0};
     if (g->mu > 0)
         error->theta_m = error->height = REAL_NAN;
-    if (b->theta_m == 0 || g->mu > 0)
+    if (g->mu > 0)
         return DOM_OK;
-    enum dom_status status = lean_tilt(g, b->theta_m, &head);
+    real first = b->edge[0], theta = fmax(b->theta_m, first);
+    enum dom_status status = top_error(g, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
+    if (status == DOM_OK)
+        status = lean_tilt(g, theta, &head);
     if (status == DOM_OK)
         status = chain_rise(g, head, &at, &e);
-    real bend = status == DOM_OK ? fabs(curvature(&c, b->theta_m, b->edge[b->edges - 1])) : 0;
-    if (status != DOM_OK || c.status != DOM_OK)
-        return status != DOM_OK ? status : c.status;
-    /* At an inner top H' vanishes; where it does not, the top is an end of a piece, known as an angle. */
-    real off = (fabs(at.H1) + e.H1) / bend;
-    bool inner = off < (real)0.01 * b->theta_m;
-    error->theta_m = (inner ? 2 * off : 0) + 8 * UNIT * b->theta_m;
-    error->height = e.dH + (fabs(at.H1) + bend * error->theta_m) * error->theta_m;
-    return DOM_OK;
+    if (status == DOM_OK && error->theta_m > 0)
+        error->height = e.dH + steepest * error->theta_m;
+    return status;
 }
 
 KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
@@ -378,7 +429,8 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
         status = barrier_error(&g, &b, &b_error);
     if (status != DOM_OK)
         return status;
-    bool fuelled = l.fuel > 0;
+    enum dom_status verdict = barrier_verdict(&l, &b);
+    bool fuelled = verdict != DOM_NO_FUEL;
     real margin = l.kinetic - b.height;
     *barrier = (struct dom_barrier){
         .theta_m = b.theta_m,
@@ -393,5 +445,5 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
             .kinetic = l_error.kinetic,
             .margin = l_error.kinetic + b_error.height + UNIT * fabs(margin),
         };
-    return !fuelled ? DOM_NO_FUEL : margin >= 0 ? DOM_OK : DOM_STOPS;
+    return verdict;
 }

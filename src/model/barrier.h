@@ -53,6 +53,12 @@ KERNEL enum dom_status barrier_piece(const struct lean *lean, struct tilt from, 
 KERNEL enum dom_status barrier_balance(struct lean *lean, enum dom_fuel fuel, real end, struct launch *launch,
                                        struct launch *error, struct barrier *barrier);
 
+/*
+ * Returns whether a train goes on (c8): DOM_OK, DOM_STOPS, or DOM_NO_FUEL.  From what barrier_balance found
+ * over the whole cycle; every answer about a train takes its verdict from here.
+ */
+KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
+
 /* The tolerance at which what is left of a whole is known as well as tol says. */
 KERNEL real balance_tol(real tol, real left, real whole);
 

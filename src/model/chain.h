@@ -54,6 +54,11 @@ KERNEL enum dom_status chain_fall(const struct lean *lean, struct sums *sums, st
 KERNEL enum dom_status chain_rise_from(const struct lean *lean, struct tilt from, struct tilt head,
                                        struct sums *sums);
 
+/* The same where the head is `by` farther than `from`, which may be less than what tells the two tilts apart.
+ */
+KERNEL enum dom_status chain_rise_by(const struct lean *lean, struct tilt from, struct tilt head, real by,
+                                     struct sums *sums);
+
 /* With H2 as well. */
 KERNEL enum dom_status chain_bend_from(const struct lean *lean, struct tilt from, struct tilt head,
                                        struct sums *sums);

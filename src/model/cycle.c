@@ -9,26 +9,13 @@ struct cycle {
     enum dom_status status; /* of the function that is being integrated or searched */
 };
 
-/* DOM_NO_FUEL if the cycle does not begin. */
-static enum dom_status cycle_begin(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
-                                   bool errors)
-{
-    enum dom_status status = lean_make(train, &cycle->lean);
-    if (status == DOM_OK)
-        lean_flow(&cycle->lean, flow);
-    if (status == DOM_OK)
-        status =
-            collision_launch(&cycle->lean, train->fuel, &cycle->launch, errors ? &cycle->launch_error : NULL);
-    return status != DOM_OK || cycle->launch.fuel > 0 ? status : DOM_NO_FUEL;
-}
-
 /* The barrier over [0, end]. */
 static enum dom_status cycle_climb(struct cycle *cycle, real end)
 {
     return barrier_search(&cycle->lean, end, cycle->lean.tol / 8, &cycle->barrier);
 }
 
-/* The cycle from its beginning to theta_c, with its barrier. */
+/* The cycle from its beginning to theta_c, with its barrier; DOM_NO_FUEL if it does not begin. */
 static enum dom_status cycle_whole(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
                                    bool errors)
 {
@@ -40,7 +27,14 @@ static enum dom_status cycle_whole(const struct dom_train *train, struct flow *f
     if (status == DOM_OK)
         status = barrier_balance(g, train->fuel, tilt_angle(g->c), &cycle->launch,
                                  errors ? &cycle->launch_error : NULL, &cycle->barrier);
-    return status != DOM_OK || cycle->launch.fuel > 0 ? status : DOM_NO_FUEL;
+    if (status != DOM_OK)
+        return status;
+    return barrier_verdict(&cycle->launch, &cycle->barrier) == DOM_NO_FUEL ? DOM_NO_FUEL : DOM_OK;
+}
+
+static bool cycle_stops(const struct cycle *cycle)
+{
+    return barrier_verdict(&cycle->launch, &cycle->barrier) == DOM_STOPS;
 }
 
 /* (c3), solved for tau^2 omega(theta)^2. */
@@ -65,47 +59,27 @@ static enum dom_status cycle_speed(const struct cycle *cycle, real theta, real *
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real theta_, dom_real *omegasq,
-                                     dom_real *error)
-{
-    struct cycle cycle;
-    FLOW(flow);
-    struct tilt head;
-    real theta = (real)theta_, w = REAL_NAN, w_error = 0;
-    *omegasq = DOM_NAN;
-    enum dom_status status = cycle_begin(train, &flow, &cycle, error != NULL);
-    if (status != DOM_OK && status != DOM_NO_FUEL)
-        return status;
-    enum dom_status tilt_status = lean_tilt(&cycle.lean, theta, &head);
-    if (tilt_status != DOM_OK)
-        return tilt_status;
-    if (status == DOM_OK)
-        status = cycle_climb(&cycle, theta);
-    if (status == DOM_OK && cycle.barrier.height > cycle.launch.kinetic)
-        status = DOM_STOPS;
-    if (status == DOM_OK)
-        status = cycle_speed(&cycle, theta, &w, error ? &w_error : NULL);
-    real asked = cycle.lean.tol;
-    if (status == DOM_OK)
-        cycle.lean.tol = balance_tol(asked, w, cycle.launch.omegasq);
-    if (cycle.lean.tol < asked / 4) {
-        status =
-            collision_launch(&cycle.lean, train->fuel, &cycle.launch, error ? &cycle.launch_error : NULL);
-        if (status == DOM_OK)
-            status = cycle_speed(&cycle, theta, &w, error ? &w_error : NULL);
-    }
-    *omegasq = w;
-    if (error)
-        *error = w_error;
-    return status;
-}
-
 /* How much of the kinetic energy the highest point up to theta has used; it never falls with theta. */
 static real energy_short(real theta, void *context)
 {
     struct cycle *cycle = context;
     cycle->status = cycle_climb(cycle, theta);
     return cycle->status == DOM_OK ? cycle->barrier.height - cycle->launch.kinetic : REAL_NAN;
+}
+
+/* A slight motion that is used up before anybody falls off: *hi becomes a tilt soon behind the stop. */
+static enum dom_status rubbing_spent(const struct cycle *cycle, real *hi)
+{
+    const struct lean *g = &cycle->lean;
+    const struct barrier *b = &cycle->barrier;
+    real first = fmin(*hi, b->edge[1]), spent = first;
+    enum dom_status status = friction_flow_spent(g, standing, b->edge[0], cycle->launch.omegasq, &spent);
+    if (status != DOM_OK || spent < first || first == *hi) {
+        *hi = spent;
+        return status;
+    }
+    g->flow->solution.panels = 0; /* it goes on over the edge: the whole flow is needed again */
+    return friction_flow(g);
 }
 
 /*
@@ -116,20 +90,73 @@ static enum dom_status cycle_rest(struct cycle cycle, real *theta)
 {
     const struct barrier *b = &cycle.barrier;
     real lo = b->edge[0], hi = b->theta_m;
-    enum dom_status status = DOM_OK;
-    if (cycle.lean.mu > 0 && hi <= b->edge[1]) /* nobody falls off before */
-        status = friction_flow_spent(&cycle.lean, standing, lo, cycle.launch.omegasq, &hi);
+    enum dom_status status = cycle.lean.mu > 0 ? rubbing_spent(&cycle, &hi) : DOM_OK;
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.lean.tol / 8, theta);
     return model_status(cycle.status, solver);
 }
 
-/* Of the tilt where the energy is used up: what is left of it and may be wrong with it, over its slope. */
-static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error)
+/* The tilt where the cycle ends: theta_c, or where the train comes to rest. */
+static enum dom_status cycle_end(const struct cycle *cycle, real *end)
+{
+    *end = tilt_angle(cycle->lean.c);
+    return cycle_stops(cycle) ? cycle_rest(*cycle, end) : DOM_OK;
+}
+
+/* cycle_speed of a train that comes as far, else DOM_STOPS; at the stop it is 0, which rounding hides. */
+static enum dom_status cycle_speed_within(const struct cycle *cycle, real theta, real *omegasq, real *error)
+{
+    real end;
+    enum dom_status status = cycle_end(cycle, &end);
+    if (status == DOM_OK && cycle_stops(cycle) && theta > end * (1 + 4 * REAL_EPSILON))
+        return DOM_STOPS;
+    if (status == DOM_OK)
+        status = cycle_speed(cycle, theta, omegasq, error);
+    bool rests = cycle_stops(cycle) && theta >= end * (1 - 4 * REAL_EPSILON);
+    *omegasq = rests ? 0 : fmax(*omegasq, 0);
+    return status;
+}
+
+KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real theta_, dom_real *omegasq,
+                                     dom_real *error)
+{
+    struct dom_train finer = *train;
+    struct cycle cycle;
+    FLOW(flow);
+    struct tilt head;
+    real theta = (real)theta_, w = 0, w_error = 0;
+    *omegasq = DOM_NAN;
+    for (;;) {
+        enum dom_status status = cycle_whole(&finer, &flow, &cycle, error != NULL);
+        if (status != DOM_OK && status != DOM_NO_FUEL)
+            return status;
+        enum dom_status tilt_status = lean_tilt(&cycle.lean, theta, &head);
+        if (tilt_status != DOM_OK || status != DOM_OK)
+            return tilt_status != DOM_OK ? tilt_status : status;
+        status = cycle_speed_within(&cycle, theta, &w, error ? &w_error : NULL);
+        if (status != DOM_OK)
+            return status;
+        /* What is left near a stop is known as well as was asked only from finer sums. */
+        real needed = balance_tol(cycle.lean.tol, w, cycle.launch.omegasq);
+        if (w == 0 || !(needed < cycle.lean.tol / 4))
+            break;
+        finer.tol = needed;
+    }
+    *omegasq = w;
+    if (error)
+        *error = w_error;
+    return DOM_OK;
+}
+
+/*
+ * Of the tilt where the energy is used up: what is left of it and may be wrong with it, over its slope.
+ * energy, unless NULL, gets what that tilt leaves open of the energy.
+ */
+static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
 {
     struct tilt head;
-    struct sums at, e;
+    struct sums at = {0}, e = {0};
     enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
     if (status == DOM_OK)
         status = chain_rise(&cycle->lean, head, &at, &e);
@@ -137,6 +164,8 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
                      (1 + 4 * cycle->lean.tol) + /* to second order in a loose tolerance */
                  4 * UNIT * theta;
+    if (energy)
+        *energy = fabs(at.H1) * (real)*error;
     return status;
 }
 
@@ -149,13 +178,13 @@ KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta
     if (status != DOM_OK)
         return status;
     *theta = DOM_NAN;
-    if (cycle.barrier.height <= cycle.launch.kinetic)
+    if (!cycle_stops(&cycle))
         return DOM_OK;
     status = cycle_rest(cycle, &stop);
     if (status == DOM_OK && error && cycle.lean.mu > 0)
         *error = DOM_NAN;
     else if (status == DOM_OK && error)
-        status = stop_error(&cycle, stop, error);
+        status = stop_error(&cycle, stop, error, NULL);
     if (status == DOM_OK)
         *theta = stop;
     return status;
@@ -213,13 +242,13 @@ KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *d
     enum dom_status status = cycle_whole(train, &flow, &cycle, error != NULL);
     if (status != DOM_OK)
         return status;
-    real margin = cycle.launch.kinetic - cycle.barrier.height;
-    if (margin < 0)
+    if (cycle_stops(&cycle))
         return DOM_STOPS;
+    real margin = cycle.launch.kinetic - cycle.barrier.height;
     /* kinetic and height each carry a few roundings: what they leave of the margin bounds the accuracy. */
     real noise = 8 * REAL_EPSILON * cycle.launch.kinetic / margin;
     if (!(noise < (real)0.125))
-        return DOM_NOT_CONVERGED;
+        return DOM_NO_MARGIN;
     real sum, sum_error = 0, of_speed = 0, end = tilt_angle(cycle.lean.c);
     real share = fmax((real)train->tol / 8, noise);
     status = cycle_integral(&cycle, slowness, 0, end, share, &sum, error ? &sum_error : NULL);

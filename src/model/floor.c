@@ -91,7 +91,8 @@ KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_flo
     struct motion m;
     FLOW(flow);
     struct need need = {0};
-    enum dom_status status = motion_begin(train, &flow, &m);
+    enum dom_status status = motion_begin(train, &flow, &m, false);
+    m.cycle.lean.tol = fmax(m.cycle.lean.tol, FORCES_TOL);
     for (int i = 1; status == DOM_OK && i < m.cycle.barrier.edges; i++) {
         const real *edge = m.cycle.barrier.edge, inside = 16 * REAL_EPSILON;
         real lo = i == 1 ? 0 : edge[i - 1] * (1 + inside), hi = fmin(edge[i] * (1 - inside), m.end);
@@ -99,6 +100,7 @@ KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_flo
         if (lo < hi)
             status = floor_over(&path, &need);
     }
+    motion_end(&m);
     if (status != DOM_OK)
         return status;
     if (train->work)

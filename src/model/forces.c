@@ -2,8 +2,11 @@
 #include "forces.h"
 #include <stdlib.h>
 
-/* Dominoes beyond those that are shown, so that the last of them has a tail that matters to it. */
-#define FORCES_MORE 64
+/*
+ * Dominoes beyond those that are shown, so that the last of them has a tail that matters to it: as many
+ * again, but of a long train no more than this, since there the tail is taken as near its end (moving_push).
+ */
+#define FORCES_MORE 4096
 
 /* One domino in the moving chain. */
 struct moving {
@@ -27,17 +30,27 @@ static size_t moving_list(const struct lean *g, struct tilt head, struct moving 
     return n;
 }
 
+static real geometric(real first, real ratio)
+{
+    return fabs(ratio) < 1 ? first / (1 - ratio) : first;
+}
+
 /* From the tail upwards: torques on the followers, and the contacts that carry what is left of them. */
 static void moving_push(const struct lean *g, const struct pace *pace, struct moving *k, size_t n)
 {
     real rest = 0, push = 0; /* as torques on domino j */
+    bool endless = g->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
         real theta_2 = own->slope * pace->acceleration + k[j].bend * pace->omegasq;
         real gravity = own->weight * (own->tilt.x - own->lean->d * own->tilt.y) / 2;
-        real share = j + 1 == n ? 0 : g->mu > 0 ? friction_share(own) : own->step; /* a / b */
+        real share = !own->leads ? 0 : g->mu > 0 ? friction_share(own) : own->step; /* a / b */
         rest = gravity - own->inertia * theta_2 + share * rest;
         push = own->inertia * own->slope * pace->omega_lost + share * push;
+        if (j + 1 == n && endless) { /* what comes behind is alike: its torques are a geometric series */
+            rest = geometric(rest, g->weight * share);
+            push = geometric(push, g->inertia * own->step * share);
+        }
         real rb = g->mu > 0 ? friction_arm_b(leader) : leader->turn.Y,
              arm_b = rb / leader->lean->r * k[j - 1].size;
         /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */
@@ -88,11 +101,25 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
         held->blow_x = (real)INFINITY;
 }
 
+/* The list with room for n; what was in it is lost. */
+static struct moving *room_for(struct room *room, size_t n)
+{
+    if (room->size >= n)
+        return room->list;
+    free(room->list);
+    *room = (struct room){.list = malloc(n * sizeof *room->list), .size = n};
+    if (!room->list)
+        room->size = 0;
+    return room->list;
+}
+
 KERNEL enum dom_status forces_walk(const struct lean *g, struct tilt head, const struct pace *pace,
                                    size_t shown, held_visit *visit, void *context)
 {
-    size_t room = g->n < 2 * shown + FORCES_MORE ? g->n : 2 * shown + FORCES_MORE;
-    struct moving *k = malloc(room * sizeof *k);
+    size_t more = shown < FORCES_MORE ? shown + 64 : FORCES_MORE;
+    size_t room = g->n - shown < more || g->n < shown ? g->n : shown + more;
+    struct room own = {0}, *list = pace->room ? pace->room : &own;
+    struct moving *k = room_for(list, room);
     if (!k)
         return DOM_NO_MEMORY;
     size_t n = moving_list(g, head, k, room);
@@ -111,7 +138,7 @@ KERNEL enum dom_status forces_walk(const struct lean *g, struct tilt head, const
         if (!visit(&held, context))
             break;
     }
-    free(k);
+    free(own.list);
     return DOM_OK;
 }
 
@@ -129,6 +156,7 @@ static enum dom_status motion_pace(struct motion *m, real theta, struct tilt hea
 {
     const struct lean *g = &m->cycle.lean;
     enum dom_status status = cycle_speed(&m->cycle, theta, &pace->omegasq, NULL);
+    pace->room = &m->room;
     pace->omegasq = fmax(pace->omegasq, 0);
     if (status == DOM_OK)
         status = motion_acceleration(g, head, pace->omegasq, &pace->acceleration, &pace->n);
@@ -163,7 +191,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     struct tilt head = {0, 1, 0};
     struct pace pace = {0};
     real theta = (real)theta_;
-    enum dom_status status = motion_begin(train, &flow, &m);
+    enum dom_status status = motion_begin(train, &flow, &m, false);
     if (status == DOM_OK)
         status = lean_tilt(&m.cycle.lean, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
@@ -171,5 +199,110 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     if (status == DOM_OK)
         status = motion_pace(&m, fmin(theta, m.end), head, &pace);
     struct force_context c = {visit, context};
-    return status == DOM_OK ? forces_walk(&m.cycle.lean, head, &pace, pace.n, force_visit, &c) : status;
+    if (status == DOM_OK)
+        status = forces_walk(&m.cycle.lean, head, &pace, pace.n, force_visit, &c);
+    motion_end(&m);
+    return status;
+}
+
+/* ---- The smallest contact force ---- */
+
+/* The smallest force so far, the tilt and the domino; and that at the tilt that was asked for last. */
+struct least_context {
+    struct motion motion;
+    real theta, force, least, least_theta, impulse;
+    size_t domino, dominoes; /* the second: in motion */
+    enum dom_status status;
+};
+
+static bool least_seen(const struct held *held, void *context)
+{
+    struct least_context *c = context;
+    if (!held->leaned)
+        return true;
+    real force = held->force * held->size / held->link->weight;
+    c->force = fmin(force, c->force);
+    if (force < c->least) {
+        c->least = force;
+        c->least_theta = c->theta;
+        c->domino = held->link->i;
+    }
+    if (isfinite(held->impulse))
+        c->impulse = fmin(held->impulse, c->impulse);
+    return true;
+}
+
+/* Minus the smallest force at a tilt, as a function to be maximized. */
+static real least_at(real theta, void *context)
+{
+    struct least_context *c = context;
+    struct tilt head;
+    struct pace pace = {0};
+    const struct lean *g = &c->motion.cycle.lean;
+    c->theta = theta;
+    c->force = (real)INFINITY;
+    c->status = lean_tilt(g, theta, &head);
+    if (c->status == DOM_OK)
+        c->status = motion_pace(&c->motion, theta, head, &pace);
+    c->dominoes = pace.n;
+    if (c->status == DOM_OK)
+        c->status = forces_walk(g, head, &pace, pace.n, least_seen, c);
+    return c->status == DOM_OK ? -c->force : REAL_NAN;
+}
+
+/* A force is smallest where it is between two samples, to a thousandth of their distance. */
+#define LEAST_SAMPLES 24
+#define LEAST_LONG    100000 /* dominoes: a train that long, of a tiny s, moves smoothly, and a third serves */
+#define LEAST_TOL     ((real)1e-3 / LEAST_SAMPLES)
+
+/* Over [lo, hi], where forces do not jump. */
+static enum dom_status least_over(struct least_context *c, real lo, real hi)
+{
+    real value[LEAST_SAMPLES + 1], at;
+    value[0] = least_at(lo, c);
+    const int samples = c->dominoes > LEAST_LONG ? LEAST_SAMPLES / 3 : LEAST_SAMPLES;
+    const real step = (hi - lo) / (real)samples;
+    int top = 0;
+    for (int k = 1; k <= samples && c->status == DOM_OK; k++) {
+        value[k] = least_at(k < samples ? lo + (real)k * step : hi, c);
+        top = value[k] > value[top] ? k : top;
+    }
+    if (c->status != DOM_OK)
+        return c->status;
+    real middle = lo + (real)top * step, before = middle - step, behind = middle + step;
+    if (top == 0) { /* at the end itself, unless forces fall from there on */
+        before = lo;
+        middle = lo + step * LEAST_TOL;
+    } else if (top == samples) {
+        behind = hi;
+        middle = hi - step * LEAST_TOL;
+    }
+    real higher = fmax(value[0], value[samples]), noise = FORCES_TOL * fabs(higher);
+    if (isfinite(value[top]) && least_at(middle, c) > higher + noise)
+        num_maximum(least_at, c, before, middle, behind, LEAST_TOL, &at);
+    return c->status;
+}
+
+KERNEL enum dom_status cycle_least_force(const struct dom_train *train, struct dom_least_force *least)
+{
+    FLOW(flow);
+    struct least_context c = {.least = (real)INFINITY, .impulse = (real)INFINITY};
+    enum dom_status status = motion_begin(train, &flow, &c.motion, false);
+    if (status != DOM_OK)
+        return status;
+    const struct barrier *b = &c.motion.cycle.barrier;
+    struct lean *g = &c.motion.cycle.lean;
+    g->tol = fmax(g->tol, FORCES_TOL);
+    /* A force jumps where a follower leaves: up to there and from there. */
+    for (int i = 1; i < b->edges && status == DOM_OK; i++) {
+        const real inside = 16 * REAL_EPSILON;
+        real lo = i == 1 ? 0 : b->edge[i - 1] * (1 + inside),
+             hi = fmin(b->edge[i] * (1 - inside), c.motion.end);
+        if (lo < hi)
+            status = least_over(&c, lo, hi);
+    }
+    motion_end(&c.motion);
+    if (status == DOM_OK)
+        *least = (struct dom_least_force){c.least, c.least_theta, c.domino, c.impulse};
+    return status;
 }

@@ -9,6 +9,12 @@
 
 #include "friction.h"
 
+/* Memory for a list of moving dominoes; begins as {0}, and its list is the owner's to free. */
+struct room {
+    struct moving *list;
+    size_t size;
+};
+
 /* How a chain moves: tau^2 omega^2 and tau^2 times the acceleration of its head; g.n dominoes at most. */
 struct pace {
     real omegasq, acceleration;
@@ -16,8 +22,12 @@ struct pace {
     /* Of a collision, at theta = 0: tau omega of the head behind it, and what is lost of it by followers. */
     bool hit;
     real omega, omega_lost;
-    bool floor; /* are the forces of the floor asked for? */
+    bool floor;        /* are the forces of the floor asked for? */
+    struct room *room; /* for the list of dominoes, to be used again; or NULL */
 };
+
+/* Where forces are wanted to a few digits alone, half as many dominoes of a long train serve. */
+#define FORCES_TOL ((real)1e-6)
 
 /* Forces in m g of the head, impulses in m g tau of it; x forward, z up. */
 struct held {

@@ -1,11 +1,53 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "friction.h"
 
+/*
+ * From A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and its kind, derived twice at theta_1 = theta =
+ * theta_inf, where X = 0 and Y = 1.
+ */
+static struct far_rubbing far_rubbing_make(const struct lean *g)
+{
+    real w = g->weight, m = g->inertia, x = g->inf.x, y = g->inf.y, d = g->d, mu = g->mu;
+    real o = g->r * g->L * x, p = g->r * d; /* -X' and -X'' */
+    /* theta_1', as a function of theta, and theta_1'', each with its derivatives. */
+    const real step[] = {1 - o, -p, o * (1 - o * o)}, turn[] = {-p, step[2], p * (1 - 6 * o * o)};
+    /* S_1 = a / b. */
+    const real above[] = {1 - o - mu * p, -p, o * (1 - o)}, below1 = -mu * o, below2 = -o * o - mu * p;
+    const real S1 = above[1] - above[0] * below1,
+               S[] = {above[0], S1, above[2] - 2 * S1 * below1 - above[0] * below2};
+    const real k = step[0], k1 = step[1];
+    /* Of the products S theta_1', S theta_1'^2 and S theta_1''. */
+    const real a[] = {S[0] * k, S[1] * k + S[0] * k1, S[2] * k + 2 * S[1] * k1 + S[0] * step[2]};
+    const real b[] = {a[0] * k, a[1] * k + a[0] * k1, a[2] * k + 2 * a[1] * k1 + a[0] * step[2]};
+    const real c[] = {S[0] * turn[0], S[1] * turn[0] + S[0] * turn[1],
+                      S[2] * turn[0] + 2 * S[1] * turn[1] + S[0] * turn[2]};
+    const real h[] = {(x - d * y) / 2, (y + d * x) / 2, (d * y - x) / 2};
+    struct far_rubbing f = {.known = fabs(above[0]) < 1};
+    /* 1 - r^-q S_1, from r^q - 1. */
+    f.C[0] = h[0] / (w * (g->rq_1 + o + mu * p));
+    f.C[1] = (h[1] + w * S[1] * f.C[0]) / (1 - w * S[0] * k);
+    f.C[2] = (h[2] + w * (S[2] * f.C[0] + (2 * S[1] * k + S[0] * k1) * f.C[1])) / (1 - w * S[0] * k * k);
+    f.A[0] = 1 / (1 - m * a[0]);
+    f.A[1] = m * a[1] * f.A[0] / (1 - m * a[0] * k);
+    f.A[2] = m * (a[2] * f.A[0] + (2 * a[1] * k + a[0] * k1) * f.A[1]) / (1 - m * a[0] * k * k);
+    f.B[0] = m * c[0] * f.A[0] / (1 - m * b[0]);
+    f.B[1] = m * (b[1] * f.B[0] + c[1] * f.A[0] + c[0] * k * f.A[1]) / (1 - m * b[0] * k);
+    f.B[2] = m *
+             (b[2] * f.B[0] + (2 * b[1] * k + b[0] * k1) * f.B[1] + c[2] * f.A[0] +
+              (2 * c[1] * k + c[0] * k1) * f.A[1] + c[0] * k * k * f.A[2]) /
+             (1 - m * b[0] * k * k);
+    return f;
+}
+
 KERNEL void lean_flow(struct lean *g, struct flow *flow)
 {
     g->flow = flow;
-    if (g->mu > 0)
-        flow->solution.panels = 0;
+    if (g->mu == 0)
+        return;
+    flow->solution.panels = 0;
+    flow->far.known = false;
+    if (!g->falls_off)
+        flow->far = far_rubbing_make(g);
 }
 
 KERNEL void flow_free(struct flow *flow)
@@ -81,6 +123,45 @@ static bool rubbing_done(const struct rubbing *k, struct series *A, struct serie
            series_done(B, link->inertia * S * (fabs(k->bend) + bends), ratio, g->tol);
 }
 
+static real far_value(const real f[3], real e)
+{
+    return f[0] - f[1] * e + f[2] * e * e / 2;
+}
+
+/* The rest of C from this domino on, where it is so near to theta_inf that the last term does not matter. */
+static bool drive_closes(const struct rubbing *k, struct series *C, real tol)
+{
+    const struct link *link = &k->link;
+    const struct lean *g = link->lean;
+    if (g->n != CHAIN_ENDLESS || g->behind || !g->flow->far.known)
+        return false;
+    const struct far_rubbing *far = &g->flow->far;
+    real e = far_off(g, link->tilt), part = link->weight * k->S;
+    if (e > g->inf.x / 16 || !far_done(C, part * far->C[0], part * far->C[2] * e * e, tol))
+        return false;
+    series_add(C, part * far_value(far->C, e));
+    return true;
+}
+
+/* The same of all three. */
+static bool rubbing_closes(const struct rubbing *k, struct series *A, struct series *B, struct series *C)
+{
+    const struct link *link = &k->link;
+    const struct lean *g = link->lean;
+    const struct far_rubbing *far = &g->flow->far;
+    real e = far_off(g, link->tilt), part = link->inertia * k->S, slope = link->slope;
+    if (g->n != CHAIN_ENDLESS || g->behind || !far->known ||
+        !far_done(A, part * slope * far->A[0], part * slope * far->A[2] * e * e, g->tol))
+        return false;
+    real rest = part * (k->bend * far->A[0] + slope * slope * far->B[0]),
+         last = part * (fabs(k->bend * far->A[2]) + slope * slope * fabs(far->B[2])) * e * e;
+    if (!far_done(B, rest, last, g->tol) || !drive_closes(k, C, g->tol))
+        return false;
+    series_add(A, part * slope * far_value(far->A, e));
+    series_add(B, part * (k->bend * far_value(far->A, e) + slope * slope * far_value(far->B, e)));
+    return true;
+}
+
 KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, struct law *law)
 {
     struct series A = {0}, B = {0}, C = {0};
@@ -90,6 +171,8 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
         enum dom_status status = chain_watch(g, link->i);
         if (status != DOM_OK)
             return status;
+        if (rubbing_closes(&k, &A, &B, &C))
+            break;
         series_add(&A, link->inertia * k.S * link->slope);
         series_add(&B, link->inertia * k.S * k.bend);
         drive_add(&k, &C);
@@ -103,7 +186,8 @@ KERNEL enum dom_status friction_law(const struct lean *g, struct tilt head, stru
                         .C = C.sum + C.lost,
                         .A_size = A.size * k.noise,
                         .B_size = B.size * k.noise,
-                        .C_size = C.size * k.noise};
+                        .C_size = C.size * k.noise,
+                        .n = k.link.i + 1};
     law->locks = k.behind || law->A <= 0;
     return isfinite(law->A) && isfinite(law->B) && isfinite(law->C) ? DOM_OK : DOM_NOT_FINITE;
 }
@@ -116,6 +200,8 @@ KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, re
         enum dom_status status = chain_watch(g, k.link.i);
         if (status != DOM_OK)
             return status;
+        if (drive_closes(&k, &C, tol))
+            break;
         drive_add(&k, &C);
         if (k.link.i + 1 >= g->n || !k.link.leads || drive_done(&k, &C, tol))
             break;
@@ -127,10 +213,14 @@ KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, re
     return isfinite(*drive) ? DOM_OK : DOM_NOT_FINITE;
 }
 
+/* Of all passes of a flow, some hundred: in double they take half a second. */
+#define FLOW_DOMINOES ((size_t)8000000)
+
 struct flow_context {
     const struct lean *lean;
     enum dom_status status;
-    real locked; /* the last tilt that was found locked */
+    real locked;     /* the last tilt that was found locked */
+    size_t dominoes; /* so far */
 };
 
 /* dw/dtheta = -2 B / A w + 2 C / A. */
@@ -142,6 +232,9 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
     f->status = lean_tilt(f->lean, theta, &head);
     if (f->status == DOM_OK)
         f->status = friction_law(f->lean, head, &law);
+    f->dominoes += f->status == DOM_OK ? law.n : 0;
+    if (f->dominoes > FLOW_DOMINOES)
+        f->status = DOM_TOO_LONG;
     if (f->status == DOM_OK && law.locks) {
         f->status = DOM_LOCKS;
         f->locked = theta;
@@ -306,6 +399,13 @@ KERNEL real friction_omegasq(const struct lean *g, real omegasq_0, real theta)
     real ln_G, u;
     friction_at(g, theta, &ln_G, &u);
     return exp(ln_G) * (omegasq_0 - u);
+}
+
+KERNEL real friction_left(const struct lean *g, real end, real by)
+{
+    real ln_G, u;
+    friction_at(g, end - by, &ln_G, &u);
+    return -exp(ln_G) * num_linear_moved(&g->flow->solution, end, by);
 }
 
 KERNEL enum dom_status friction_rate(const struct lean *g, struct tilt head, real theta, real *rate)

@@ -22,10 +22,20 @@
 #include "chain.h"
 #include "numerics/linear.h"
 
+/*
+ * A, B and C of a train whose head leans at theta_inf - e, a far follower, as A[0] - A[1] e + A[2] e^2 / 2;
+ * of B the part that comes from theta_i'^2 of that head, since its theta_i'' counts as theta_i' does in A.
+ */
+struct far_rubbing {
+    real A[3], B[3], C[3];
+    bool known;
+};
+
 /* w over a part of the cycle, for every beginning; the lean's, made where it is asked for first. */
 struct flow {
     struct num_linear solution;
     real tol; /* that it keeps */
+    struct far_rubbing far;
     /*
      * A(0) - 1 = r^-(q+1) S_1(0) A(theta_c): of the momentum of the train the collision keeps A(0) - 1 of
      * A(0). It is not positive where friction locks: the force on the struck domino passes behind its hinge.
@@ -43,6 +53,7 @@ struct law {
     /* Of all terms, whatever their signs, and more where an arm b cancels: what roundings are relative to. */
     real A_size, B_size, C_size;
     bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or an arm b of a follower is */
+    size_t n;   /* dominoes followed */
 };
 
 KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);
@@ -81,6 +92,10 @@ KERNEL enum dom_status friction_rate(const struct lean *lean, struct tilt head, 
 
 /* J(0) u: the kinetic energy that it takes to come to a tilt. */
 KERNEL real friction_climb(const struct lean *lean, real theta);
+
+/* w at the tilt `by` before `end`, of a motion that is used up there: G (u(end) - u), where nothing cancels.
+ */
+KERNEL real friction_left(const struct lean *lean, real end, real by);
 
 /* w = G (w(0) - u) at a tilt. */
 KERNEL real friction_omegasq(const struct lean *lean, real omegasq_0, real theta);

@@ -25,7 +25,10 @@ struct kernel {
     enum dom_status (*cycle_state)(const struct dom_train *, dom_real, struct dom_state *,
                                    struct dom_state *);
     enum dom_status (*cycle_tilt)(const struct dom_train *, dom_real, dom_real *);
+    enum dom_status (*cycle_walk)(const struct dom_train *, size_t, enum dom_spacing, bool, dom_state_visit *,
+                                  void *);
     enum dom_status (*cycle_forces)(const struct dom_train *, dom_real, dom_force_visit *, void *);
+    enum dom_status (*cycle_least_force)(const struct dom_train *, struct dom_least_force *);
     enum dom_status (*cycle_floor)(const struct dom_train *, struct dom_floor *);
     enum dom_status (*limit_rmax)(const struct dom_train *, struct dom_limit *, struct dom_limit *,
                                   enum dom_status *);

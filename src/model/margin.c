@@ -141,7 +141,13 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r)
     if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
         return m;
     c->how = MARGIN_SURE;
-    margin_to(c, r, c->lean.tol, &m);
+    /* As for barrier_verdict: what the two leave is known as well as they are, so no tolerance turns the
+     * verdict. */
+    for (real asked = c->lean.tol, fine; margin_to(c, r, asked, &m) == DOM_OK; asked = fine) {
+        fine = balance_tol(asked, fabs(margin_left(&m)), fabs(m.kinetic));
+        if (!(fine < asked / 4))
+            break;
+    }
     return m;
 }
 

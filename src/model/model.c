@@ -124,10 +124,21 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom
     ASK(train, cycle_tilt, train, time, theta);
 }
 
+enum dom_status dom_cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by, bool errors,
+                               dom_state_visit *visit, void *context)
+{
+    ASK(train, cycle_walk, train, rows, by, errors, visit, context);
+}
+
 enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
                                  void *context)
 {
     ASK(train, cycle_forces, train, theta, visit, context);
+}
+
+enum dom_status dom_cycle_least_force(const struct dom_train *train, struct dom_least_force *least)
+{
+    ASK(train, cycle_least_force, train, least);
 }
 
 enum dom_status dom_cycle_floor(const struct dom_train *train, struct dom_floor *floor)

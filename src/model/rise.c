@@ -263,6 +263,12 @@ KERNEL enum dom_status chain_rise_from(const struct lean *g, struct tilt from, s
     return rise_between(g, from, head, half_turn(from, head), 0, sums, NULL);
 }
 
+KERNEL enum dom_status chain_rise_by(const struct lean *g, struct tilt from, struct tilt head, real by,
+                                     struct sums *sums)
+{
+    return rise_between(g, from, head, tan(by / 2), 0, sums, NULL);
+}
+
 KERNEL enum dom_status chain_bend_from(const struct lean *g, struct tilt from, struct tilt head,
                                        struct sums *sums)
 {

@@ -260,10 +260,6 @@ static bool run_duration(struct session *session, const struct call *call)
     char reason[REASON_SIZE];
     enum dom_status status = dom_cycle_duration(&session->train, &duration, ERROR_OF(session, e));
     const char *why = no_cycle(session, status, reason);
-    if (status == DOM_NOT_CONVERGED)
-        return session_no_answer(session,
-                                 "the margin is 0 to rounding: the duration grows like ln(1/margin) and "
-                                 "has no value here; a slightly smaller r has");
     if (status != DOM_OK && !why)
         return session_status(session, status);
     dom_real speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);

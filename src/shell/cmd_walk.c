@@ -44,7 +44,7 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
     w->verdict = dom_cycle_events(&w->train, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
-           walk_status(session, w->verdict);
+           session_status(session, w->verdict);
 }
 
 static bool walk_answer(struct session *session, const struct call *call, bool words)
@@ -62,7 +62,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     }
     enum dom_status status = dom_cycle_state(&w->train, w->theta, &s, ERROR_OF(session, e));
     if (status != DOM_OK)
-        return walk_status(session, status);
+        return session_status(session, status);
     struct walk_units u = walk_units(session, w->cycle);
     if (words)
         walk_say(session, w, &s, a);

@@ -80,7 +80,7 @@ static bool film_make(struct session *session, const struct call *call, struct f
     if (call->count > 1)
         film->cycles = (int)call->number[1];
     enum dom_status status = dom_cycle_events(t, events, &count);
-    if (status == DOM_NOT_CONVERGED)
+    if (status == DOM_NO_MARGIN)
         return session_error(session,
                              "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "
                              "has an end");

@@ -33,7 +33,7 @@ static bool events_find(struct session *session, struct cycle_samples *c)
         status = dom_cycle_events(&session->train, c->events, &c->event_count);
     if (status == DOM_NO_FUEL)
         return picture_comes_to(session, 0);
-    if (status == DOM_NOT_CONVERGED)
+    if (status == DOM_NO_MARGIN)
         return session_error(session,
                              "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller "
                              "r has one");

@@ -55,15 +55,4 @@ bool why_run(struct session *session, const struct call *call);
 void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
               struct answer *answer);
 
-/* What a status of the walk means to a person, where it is one of its own; false: it was reported. */
-bool walk_status(struct session *session, enum dom_status status);
-
-/* The smallest contact force along the cycle, where, and the smallest impulse: what the paper assumes. */
-struct walk_contact {
-    dom_real force, theta; /* force in the weight of the domino that it acts on */
-    size_t domino;
-    dom_real impulse; /* in m g tau of the head */
-};
-enum dom_status walk_contact(const struct dom_train *train, struct walk_contact *contact);
-
 #endif

@@ -38,87 +38,72 @@ static struct cell cell_angle(dom_real theta)
     return cell;
 }
 
-static enum dom_status cycle_row(const struct session *session, struct answer *a, dom_real theta,
-                                 const char *event)
-{
-    struct walk_units u = walk_units(session, 1);
-    struct dom_state s, e = {0};
+/* What cycle_row needs to write a row, and what it has seen. */
+struct cycle_table {
+    const struct session *session;
+    struct answer *answer;
     struct dom_angles angles;
-    enum dom_status status = dom_cycle_state(&session->train, theta, &s, ERROR_OF(session, e));
-    if (status == DOM_OK)
-        status = dom_angles_find(&session->train, &angles, NULL);
-    /* Whoever is not leaned on any more lies at theta_f. */
-    struct followers f = {{theta, angles.theta_f, angles.theta_f}};
-    if (status == DOM_OK)
-        status = dom_chain_walk(&session->train, theta, false, follower_seen, &f);
-    if (status != DOM_OK)
-        return status;
-    answer_row(a,
-               ROW(cell_word(event), cell_bound(s.time * u.tau, e.time * u.tau), cell_angle(theta),
-                   cell_angle(f.theta[1]), cell_angle(f.theta[2]), cell_omega(s.omegasq, e.omegasq, u.tau),
-                   cell_bound(s.kinetic * u.energy, e.kinetic * u.energy),
-                   cell_bound(s.climbed * u.energy, e.climbed * u.energy)),
-               NULL);
-    return DOM_OK;
-}
+    struct dom_state last;
+    enum dom_status status;
+};
 
-enum { BY_TIME, BY_TILT };
+static bool cycle_row(const struct dom_state *s, const struct dom_state *error, const struct dom_event *event,
+                      void *context)
+{
+    struct cycle_table *table = context;
+    const struct session *session = table->session;
+    struct walk_units u = walk_units(session, 1);
+    const struct dom_state none = {0}, *e = error ? error : &none;
+    /* Whoever is not leaned on any more lies at theta_f. */
+    struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
+    table->status = dom_chain_walk(&session->train, s->theta, false, follower_seen, &f);
+    if (table->status != DOM_OK)
+        return false;
+    answer_row(table->answer,
+               ROW(cell_word(event ? dom_event_text(event->kind) : ""),
+                   cell_bound(s->time * u.tau, e->time * u.tau), cell_angle(s->theta), cell_angle(f.theta[1]),
+                   cell_angle(f.theta[2]), cell_omega(s->omegasq, e->omegasq, u.tau),
+                   cell_bound(s->kinetic * u.energy, e->kinetic * u.energy),
+                   cell_bound(s->climbed * u.energy, e->climbed * u.energy)),
+               NULL);
+    table->last = *s;
+    return !answer_lost(table->answer);
+}
 
 const char *cycle_by(const void *context, int k)
 {
-    static const char *const names[] = {[BY_TIME] = "time", [BY_TILT] = "tilt", NULL};
+    static const char *const names[] = {[DOM_BY_TIME] = "time", [DOM_BY_TILT] = "tilt", NULL};
     (void)context;
     return names[k];
-}
-
-/* N rows evenly in time or tilt, and one for each event, in order. */
-static enum dom_status cycle_rows(const struct session *session, const struct call *call,
-                                  const struct dom_event *events, int count)
-{
-    const struct dom_train *train = &session->train;
-    dom_real rows = call->count > 0 ? call->number[0] : 12;
-    bool by_tilt = call->count > 1 && (int)call->number[1] == BY_TILT;
-    const struct dom_event *last = &events[count - 1];
-    enum dom_status status = DOM_OK;
-    int next = 0;
-    for (dom_real k = 0; k < rows && status == DOM_OK && !answer_lost(call->answer); k++) {
-        dom_real part = rows > 1 ? k / (rows - 1) : 1, theta = part * last->theta;
-        if (!by_tilt && part > 0 && part < 1)
-            status = dom_cycle_tilt(train, part * last->time, &theta);
-        for (; next < count && status == DOM_OK && events[next].theta <= theta; next++)
-            status = cycle_row(session, call->answer, events[next].theta, dom_event_text(events[next].kind));
-        if (status == DOM_OK && theta > events[next > 0 ? next - 1 : 0].theta && next < count)
-            status = cycle_row(session, call->answer, theta, "");
-    }
-    return status;
 }
 
 bool cycle_run(struct session *session, const struct call *call)
 {
     struct column room[COLUMNS_ROOM];
-    struct dom_event events[DOM_EVENTS_MAX];
-    int count;
     struct answer *a = call->answer;
-    enum dom_status verdict = dom_cycle_events(&session->train, events, &count), status = verdict;
+    struct cycle_table table = {.session = session, .answer = a};
+    size_t rows = call->count > 0 ? (size_t)call->number[0] : 12;
+    enum dom_spacing by = call->count > 1 ? (enum dom_spacing)call->number[1] : DOM_BY_TIME;
     walk_columns_in(session, a, room);
+    enum dom_status verdict = dom_angles_find(&session->train, &table.angles, NULL);
+    if (verdict == DOM_OK)
+        verdict = dom_cycle_walk(&session->train, rows, by, session->style.errors, cycle_row, &table);
     if (verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOM_NAN);
         answer_row(a, ROW(cell_word(""), none, none, none, none, none, none, none), walk_no_start);
         a->columns = cycle_columns;
         return true;
     }
-    if (status == DOM_OK || status == DOM_STOPS)
-        status = cycle_rows(session, call, events, count);
     a->columns = cycle_columns;
-    if (status != DOM_OK)
-        return walk_status(session, status);
-    struct dom_state last;
-    if (session->train.mu > 0 &&
-        dom_cycle_state(&session->train, events[count - 1].theta, &last, NULL) == DOM_OK)
+    if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
+        return session_status(session, table.status != DOM_OK ? table.status : verdict);
+    if (session->train.mu > 0)
         answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
-                   (double)(last.rubbed * walk_units(session, 1).energy), walk_units(session, 1).energy_unit);
-    struct walk_contact contact;
-    if (answer_for_people(a) && walk_contact(&session->train, &contact) == DOM_OK && isfinite(contact.force))
+                   (double)(table.last.rubbed * walk_units(session, 1).energy),
+                   walk_units(session, 1).energy_unit);
+    struct dom_least_force contact;
+    if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK &&
+        isfinite(contact.force))
         answer_say(
             a, "Dominoes stay in contact: the smallest contact force is %.4g times the weight of its domino.",
             (double)contact.force);

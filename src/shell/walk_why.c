@@ -72,7 +72,7 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
 }
 
 /* The paper's assumption along the cycle. */
-static void contact_say(const struct session *session, struct answer *a, const struct walk_contact *c)
+static void contact_say(const struct session *session, struct answer *a, const struct dom_least_force *c)
 {
     bool holds = c->force > 0 && c->impulse > 0;
     if (!isfinite(c->force) || !isfinite(c->impulse))
@@ -106,13 +106,10 @@ bool why_run(struct session *session, const struct call *call)
     if (status == DOM_OK || status == DOM_NO_FUEL)
         status = dom_limit_rmax(&session->train, &limit, ERROR_OF(session, limit_error), NULL);
     if (status != DOM_OK)
-        return walk_status(session, status);
+        return session_status(session, status);
     why_say(session, a, verdict, &b, &limit);
-    struct walk_contact contact;
-    struct dom_event events[DOM_EVENTS_MAX];
-    int count;
-    dom_cycle_events(&session->train, events, &count);
-    if (answer_for_people(a) && count > 0 && walk_contact(&session->train, &contact) == DOM_OK)
+    struct dom_least_force contact;
+    if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK)
         contact_say(session, a, &contact);
     if (session->train.mu > 0)
         a->columns = why_rubbing_columns;

@@ -27,30 +27,6 @@ static void series_of(const real *node, const real *value, real *series)
     series[0] /= 2;
 }
 
-/* Clenshaw. */
-static real series_at(const real *series, int n, real x)
-{
-    real b = 0, before = 0;
-    for (int k = n - 1; k > 0; k--) {
-        real next = 2 * x * b - before + series[k];
-        before = b;
-        b = next;
-    }
-    return x * b - before + series[0];
-}
-
-/* The integral from -1 times half, as a series of N + 1 terms that is `start` at -1. */
-static void series_integral(const real *series, real half, real start, real *integral)
-{
-    real at_left = 0;
-    for (int k = 1; k <= N; k++) {
-        real below = k == 1 ? 2 * series[0] : series[k - 1], above = k + 1 < N ? series[k + 1] : 0;
-        integral[k] = half * (below - above) / (2 * (real)k);
-        at_left += k % 2 ? -integral[k] : integral[k];
-    }
-    integral[0] = start - at_left;
-}
-
 /*
  * What the series leaves out, by its last terms; they never die below the noise of the values, or a few units
  * each.
@@ -101,7 +77,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         largest = fmax(largest, fabs(series[k]));
     if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise))
         return false;
-    series_integral(series, half, ln_G, panel->ln_G);
+    series_integral(series, N, half, ln_G, panel->ln_G);
     for (int j = 0; j < N; j++) {
         real by = exp(-series_at(panel->ln_G, N + 1, node[j]));
         at.c[j] *= by;
@@ -110,7 +86,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
     series_of(node, at.c, series);
     if (!series_died(series, tol, at.c_noise * shrunk))
         return false;
-    series_integral(series, half, v, panel->v);
+    series_integral(series, N, half, v, panel->v);
     return true;
 }
 
@@ -151,14 +127,50 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     return NUM_OK;
 }
 
-KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *v)
+/* The panel that x is on. */
+static int panel_of(const struct num_linear *s, real x)
 {
     int k = s->panels - 1;
     while (k > 0 && x < s->panel[k].lo)
         k--;
-    const struct num_panel *panel = &s->panel[k];
+    return k;
+}
+
+KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *v)
+{
+    const struct num_panel *panel = &s->panel[panel_of(s, x)];
     real u = (x - panel->lo - (panel->hi - x)) / (panel->hi - panel->lo);
     u = fmin(fmax(u, -1), 1);
     *ln_G = series_at(panel->ln_G, N + 1, u);
     *v = series_at(panel->v, N + 1, u);
+}
+
+/* The series at x less that at x - by: T_k(x) - T_k(x - by) has a recurrence of its own, in which nothing
+ * cancels. */
+static real series_moved(const real *series, int n, real x, real by)
+{
+    real y = x - by, T = 1, T_next = y, moved = 0, moved_next = by, sum = 0;
+    for (int k = 1; k < n; k++) {
+        sum += series[k] * moved_next;
+        real T_then = 2 * y * T_next - T, moved_then = 2 * x * moved_next + 2 * by * T_next - moved;
+        T = T_next;
+        T_next = T_then;
+        moved = moved_next;
+        moved_next = moved_then;
+    }
+    return sum;
+}
+
+KERNEL real num_linear_moved(const struct num_linear *s, real x, real by)
+{
+    real sum = 0;
+    for (int k = panel_of(s, x); by > 0 && k >= 0; k--) {
+        const struct num_panel *panel = &s->panel[k];
+        real width = panel->hi - panel->lo, part = k == 0 ? by : fmin(by, x - panel->lo);
+        real u = fmin(fmax((x - panel->lo - (panel->hi - x)) / width, -1), 1);
+        sum += series_moved(panel->v, N + 1, u, 2 * part / width);
+        by -= part;
+        x = panel->lo;
+    }
+    return sum;
 }

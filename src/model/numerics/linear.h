@@ -56,4 +56,7 @@ KERNEL void num_linear_free(struct num_linear *solution);
 /* ln G and v at x, which is inside, or an end. */
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);
 
+/* v(x) - v(x - by), as right as v' is, however small `by` is. */
+KERNEL real num_linear_moved(const struct num_linear *solution, real x, real by);
+
 #endif

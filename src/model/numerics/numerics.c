@@ -185,8 +185,6 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
 
 /* ---- Chebyshev nodes u = cos(pi j / n) on what sinh makes of [lo, hi] ---- */
 
-enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
-
 static real arsinh(real x)
 {
     real size = fabs(x), y = log1p(size + size * size / (1 + sqrt(1 + size * size)));
@@ -242,11 +240,11 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
-                                         real width, real tol, real *integral, real *error)
+/* What sinh makes of [lo, hi].  Nothing is peaked on a piece that is shorter than the peak is wide, or than
+ * it is away. */
+static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
+                             real *value)
 {
-    real value[CHEBYSHEV_MOST + 1];
-    /* Nothing is peaked on a piece that is shorter than the peak is wide, or than it is away. */
     real away = fmax(fmax(lo - peak, peak - hi), 0);
     bool flat = isfinite(width) && hi - lo > fmax(width, away);
     struct span s = {.f = f,
@@ -259,6 +257,14 @@ KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo
                      .width = flat ? width : REAL_NAN,
                      .value = value};
     s.half = (s.hi - s.lo) / 2;
+    return s;
+}
+
+KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
+                                         real width, real tol, real *integral, real *error)
+{
+    real value[CHEBYSHEV_MOST + 1];
+    struct span s = peak_span(f, context, lo, hi, peak, width, value);
     enum num_status status = span_integral(&s, chebyshev_level, CHEBYSHEV_LEVELS, tol, integral, error);
     if (status == NUM_OK)
         return status;
@@ -272,4 +278,96 @@ KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo
     if (error)
         *error = before_error + behind_error;
     return status;
+}
+
+/* ---- Chebyshev series ---- */
+
+/* Clenshaw. */
+static real series_at(const real *series, int n, real x)
+{
+    real b = 0, before = 0;
+    for (int k = n - 1; k > 0; k--) {
+        real next = 2 * x * b - before + series[k];
+        before = b;
+        b = next;
+    }
+    return x * b - before + series[0];
+}
+
+/* The integral from -1 times half, of a series of n terms, as a series of n + 1 terms that is `start` at -1.
+ */
+static void series_integral(const real *series, int n, real half, real start, real *integral)
+{
+    real at_left = 0;
+    for (int k = 1; k <= n; k++) {
+        real below = k == 1 ? 2 * series[0] : series[k - 1], above = k + 1 < n ? series[k + 1] : 0;
+        integral[k] = half * (below - above) / (2 * (real)k);
+        at_left += k % 2 ? -integral[k] : integral[k];
+    }
+    integral[0] = start - at_left;
+}
+
+/* The series through the values at the nodes cos(pi j / n), which are `stride` apart. */
+static void series_through(const real *value, size_t stride, int n, real *series)
+{
+    for (int k = 0; k <= n; k++) {
+        real sum = 0;
+        for (int j = 0; j <= n; j++)
+            sum += cos(PI * (real)(j * k % (2 * n)) / (real)n) * value[(size_t)j * stride] / (j % n ? 1 : 2);
+        series[k] = sum * 2 / (real)n / (k % n ? 1 : 2);
+    }
+}
+
+KERNEL enum num_status num_peak_series(num_function *f, void *context, real lo, real hi, real peak,
+                                       real width, real tol, struct num_series *series)
+{
+    real value[CHEBYSHEV_MOST + 1], term[CHEBYSHEV_MOST + 1];
+    struct span s = peak_span(f, context, lo, hi, peak, width, value);
+    tol = fmax(tol, 64 * REAL_EPSILON);
+    for (int level = 0; level <= CHEBYSHEV_LEVELS; level++) {
+        real sum = chebyshev_level(&s, level);
+        if (s.failed || !isfinite(sum))
+            return NUM_NOT_FINITE;
+        if (level == 0 || s.tail > tol)
+            continue;
+        const int n = CHEBYSHEV_FIRST << level;
+        *series = (struct num_series){
+            .lo = lo, .hi = hi, .peak = peak, .width = s.width, .from = s.lo, .half = s.half, .terms = n + 2};
+        series_through(value, CHEBYSHEV_MOST / (size_t)n, n, term);
+        series_integral(term, n + 1, s.half, 0, series->term);
+        return NUM_OK;
+    }
+    return NUM_NOT_CONVERGED;
+}
+
+KERNEL real num_series_at(const struct num_series *s, real x)
+{
+    real u = isfinite(s->width) ? arsinh((x - s->peak) / s->width) : x;
+    return series_at(s->term, s->terms, fmin(fmax((u - s->from) / s->half - 1, -1), 1));
+}
+
+struct series_target {
+    const struct num_series *series;
+    real integral;
+};
+
+/* Of the distance from the left, so that what is near it keeps its digits. */
+static real series_off(real right, void *context)
+{
+    const struct series_target *t = context;
+    return series_at(t->series->term, t->series->terms, right - 1) - t->integral;
+}
+
+KERNEL enum num_status num_series_find(const struct num_series *s, real integral, real *x)
+{
+    struct series_target target = {s, integral};
+    real right;
+    enum num_status status =
+        num_root_between(series_off, &target, 0, -integral, 2, series_off(2, &target), 0, &right);
+    if (status != NUM_OK)
+        return status;
+    real u = s->from + s->half * right, grow = exp(u);
+    *x = isfinite(s->width) ? s->peak + s->width * (grow - 1 / grow) / 2 : u;
+    *x = fmin(fmax(*x, s->lo), s->hi);
+    return NUM_OK;
 }

@@ -51,4 +51,22 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
 KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo, real hi, real peak,
                                          real width, real tol, real *integral, real *error);
 
+enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIRST << CHEBYSHEV_LEVELS };
+
+/* The integral of such an f from lo to anywhere up to hi: its Chebyshev series in u. */
+struct num_series {
+    real lo, hi, peak, width; /* width NaN: x = u */
+    real from, half;          /* of u: where it begins, and half of its way */
+    int terms;
+    real term[CHEBYSHEV_MOST + 2];
+};
+
+/* NUM_NOT_CONVERGED where no series of CHEBYSHEV_MOST terms has the relative tolerance tol. */
+KERNEL enum num_status num_peak_series(num_function *f, void *context, real lo, real hi, real peak,
+                                       real width, real tol, struct num_series *series);
+
+/* The integral from lo to x; and the x for an integral, of an f > 0. */
+KERNEL real num_series_at(const struct num_series *series, real x);
+KERNEL enum num_status num_series_find(const struct num_series *series, real integral, real *x);
+
 #endif

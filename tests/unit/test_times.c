@@ -1,0 +1,408 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Times, tops and verdicts of one cycle where they are hard to compute: near the launch and near the stop,
+ * where the barrier vanishes, where a rough tolerance hides the sign of the margin.
+ */
+#include "support.h"
+
+static struct dom_train in_quad(struct dom_train train)
+{
+    train.precision = DOM_QUAD;
+    train.tol = 1e-30;
+    return train;
+}
+
+static void fail_train(const char *what, const struct dom_train *t, double theta, double value,
+                       double expected)
+{
+    fail_msg("%s: s %.17g r %.17g d %.17g q %.17g mu %.17g tol %.3g precision %d theta %.17g: %.17g, "
+             "expected %.17g",
+             what, (double)t->s, (double)t->r, (double)t->d, (double)t->q, (double)t->mu, (double)t->tol,
+             (int)t->precision, theta, value, expected);
+}
+
+/* The largest growth that the reach allows in every precision. */
+static double within_reach(const struct dom_train *train)
+{
+    return (1 - 1e-14) / (double)train->s;
+}
+
+/* A train that stops in its cycle. */
+static bool stopping(uint64_t *seed, struct dom_train *train, dom_real *stop)
+{
+    *train = random_train(seed);
+    train->tol = 1e-12;
+    train->s = random_log(seed, 0.02, 1);
+    train->r = fmax(fmin(fmin((double)train->r, within_reach(train)), 6), 1);
+    return dom_cycle_stop(train, stop, NULL) == DOM_OK && isfinite((double)*stop);
+}
+
+/* A part of the way to the stop: near the launch, near the stop, or between. */
+static double part_of(uint64_t *seed, int kind)
+{
+    double close = random_log(seed, 1e-12, 0.5);
+    return kind == 0 ? close : kind == 1 ? 1 - close : kind == 2 ? 1 : random_unit(seed);
+}
+
+/* The times of trains that stop are within their bounds of those in quad; the bounds are no wider than they
+ * must. */
+static void times_before_a_stop(void **state)
+{
+    (void)state;
+    uint64_t seed = 81;
+    int checked = 0;
+    double loosest = 0;
+    for (int i = 0; i < 1200; i++) {
+        struct dom_train train;
+        struct dom_state here, error, there;
+        dom_real stop;
+        if (!stopping(&seed, &train, &stop))
+            continue;
+        double theta = (double)stop * part_of(&seed, i % 4);
+        enum dom_status status = dom_cycle_state(&train, theta, &here, &error);
+        if (status == DOM_NO_MARGIN)
+            continue;
+        if (status != DOM_OK)
+            fail_train(dom_status_text(status), &train, theta, 0, 0);
+        struct dom_train fine = in_quad(train);
+        /* Rounding may have set the double's stop behind the true one: that is the time of the stop itself.
+         */
+        dom_real end;
+        assert_status(dom_cycle_stop(&fine, &end, NULL), DOM_OK);
+        assert_status(dom_cycle_state(&fine, theta < end ? theta : end, &there, NULL), DOM_OK);
+        double off = fabs((double)(here.time - there.time));
+        if (!(off <= error.time))
+            fail_train("time", &train, theta, (double)here.time, (double)there.time);
+        struct dom_barrier b;
+        assert_status(dom_barrier_find(&train, &b, NULL), DOM_STOPS);
+        if (i % 4 == 0 && -b.margin > b.kinetic / 100) /* near the launch nothing is lost then */
+            loosest = fmax(loosest, (double)(error.time / here.time));
+        checked++;
+    }
+    print_message("# %d times; the widest bound near the launch is %.1e\n", checked, loosest);
+    assert_true(checked > 150 && loosest < 1e-9);
+}
+
+/* Soon after the launch of a train that stops the time is theta / omega(0). */
+static void first_moment(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_launch launch;
+    struct dom_state s;
+    train.r = 1.7;
+    assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+    for (double theta = 1e-10; theta > 1e-30; theta /= 100)
+        for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
+            train.precision = (enum dom_precision)p;
+            train.tol = dom_arithmetic(train.precision)->tol_default;
+            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            /* The head slows down by a share of about 11 theta. */
+            assert_near("time", (double)s.time, theta / sqrt((double)launch.omegasq),
+                        fmax(20 * theta, p == DOM_FLOAT ? 1e-5 : 1e-12));
+        }
+}
+
+/* In every precision, with friction and without, at r s = 1 too: a train that stops has its events. */
+static void stops_have_times(void **state)
+{
+    (void)state;
+    uint64_t seed = 82;
+    int stops = 0, at_reach = 0, rubbed = 0;
+    for (int i = 0; i < 1500; i++) {
+        struct dom_train train;
+        struct dom_event events[DOM_EVENTS_MAX];
+        int n;
+        dom_real stop;
+        train = random_train(&seed);
+        train.s = random_log(&seed, 0.05, 1);
+        train.q = i % 3 ? 3 : train.q;
+        train.mu = i % 2 ? random_log(&seed, 1e-3, 1) : 0;
+        train.r = i % 5 == 0 ? 1 / train.s : pow(1 / (double)train.s, random_unit(&seed));
+        train.precision = i % 7 == 0 ? DOM_QUAD : i % 3 == 0 ? DOM_FLOAT : DOM_DOUBLE;
+        train.tol = train.precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        if (dom_cycle_stop(&train, &stop, NULL) != DOM_OK || isnan((double)stop))
+            continue;
+        enum dom_status status = dom_cycle_events(&train, events, &n);
+        if (status == DOM_NO_MARGIN)
+            continue;
+        if (status != DOM_STOPS)
+            fail_train(dom_status_text(status), &train, (double)stop, 0, 0);
+        assert_true(events[n - 1].kind == DOM_EVENT_STOP && events[n - 1].theta == stop);
+        if (!isfinite((double)events[n - 1].time) || events[n - 1].time <= 0)
+            fail_train("time", &train, (double)stop, (double)events[n - 1].time, 0);
+        stops++;
+        at_reach += i % 5 == 0;
+        rubbed += train.mu > 0;
+    }
+    print_message("# %d stops, %d at the reach, %d with friction\n", stops, at_reach, rubbed);
+    assert_true(stops > 200 && at_reach > 50 && rubbed > 80);
+}
+
+/* Slight motions with friction that are used up at once: double and float against quad. */
+static void slight_motions(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    train.q = 3;
+    train.s = 0.15;
+    train.d = 0.3;
+    train.mu = 0.3;
+    train.r = 5.51465;
+    struct dom_train fine = in_quad(train);
+    struct dom_event events[DOM_EVENTS_MAX], expected[DOM_EVENTS_MAX];
+    int n, m;
+    assert_status(dom_cycle_events(&fine, expected, &m), DOM_STOPS);
+    for (int p = DOM_FLOAT; p <= DOM_DOUBLE; p++) {
+        train.precision = (enum dom_precision)p;
+        train.tol = dom_arithmetic(train.precision)->tol_default;
+        assert_status(dom_cycle_events(&train, events, &n), DOM_STOPS);
+        assert_int_equal(n, m);
+        /* The energy is what is left of a fuel 1e5 times as large. */
+        assert_near("stop", (double)events[n - 1].theta, (double)expected[n - 1].theta, 1e5 * train.tol);
+        assert_near("time", (double)events[n - 1].time, (double)expected[n - 1].time, 1e5 * train.tol);
+    }
+}
+
+/* The growth at which the top leaves theta = 0, by halving. */
+static double vanishing(struct dom_train train)
+{
+    double lo = 1, hi = 1 / (double)train.s;
+    for (int i = 0; i < 100; i++) {
+        struct dom_barrier b;
+        train.r = (lo + hi) / 2;
+        dom_barrier_find(&train, &b, NULL);
+        *(b.theta_m > 0 ? &hi : &lo) = (double)train.r;
+    }
+    return lo;
+}
+
+/* Where the barrier vanishes, H' is 0 to rounding at the launch: the bound of theta_m covers what that hides.
+ */
+static void tops_that_vanish(void **state)
+{
+    (void)state;
+    uint64_t seed = 83;
+    int checked = 0, small = 0;
+    for (int i = 0; i < 300; i++) {
+        struct dom_train train = random_train(&seed);
+        train.tol = 1e-12;
+        train.s = random_log(&seed, 0.05, 1);
+        double root = vanishing(train);
+        train.r = fmin(fmax(root * (1 + (random_unit(&seed) - 0.5) * random_log(&seed, 1e-16, 1e-6)), 1),
+                       within_reach(&train));
+        struct dom_train fine = in_quad(train);
+        struct dom_barrier b, error, expected;
+        enum dom_status status = dom_barrier_find(&train, &b, &error);
+        assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
+        status = dom_barrier_find(&fine, &expected, NULL);
+        assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
+        /* Two tops as high as each other, to rounding, are another matter. */
+        if (fabs((double)(b.theta_m - expected.theta_m)) > 1e-3)
+            continue;
+        double off = fabs((double)(b.theta_m - expected.theta_m));
+        if (!(off <= error.theta_m))
+            fail_train("theta_m", &train, off / (double)error.theta_m, (double)b.theta_m,
+                       (double)expected.theta_m);
+        if (!(fabs((double)(b.barrier - expected.barrier)) <= error.barrier))
+            fail_train("barrier", &train, 0, (double)b.barrier, (double)expected.barrier);
+        checked++;
+        small += b.theta_m < 1e-6;
+    }
+    print_message("# %d tops, %d below 1e-6\n", checked, small);
+    assert_true(checked > 200 && small > 50);
+}
+
+static void top_of_one_train(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    train.s = 0.76688250642638167;
+    train.r = 1.1153537532838222;
+    train.d = 0.41408462686236253;
+    struct dom_train fine = in_quad(train);
+    struct dom_barrier b, error, expected;
+    assert_status(dom_barrier_find(&train, &b, &error), DOM_OK);
+    assert_status(dom_barrier_find(&fine, &expected, NULL), DOM_OK);
+    assert_true(fabs((double)(b.theta_m - expected.theta_m)) <= error.theta_m && error.theta_m < 1e-13);
+}
+
+/* What each function of the cycle says of a train: DOM_OK, DOM_STOPS, or another reason to have no verdict.
+ */
+static void one_verdict(const struct dom_train *train, enum dom_status expected)
+{
+    struct dom_angles angles;
+    struct dom_event events[DOM_EVENTS_MAX];
+    struct dom_state s;
+    struct dom_barrier b;
+    dom_real stop, w, time;
+    int n;
+    assert_status(dom_angles_find(train, &angles, NULL), DOM_OK);
+    enum dom_status verdict = dom_barrier_find(train, &b, NULL);
+    if (verdict != expected)
+        fail_train(dom_status_text(verdict), train, 0, (double)b.kinetic, (double)b.barrier);
+    assert_status(dom_cycle_stop(train, &stop, NULL), DOM_OK);
+    assert_int_equal(isnan((double)stop), expected == DOM_OK);
+    assert_status(dom_cycle_omegasq(train, angles.theta_c, &w, NULL), expected);
+    assert_status(dom_cycle_omegasq(train, b.theta_m, &w, NULL), expected);
+    enum dom_status status = dom_cycle_duration(train, &time, NULL);
+    if (status != DOM_NO_MARGIN)
+        assert_status(status, expected);
+    status = dom_cycle_events(train, events, &n);
+    if (status == DOM_NO_MARGIN)
+        return;
+    assert_status(status, expected);
+    assert_status(dom_cycle_state(train, angles.theta_c, &s, NULL), expected);
+    assert_int_equal(events[n - 1].kind, expected == DOM_OK ? DOM_EVENT_HIT : DOM_EVENT_STOP);
+    if (expected == DOM_STOPS) { /* it comes as far as its stop, and no farther */
+        assert_status(dom_cycle_omegasq(train, stop, &w, NULL), DOM_OK);
+        assert_true(w == 0);
+        assert_status(dom_cycle_state(train, stop, &s, NULL), DOM_OK);
+        assert_true(s.omegasq == 0);
+        assert_status(dom_cycle_omegasq(train, stop * (1 + 1e-5), &w, NULL), DOM_STOPS);
+    }
+}
+
+/* Near r_max the verdict is that of quad, at any tolerance, in every function. */
+static void verdicts_near_the_limit(void **state)
+{
+    (void)state;
+    uint64_t seed = 84;
+    int goes = 0, stops = 0;
+    for (int i = 0; i < 120; i++) {
+        struct dom_train train = random_train(&seed), fine;
+        struct dom_limit limit;
+        struct dom_barrier b;
+        train.tol = 1e-12;
+        train.s = random_log(&seed, 0.02, 0.6);
+        train.mu = i % 4 ? 0 : random_log(&seed, 1e-3, 0.5);
+        if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends != DOM_END_BARRIER)
+            continue;
+        train.r = limit.r_max * (1 + (random_unit(&seed) < 0.5 ? -1 : 1) * random_log(&seed, 1e-9, 1e-4));
+        train.r = (double)fmax((double)train.r, 1);
+        fine = in_quad(train);
+        fine.tol = 1e-20;
+        enum dom_status expected = dom_barrier_find(&fine, &b, NULL);
+        if ((expected != DOM_OK && expected != DOM_STOPS) || fabs((double)(b.margin / b.kinetic)) < 1e-11)
+            continue;
+        const double tols[] = {0.1, 0.01, 1e-3, 1e-5, 1e-8, 1e-12};
+        for (int k = 0; k < 6; k++) {
+            train.tol = tols[k];
+            one_verdict(&train, expected);
+        }
+        goes += expected == DOM_OK;
+        stops += expected == DOM_STOPS;
+    }
+    print_message("# %d go on, %d stop\n", goes, stops);
+    assert_true(goes > 25 && stops > 25);
+}
+
+/* A cycle as a table has the times and tilts that single answers give. */
+struct seen {
+    const struct dom_train *train;
+    int rows, events;
+    double before;
+};
+
+static bool state_seen(const struct dom_state *s, const struct dom_state *error,
+                       const struct dom_event *event, void *context)
+{
+    struct seen *seen = context;
+    struct dom_state alone;
+    assert_null(error);
+    assert_status(dom_cycle_state(seen->train, s->theta, &alone, NULL), DOM_OK);
+    double size = fmax((double)alone.time, 1e-300);
+    if (fabs((double)(s->time - alone.time)) > 1e-10 * size + 1e-16)
+        fail_train("time", seen->train, (double)s->theta, (double)s->time, (double)alone.time);
+    assert_true(s->omegasq == alone.omegasq && s->kinetic == alone.kinetic);
+    assert_true((double)s->time >= seen->before);
+    seen->before = (double)s->time;
+    seen->events += event != NULL;
+    seen->rows += !event;
+    return true;
+}
+
+static void tables_and_answers(void **state)
+{
+    (void)state;
+    uint64_t seed = 85;
+    int tables = 0;
+    for (int i = 0; i < 150; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_event events[DOM_EVENTS_MAX];
+        int n;
+        train.tol = 1e-12;
+        train.s = random_log(&seed, 0.05, 1);
+        train.r = fmax(fmin((double)train.r, within_reach(&train)), 1);
+        train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
+        enum dom_status expected = dom_cycle_events(&train, events, &n);
+        struct seen seen = {.train = &train};
+        enum dom_status status =
+            dom_cycle_walk(&train, 7, i % 2 ? DOM_BY_TILT : DOM_BY_TIME, false, state_seen, &seen);
+        assert_status(status, expected);
+        if (expected != DOM_OK && expected != DOM_STOPS)
+            continue;
+        assert_int_equal(seen.events, n);
+        assert_true(seen.rows >= 5 - n);
+        tables++;
+    }
+    assert_true(tables > 50);
+}
+
+/* The smallest contact force is that of many forces along the cycle. */
+static bool force_seen(const struct dom_force *f, void *context)
+{
+    double *least = context;
+    if (f->of_own < *least)
+        *least = (double)f->of_own;
+    return true;
+}
+
+static void least_forces(void **state)
+{
+    (void)state;
+    uint64_t seed = 86;
+    int checked = 0;
+    for (int i = 0; i < 120; i++) {
+        struct dom_train train = random_train(&seed);
+        struct dom_event events[DOM_EVENTS_MAX];
+        struct dom_least_force found;
+        int n;
+        train.tol = 1e-12;
+        train.s = random_log(&seed, 0.05, 0.95);
+        train.r = fmax(fmin((double)train.r, 0.95 / (double)train.s), 1);
+        train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
+        enum dom_status status = dom_cycle_events(&train, events, &n);
+        if (status != DOM_OK && status != DOM_STOPS)
+            continue;
+        assert_status(dom_cycle_least_force(&train, &found), DOM_OK);
+        double least = INFINITY, end = (double)events[n - 1].theta;
+        for (int k = 0; k <= 500; k++)
+            assert_status(dom_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
+        if (isinf(least) || least > 1e6)
+            continue;
+        /* Between 500 tilts it may be smaller by what a parabola leaves. */
+        if (found.force > least + 1e-5 + 1e-5 * fabs(least) ||
+            found.force < least - 0.02 * fabs(least) - 1e-3)
+            fail_train("least force", &train, (double)found.theta, (double)found.force, least);
+        checked++;
+    }
+    print_message("# %d least forces\n", checked);
+    assert_true(checked > 30);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(times_before_a_stop),
+        cmocka_unit_test(first_moment),
+        cmocka_unit_test(stops_have_times),
+        cmocka_unit_test(slight_motions),
+        cmocka_unit_test(tops_that_vanish),
+        cmocka_unit_test(top_of_one_train),
+        cmocka_unit_test(verdicts_near_the_limit),
+        cmocka_unit_test(tables_and_answers),
+        cmocka_unit_test(least_forces),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
