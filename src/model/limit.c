@@ -4,117 +4,14 @@
  * The margin need not be monotone (thin dominoes: it falls, rises again and drops near 1/s), so a dip
  * between two samples is looked into before the scan goes on.
  */
-#include "margin.h"
-
-/* Samples a factor e of r, far from the reach; then a decade of 1 - r s each. */
-#define SCAN_PER_E   8
-#define SCAN_DECADES 8
-
-/* The k-th sample of r between 1 and the reach; the last is 1/s itself, and larger k give it again. */
-static real scan_sample(real s, int k)
-{
-    const real near = (real)0.1;
-    real ln_reach = -log(s);
-    int far = (int)ceil(fmax(ln_reach - near, 0) * SCAN_PER_E);
-    if (k < far)
-        return exp((real)k * fmax(ln_reach - near, 0) / (real)far);
-    real short_of = fmin(near, 1 - s) * pow(10, (real)(far - k));
-    return k - far > SCAN_DECADES ? 1 / s : fmax((1 - short_of) / s, 1);
-}
-
-/* A sample of the scan. */
-struct edge {
-    real r;
-    struct margin margin;
-};
-
-struct limit {
-    real r_max;
-    enum dom_end ends;
-};
-
-static real margin_below(real r, void *context)
-{
-    return -margin_at(r, context);
-}
-
-/*
- * The root of the margin between lo and hi, for which the top of the barrier at hi is followed.  That it is
- * the highest also at the root is seen there by one more search; where it is not, all tops are searched at
- * every r.
- */
-static enum dom_status limit_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
-                                  real *r)
-{
-    real tol = c->lean.tol;
-    enum num_status solver;
-    if (c->train->mu == 0) {
-        margin_follow_begin(c);
-        solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
-                                  margin_share(&hi->margin), tol / 8, r);
-        if (c->status == DOM_INTERRUPTED)
-            return c->status;
-        if (solver == NUM_OK && margin_highest(c, *r))
-            return DOM_OK;
-    }
-    solver = num_root(margin_at, c, lo->r, hi->r, tol / 8, r);
-    return model_status(c->status, solver);
-}
-
-/*
- * May the margin reach below 0 between the first and the last?  Where it is lowest in the middle; but kinetic
- * energy alone is smooth, and goes no deeper than a few times what the parabola through the three does.
- */
-static bool dips(const struct edge edge[3])
-{
-    const struct margin *before = &edge[0].margin, *low = &edge[1].margin, *next = &edge[2].margin;
-    real left = margin_left(low), down = margin_left(before) - left, up = margin_left(next) - left;
-    real back = edge[1].r - edge[0].r, on = edge[2].r - edge[1].r;
-    real bend = (up / on + down / back) / (back + on), slope = bend * back - down / back;
-    bool smooth = before->most && low->most && next->most;
-    return margin_left(next) >= 0 && down > 0 && up > 0 && !(smooth && left > slope * slope / bend);
-}
-
-/* First r > lo at which the margin, >= 0 at lo, is negative; DOM_END_REACH if there is none. */
-static enum dom_status limit_scan(struct margin_context *c, int k, struct margin margin, struct limit *limit)
-{
-    real s = c->s, reach = 1 / s;
-    struct edge edge[3] = {{REAL_NAN, {.kinetic = REAL_NAN}}, {scan_sample(s, k), margin}};
-    while (edge[1].r < reach) {
-        edge[2].r = scan_sample(s, ++k);
-        edge[2].margin = margin_sign(c, edge[2].r);
-        if (c->status != DOM_OK)
-            return c->status;
-        if (dips(edge)) {
-            struct edge low = {0};
-            enum num_status solver =
-                num_maximum(margin_below, c, edge[0].r, edge[1].r, edge[2].r, (real)1e-6, &low.r);
-            if (model_status(c->status, solver) == DOM_OK)
-                low.margin = margin_sign(c, low.r);
-            if (c->status != DOM_OK)
-                return c->status;
-            if (solver == NUM_OK && margin_left(&low.margin) < 0) {
-                edge[1] = low.r < edge[1].r ? edge[0] : edge[1];
-                edge[2] = low;
-            }
-        }
-        if (margin_left(&edge[2].margin) < 0) {
-            limit->ends = DOM_END_BARRIER;
-            return limit_root(c, &edge[1], &edge[2], &limit->r_max);
-        }
-        edge[0] = edge[1];
-        edge[1] = edge[2];
-    }
-    *limit = (struct limit){.r_max = reach, .ends = DOM_END_REACH};
-    return DOM_OK;
-}
+#include "best.h"
 
 /*
  * Of a root of the margin: what is left of the margin and what may be wrong with it, over its slope in r.
  * The slope is that of a difference wide enough to stand out from what may be wrong with both margins,
  * on this side of the reach.
  */
-static enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
+KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
     real r = limit->r_max, reach = 1 / c->s;
     *error = c->train->mu > 0 ? REAL_NAN : UNIT * r;
@@ -157,156 +54,132 @@ static enum dom_status limit_public(struct margin_context *c, const struct limit
 
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 
-static enum dom_status rmax_find(struct margin_context *c, struct limit *limit, enum dom_status *why)
+/* First r > from->r at which the margin, >= 0 there, is negative. */
+static enum dom_status limit_fall(struct margin_context *c, const struct edge *from, struct limit *limit)
 {
-    struct margin margin = margin_sign(c, 1);
-    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_left(&margin) < 0)) {
+    if (c->train->mu == 0)
+        return scan_fall(c, from, &limit->r_max, &limit->ends);
+    struct edge before, after;
+    bool found = false;
+    enum dom_status status = probe_change(c, from, &before, &after, &found);
+    *limit = (struct limit){.r_max = 1 / c->s, .ends = DOM_END_REACH};
+    if (status != DOM_OK || !found)
+        return status;
+    limit->ends = DOM_END_BARRIER;
+    return scan_root(c, &before, &after, &limit->r_max);
+}
+
+/* First r >= from at which the margin is not negative, if there is one. */
+static enum dom_status limit_rise(struct margin_context *c, real from, struct edge *edge, bool *found)
+{
+    if (c->train->mu == 0)
+        return scan_rise(c, from, edge, found);
+    struct edge before;
+    *edge = (struct edge){from, margin_sign(c, from)};
+    *found = c->status == DOM_OK && margin_left(&edge->margin) >= 0;
+    if (c->status != DOM_OK || *found)
+        return c->status;
+    struct edge first = *edge;
+    return probe_change(c, &first, &before, edge, found);
+}
+
+KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit, enum dom_status *why)
+{
+    struct edge first = {.r = 1};
+    struct lean g = c->lean;
+    enum dom_status status = lean_set(&g, c->s, 1);
+    if (status != DOM_OK)
+        return c->status = status;
+    /* There P has a closed form, and K = P T, T >= 1. */
+    first.margin =
+        (struct margin){.kinetic = energy_fuel_paper(&g), .barrier = barrier_most(&g), .most = true};
+    if (c->train->mu > 0 || !(first.margin.kinetic > 2 * first.margin.barrier))
+        first.margin = margin_sign(c, 1);
+    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_left(&first.margin) < 0)) {
         *limit = no_limit;
         if (why)
             *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
         return c->status = DOM_OK;
     }
-    return c->status == DOM_OK ? limit_scan(c, 0, margin, limit) : c->status;
+    if (c->status == DOM_OK)
+        c->status = limit_fall(c, &first, limit);
+    return c->status;
+}
+
+/*
+ * All passes of an answer together follow no more dominoes than this, which takes a second or two in double;
+ * beyond it the answer is out of reach (DOM_TOO_LONG).  With friction a domino takes some four times as long.
+ */
+#define WORK_MOST         ((size_t)60000000)
+#define WORK_MOST_RUBBING ((size_t)15000000)
+
+static void limit_begin(struct margin_context *c, struct dom_work *work)
+{
+    c->lean.work = work;
+    c->lean.work_most = c->train->mu > 0 ? WORK_MOST_RUBBING : WORK_MOST;
+}
+
+/* Adds the work of an answer to that of the caller. */
+static void limit_end(const struct dom_train *train, const struct dom_work *work)
+{
+    if (!train->work)
+        return;
+    train->work->passes += work->passes;
+    train->work->dominoes += work->dominoes;
+    if (work->longest > train->work->longest)
+        train->work->longest = work->longest;
+    for (int i = 0; i < DOM_EFFECT_COUNT; i++)
+        train->work->entered[i] += work->entered[i];
 }
 
 KERNEL enum dom_status limit_rmax(const struct dom_train *train, struct dom_limit *limit,
                                   struct dom_limit *error, enum dom_status *why)
 {
+    struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
     struct limit found;
-    enum dom_status status = rmax_find(&c, &found, why);
-    return status == DOM_OK ? limit_public(&c, &found, limit, error) : status;
+    limit_begin(&c, &work);
+    enum dom_status status = limit_find(&c, &found, why);
+    if (status == DOM_OK)
+        status = limit_public(&c, &found, limit, error);
+    limit_end(train, &work);
+    return status;
+}
+
+static enum dom_status pair_find(struct margin_context *c, struct limit *found)
+{
+    struct edge edge;
+    bool any;
+    *found = no_limit;
+    /* (b0): below that growth domino 1 has not tipped over when it hits. */
+    real tips = fmax(c->lean.d / c->lean.reach / c->s, 1);
+    if (tips >= 1 / c->s)
+        return DOM_OK;
+    enum dom_status status = limit_rise(c, tips, &edge, &any);
+    return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;
 }
 
 KERNEL enum dom_status limit_pair(const struct dom_train *train, struct dom_limit *limit,
                                   struct dom_limit *error)
 {
+    struct dom_work work = {0};
     struct margin_context c = margin_of_pair(train);
-    struct limit found = no_limit;
-    real r = 0;
-    for (int k = 0; r < 1 / c.s; k++) {
-        r = scan_sample(c.s, k);
-        struct margin margin = margin_sign(&c, r);
-        if (c.status != DOM_OK)
-            return c.status;
-        if (margin_left(&margin) >= 0) {
-            enum dom_status status = limit_scan(&c, k, margin, &found);
-            if (status != DOM_OK)
-                return status;
-            break;
-        }
-    }
-    return limit_public(&c, &found, limit, error);
-}
-
-/* ---- The best separation ---- */
-
-static real rmax_at(real s, void *context)
-{
-    struct margin_context *c = context;
-    struct limit limit;
-    if (c->status != DOM_OK) /* the reason of the first failure */
-        return REAL_NAN;
-    c->s = s;
-    if (rmax_find(c, &limit, NULL) != DOM_OK)
-        return REAL_NAN;
-    return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
-}
-
-/*
- * d r_max / d s by the nine-point rule.  Its error is (h / scale)^8, where r_max bends over a few percent
- * of s, and roundoff / h: least near this h.
- */
-static real slope_step(real s)
-{
-    return (real)0.03 * exp(log(REAL_EPSILON) / 9) * s;
-}
-
-static real rmax_slope_by(real s, real h, void *context)
-{
-    static const int weight[] = {672, -168, 32, -3};
-    real sum = 0;
-    for (int k = 1; k <= 4; k++)
-        sum += (real)weight[k - 1] * (rmax_at(s + (real)k * h, context) - rmax_at(s - (real)k * h, context));
-    return sum / (840 * h);
-}
-
-static real rmax_slope(real s, void *context)
-{
-    return rmax_slope_by(s, slope_step(s), context);
-}
-
-#define BEST_RATIO    ((real)0.9) /* of successive separations */
-#define BEST_PATIENCE 8           /* as many lower ones in a row end the search */
-#define BEST_LOWEST   ((real)2e-6)
-
-/* How much lower r_max is at s + step than the top; 0 behind a jump, whose lower side is not the top's. */
-static real best_fall(struct margin_context *c, real s, real step, real top)
-{
-    real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
-    return near > far / 2 && far > 64 * UNIT * top ? 0 : far;
-}
-
-/*
- * Near a smooth top r_max is flat: what rounding and tol leave of its slope bounds s, over the curvature;
- * at a kink or a jump s is bracketed to tol itself.  r_max may be off by as much as it changes over that.
- */
-static enum dom_status best_error(struct margin_context *c, real s, bool smooth, struct dom_best *error)
-{
-    real h = slope_step(s), width = 4 * h, r_error = 0;
-    struct limit limit;
-    c->s = s;
-    enum dom_status status = rmax_find(c, &limit, NULL);
+    struct limit found;
+    limit_begin(&c, &work);
+    enum dom_status status = pair_find(&c, &found);
     if (status == DOM_OK)
-        status = limit_error(c, &limit, &r_error);
-    real s_error = 2 * fmax((real)c->train->tol, 4 * REAL_EPSILON) * s;
-    if (status == DOM_OK && smooth) {
-        real bend = fabs(rmax_slope(s + width, c) - rmax_slope(s - width, c)) / (2 * width);
-        /* Twice the step has 256 times the error of the rule. */
-        real slope = rmax_slope(s, c), rule = fabs(rmax_slope_by(s, 2 * h, c) - slope) / 32;
-        s_error = 2 * UNIT * s + (fabs(slope) + rule + 2 * r_error / h) / bend;
-    }
-    if (c->status == DOM_OK && status == DOM_OK)
-        r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), limit.r_max),
-                        best_fall(c, s, fmin(s_error, 1 - s), limit.r_max));
-    *error = (struct dom_best){.s = s_error, .r_max = r_error};
-    return status != DOM_OK ? status : c->status;
+        status = limit_public(&c, &found, limit, error);
+    limit_end(train, &work);
+    return status;
 }
 
 KERNEL enum dom_status limit_best(const struct dom_train *train, struct dom_best *best,
                                   struct dom_best *error)
 {
+    struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
-    real s = 1, top = s, height = rmax_at(s, &c);
-    for (int lower = 0; lower < BEST_PATIENCE && c.status == DOM_OK && s > BEST_LOWEST;) {
-        s *= BEST_RATIO;
-        real value = rmax_at(s, &c);
-        lower = value > height ? 0 : lower + 1;
-        if (value > height) {
-            height = value;
-            top = s;
-        }
-    }
-    if (c.status != DOM_OK)
-        return c.status;
-    if (!(height > 1) || top == 1)
-        return DOM_NO_GROWTH;
-
-    enum num_status solver =
-        num_maximum(rmax_at, &c, top * BEST_RATIO, top, top / BEST_RATIO, (real)train->tol, &top);
-    enum dom_status status = model_status(c.status, solver);
-    if (status != DOM_OK)
-        return status;
-    height = rmax_at(top, &c);
-    /* A smooth top is where the slope vanishes; at a kink or a jump that would lie lower. */
-    real zero, width = fmax((real)1e-4, 16 * sqrt(REAL_EPSILON)) * top;
-    solver = num_root(rmax_slope, &c, top - width, top + width, (real)train->tol, &zero);
-    bool smooth = solver == NUM_OK && rmax_at(zero, &c) >= height * (1 - 16 * REAL_EPSILON);
-    top = smooth ? zero : top;
-    height = c.status == DOM_OK ? rmax_at(top, &c) : 0;
-    if (c.status == DOM_OK && error)
-        c.status = best_error(&c, top, smooth, error);
-    if (c.status == DOM_OK)
-        *best = (struct dom_best){.s = top, .r_max = height};
-    return c.status;
+    limit_begin(&c, &work);
+    enum dom_status status = best_find(&c, best, error);
+    limit_end(train, &work);
+    return status;
 }

@@ -62,25 +62,36 @@ static enum dom_status train_margin(const struct lean *g, struct margin_context 
     return status == DOM_OK ? margin_barrier(g, c, both ? &near : NULL, m) : status;
 }
 
+/* Sine and cosine of theta_c - theta_u: before theta_u domino 1 has not tipped over when it hits (b0). */
+static void pair_tips(const struct lean *g, real *sine, real *cosine)
+{
+    real u = g->reach; /* h(theta_u) (b2) */
+    *sine = (g->c.x - g->d * g->c.y) / u;
+    *cosine = (g->c.y + g->d * g->c.x) / u;
+}
+
+KERNEL real pair_push(const struct lean *g)
+{
+    real sine, cosine;
+    pair_tips(g, &sine, &cosine);
+    return sine > 0 ? g->reach * sine * sine / (1 + cosine) : 0;
+}
+
 /* Of the pair after the collision (b13). */
 static enum dom_status pair_margin(const struct lean *g, struct margin_context *c, struct margin *m)
 {
     struct lean two = *g;
     two.n = c->dominoes;
-    real u = g->reach;                        /* h(theta_u) (b2) */
-    real sine = (g->c.x - g->d * g->c.y) / u; /* of theta_c - theta_u */
-    real cosine = (g->c.y + g->d * g->c.x) / u;
-    /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation. */
-    real omegasq_1c = u * sine * sine / (1 + cosine);
+    real u = g->reach, sine, cosine;
+    pair_tips(g, &sine, &cosine);
     if (g->mu > 0) {
         enum dom_status status = friction_flow(&two);
         if (status != DOM_OK)
             return status;
     }
     real k = g->inertia, T = g->mu > 0 ? g->flow->T : k, share = T / (1 + T); /* (b11) */
-    real kinetic = (1 + k) * g->r * omegasq_1c * share * share;
+    real kinetic = (1 + k) * g->r * pair_push(g) * share * share;
     real sine_error = UNIT * (5 * g->c.x + 7 * g->d * g->c.y) / u, powers = 24 * UNIT;
-    /* Before theta_u domino 1 has not tipped over when it hits (b0): no push, the barrier is not met. */
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
                   : (struct margin){.kinetic = 0};
     return margin_barrier(&two, c, NULL, m);
@@ -129,6 +140,14 @@ KERNEL real margin_at(real r, void *context)
     struct margin m = {0};
     c->how = MARGIN_SURE;
     return margin_to(c, r, c->lean.tol, &m) == DOM_OK ? margin_left(&m) : REAL_NAN;
+}
+
+KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
+{
+    struct margin m = {.kinetic = REAL_NAN};
+    c->how = MARGIN_SURE;
+    margin_to(c, r, tol, &m);
+    return m;
 }
 
 #define ROUGH ((real)1e-3)

@@ -46,6 +46,7 @@ struct margin_context {
     real share;             /* that it was, then */
     real error;             /* bound of that of the last margin, where wanted */
     bool errors;
+    real coarse; /* where > 0, the narrowest strip of a scan of r that only has to find a bound */
     bool locked; /* by friction, at the last r */
     enum dom_status status;
 };
@@ -54,8 +55,15 @@ struct margin_context {
 KERNEL struct margin_context margin_of_train(const struct dom_train *train);
 KERNEL struct margin_context margin_of_pair(const struct dom_train *train);
 
+/* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation: 0 where domino 1 has not tipped
+ * over. */
+KERNEL real pair_push(const struct lean *lean);
+
 /* At r, to the train's tolerance; context is a margin_context. NaN, with its status, where it fails. */
 KERNEL real margin_at(real r, void *context);
+
+/* The same, both parts of it, to the tolerance tol. */
+KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
 
 /*
  * Where its sign is what is wanted: as roughly as shows it.  Kinetic energy and barrier keep a tolerance

@@ -53,6 +53,8 @@ KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
         return DOM_OK;
     if (dom_raised(g->interrupt))
         return DOM_INTERRUPTED;
+    if (g->work_most > 0 && g->work->dominoes + i > g->work_most)
+        return DOM_TOO_LONG;
     return i < LINKS_MAX ? DOM_OK : DOM_TOO_LONG;
 }
 

@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The limits against a dense scan that knows nothing of bounds: the margin of random trains at many growths,
+ * each by the barrier's own search.  A growth below r_max at which the train stops, or one above it in the
+ * first band, is a miss.
+ */
+#include "../unit/support.h"
+#include "ask.h"
+#include "growth.h"
+
+/* A dip, or a band, that is narrower than this in r may be missed (scan.h: 1e-6; here with room for
+ * rounding). */
+#define RESOLVED 1e-5
+
+static struct dom_train any_train(uint64_t *seed, double mu)
+{
+    struct dom_train train = dom_train_default();
+    train.d = random_log(seed, 1e-3, 0.75);
+    train.s = random_log(seed, 0.01, 1);
+    train.q = random_log(seed, 0.4, 4);
+    train.fuel = random_unit(seed) < 0.3 && mu == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+    train.mu = mu > 0 ? mu * random_unit(seed) : 0;
+    return train;
+}
+
+/* Its margin over what it is a difference of: -1 where it cannot start. */
+static double share(const struct dom_train *train, double r)
+{
+    struct dom_barrier b;
+    struct dom_train at = *train;
+    at.r = r;
+    at.tol = 1e-6;
+    enum dom_status status = dom_barrier_find(&at, &b, NULL);
+    if (status != DOM_OK && status != DOM_STOPS)
+        return -1;
+    return (double)(b.margin / (b.kinetic + b.barrier));
+}
+
+/* The first of n growths up to r_max at which the train stops, in steps of one size in ln r, then towards the
+ * end. */
+static double first_stop(const struct dom_train *train, double r_max, int n)
+{
+    double ln_r = log(r_max);
+    for (int k = 0; k < 2 * n; k++) {
+        double part = k < n ? (double)k / n : 1 - pow(10, -6.0 * (k - n + 1) / n);
+        double r = exp(ln_r * part);
+        if (r < r_max * (1 - RESOLVED) && share(train, r) < -1e-5)
+            return r;
+    }
+    return NAN;
+}
+
+static void no_train_stops_below_r_max(void **state)
+{
+    (void)state;
+    uint64_t seed = 4711;
+    int limits = 0, reached = 0, missed = 0;
+    for (int i = 0; i < 1000; i++) {
+        struct dom_train train = any_train(&seed, 0);
+        struct dom_limit limit;
+        if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+            continue;
+        limits++;
+        reached += limit.ends == DOM_END_REACH;
+        double r = first_stop(&train, (double)limit.r_max, 150);
+        if (r > 0 && ++missed)
+            print_error("s %.17g d %.17g q %.17g fuel %d: stops at %.12g < %.12g\n", (double)train.s,
+                        (double)train.d, (double)train.q, train.fuel, r, (double)limit.r_max);
+        if (limit.ends == DOM_END_BARRIER && (double)(limit.r_max * train.s) < 1 - 1e-9 &&
+            share(&train, (double)limit.r_max * (1 + 1e-9)) > 1e-6)
+            fail_msg("goes on behind r_max");
+    }
+    print_message("# %d limits, %d of them the reach, %d missed\n", limits, reached, missed);
+    assert_true(missed == 0 && limits > 600);
+}
+
+/* Where friction has no bound, the samples have to do: a miss in a hundred is what is promised, not none. */
+static void few_trains_with_friction_stop_below_r_max(void **state)
+{
+    (void)state;
+    uint64_t seed = 815;
+    int limits = 0, missed = 0;
+    for (int i = 0; i < 100; i++) {
+        struct dom_train train = any_train(&seed, 0.4);
+        struct dom_limit limit;
+        if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+            continue;
+        limits++;
+        missed += first_stop(&train, (double)limit.r_max, 30) > 0;
+    }
+    print_message("# %d limits with friction, %d missed\n", limits, missed);
+    assert_true(missed * 100 <= limits && limits > 30);
+}
+
+/* The margin of a pair, in plain formulas: domino 1, just tipped over, hits domino 0 (b5, b11, b13). */
+static double pair_share(double s, double d, double q, double r)
+{
+    double k = pow(r, -q - 1), theta_c = asin(fmin(r * s, 1)), up = sqrt(1 + d * d), most = 0;
+    if (theta_c <= atan(d))
+        return -1;
+    double push = up - (cos(theta_c) + d * sin(theta_c)), kinetic = r * push * k * k / (1 + k);
+    double last = fmin(theta_c, 1.2 * atan(d)), before = cos(theta_c) + d * sin(theta_c), follower = 0;
+    for (int i = 1; i <= 400; i++) {
+        double theta = last * i / 400, X = r * ((s + d) * cos(theta) - d),
+               now = theta + asin(fmax(fmin(X, 1), -1));
+        follower = fmax(follower, now); /* once it has left, it stays */
+        double rise =
+            cos(theta) + d * sin(theta) - 1 + pow(r, -q) * (cos(follower) + d * sin(follower) - before);
+        most = fmax(most, rise);
+    }
+    return (kinetic - most) / (kinetic + most);
+}
+
+static void pairs_succeed_in_their_first_band(void **state)
+{
+    (void)state;
+    uint64_t seed = 99;
+    int bands = 0, missed = 0;
+    for (int i = 0; i < 4000; i++) {
+        struct dom_train train = any_train(&seed, 0);
+        struct dom_limit limit;
+        double s = (double)train.s, d = (double)train.d, q = (double)train.q;
+        train.fuel = DOM_FUEL_EXACT;
+        assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+        double end = limit.ends == DOM_END_NONE ? 0 : (double)limit.r_max, first = 0, last = 0;
+        for (int k = 0; k <= 100 && last == 0; k++) {
+            double r = pow(s, -k / 100.0), left = pair_share(s, d, q, r);
+            if (left > 1e-3 && first == 0)
+                first = r;
+            else if (left < -1e-3 && first > 0)
+                last = r;
+        }
+        bands += end > 0;
+        bool wrong = first > 0 && (end < first || (last > 0 && end > last));
+        if (wrong && ++missed)
+            print_error("s %.17g d %.17g q %.17g: %.12g, not in %.12g to %.12g\n", s, d, q, end, first, last);
+    }
+    print_message("# %d bands, %d missed\n", bands, missed);
+    assert_true(missed == 0 && bands > 400);
+}
+
+/* No separation of a dense sample allows more than the best one. */
+static void no_separation_allows_more(void **state)
+{
+    (void)state;
+    uint64_t seed = 31;
+    int missed = 0, found = 0, refused = 0;
+    for (int i = 0; i < 40; i++) {
+        struct dom_train train = any_train(&seed, 0);
+        struct dom_best best;
+        struct dom_limit limit;
+        enum dom_status status = dom_limit_best(&train, &best, NULL);
+        if (status == DOM_TOO_LONG && ++refused) /* thin, q < 1: its proof takes too much work */
+            continue;
+        if (status != DOM_OK && status != DOM_NO_GROWTH)
+            fail_msg("d %.17g q %.17g fuel %d: %s", (double)train.d, (double)train.q, train.fuel,
+                     dom_status_text(status));
+        found += status == DOM_OK;
+        double most = status == DOM_OK ? (double)best.r_max : 1;
+        for (int k = 0; k < 120; k++) {
+            train.s = k < 60 ? pow(10, -2 * random_unit(&seed))
+                             : (double)best.s * (0.98 + 0.04 * random_unit(&seed));
+            if (train.s > 1 || (status != DOM_OK && k >= 60))
+                continue;
+            assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            if (limit.ends != DOM_END_NONE && (double)limit.r_max > most * (1 + 1e-5) && ++missed)
+                print_error("d %.17g q %.17g fuel %d: %.12g at s %.12g, best %.12g at %.12g\n",
+                            (double)train.d, (double)train.q, train.fuel, (double)limit.r_max,
+                            (double)train.s, most, status == DOM_OK ? (double)best.s : (double)NAN);
+        }
+    }
+    print_message("# %d best separations, %d missed, %d refused\n", found, missed, refused);
+    assert_true(missed == 0 && found > 20 && refused <= 4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_train_stops_below_r_max),
+        cmocka_unit_test(few_trains_with_friction_stop_below_r_max),
+        cmocka_unit_test(pairs_succeed_in_their_first_band),
+        cmocka_unit_test(no_separation_allows_more),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

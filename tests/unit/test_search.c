@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the searches for limits once missed: dips of the margin, narrow bands, tops between two separations.
+ */
+#include "support.h"
+
+static struct dom_train train_of(double s, double d, double q, double mu, enum dom_precision precision)
+{
+    struct dom_train train = dom_train_default();
+    train.s = s;
+    train.d = d;
+    train.q = q;
+    train.mu = mu;
+    train.precision = precision;
+    train.tol = dom_arithmetic(precision)->tol_default;
+    return train;
+}
+
+/*
+ * The first root, from sums in 30 digits of an independent program, given to 10.  Where the margin only just
+ * falls below 0 float does not see it.
+ */
+static void the_first_root_counts(void **state)
+{
+    static const struct {
+        double s, d, q, mu, r_max, bound;
+    } cases[] = {
+        {0.2, 0.225, 1.045, 0, 3.389170782, 1e-9},
+        {0.1293, 0.2, 0.65, 0.1, 4.40969, 2e-6},
+        {0.012128376507914842, 0.0089507755427695561, 1.0982787021882383, 0, 78.7589963324, 1e-11},
+        {0.97, 0.7, 3, 0, 1.008242542, 1e-9},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct dom_limit limit[2];
+        for (int p = 0; p < (cases[i].mu > 0 ? 1 : 2); p++) {
+            struct dom_train train =
+                train_of(cases[i].s, cases[i].d, cases[i].q, cases[i].mu, p == 0 ? DOM_DOUBLE : DOM_QUAD);
+            assert_status(dom_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+            assert_int_equal(limit[p].ends, DOM_END_BARRIER);
+            assert_near("r_max", limit[p].r_max, cases[i].r_max, cases[i].bound);
+        }
+        if (cases[i].mu == 0)
+            assert_near("double and quad", limit[0].r_max, limit[1].r_max, 1e-10);
+    }
+}
+
+/* Bands that begin and end between samples a factor e^(1/8) apart. */
+static void narrow_bands_of_pairs(void **state)
+{
+    static const struct {
+        double s, d, q, r_max;
+    } cases[] = {
+        {0.72, 0.565, 2, 1.10790400424}, {0.66, 0.507, 2.5, 1.09210699}, {0.12, 0.278, 0.5, 6.55740614}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int p = 0; p < 3; p++) {
+            struct dom_train train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
+            struct dom_limit limit;
+            assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+            assert_int_equal(limit.ends, DOM_END_BARRIER);
+            assert_near("pair", limit.r_max, cases[i].r_max, p == 0 ? 1e-4 : 5e-9);
+        }
+}
+
+/* Smooth tops are known to tol: where samples alone decide, to its root. */
+static void the_best_separation_to_its_digits(void **state)
+{
+    static const struct {
+        double d, q, s;
+    } cases[] = {{0.014, 3, 0.206532218328}, {0.49, 4, 0.775717721697}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct dom_train train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
+        struct dom_best best, error;
+        assert_status(dom_limit_best(&train, &best, &error), DOM_OK);
+        assert_near("best s", best.s, cases[i].s, 4e-12);
+        /* The reference has 12 digits. */
+        assert_true(fabs((double)(best.s - cases[i].s)) <= error.s + 1e-12 && error.s < 1e-10);
+    }
+}
+
+/* Thick dominoes grow only above s = 0.9, if at all. */
+static void thick_dominoes_grow_at_wide_gaps(void **state)
+{
+    (void)state;
+    for (double d = 0.665; d < 0.7486; d += 0.02) {
+        struct dom_train train = train_of(1, d, 3, 0, DOM_DOUBLE);
+        struct dom_best best;
+        struct dom_limit limit;
+        assert_status(dom_limit_best(&train, &best, NULL), DOM_OK);
+        assert_true(best.s > 0.9 && best.r_max > 1);
+        for (train.s = 0.905; train.s < 1; train.s += 0.01) {
+            assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            assert_true(limit.ends == DOM_END_NONE || limit.r_max <= best.r_max * (1 + 1e-9));
+        }
+    }
+}
+
+/* Two tops between s = 0.9^k and its neighbours: the higher one counts. */
+static void the_higher_of_two_tops(void **state)
+{
+    (void)state;
+    struct dom_train train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
+    struct dom_best best;
+    train.fuel = DOM_FUEL_PAPER;
+    assert_status(dom_limit_best(&train, &best, NULL), DOM_OK);
+    assert_near("best r_max", best.r_max, 29.8327373, 1e-8);
+}
+
+/* Out of reach within the work that a search may take: refused, and not after minutes. */
+static void too_much_work_is_refused(void **state)
+{
+    (void)state;
+    struct dom_train train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
+    struct dom_work work = {0};
+    struct dom_best best;
+    train.work = &work;
+    assert_status(dom_limit_best(&train, &best, NULL), DOM_TOO_LONG);
+    assert_true(work.dominoes < 20000000);
+}
+
+/* Thin dominoes at tiny gaps need hundreds of thousands of followers at r = 1, but few where they matter. */
+static void thin_dominoes_are_quick(void **state)
+{
+    (void)state;
+    struct dom_train train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);
+    struct dom_work work = {0};
+    struct dom_limit limit;
+    train.work = &work;
+    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_true(work.dominoes < 1000000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_first_root_counts),
+        cmocka_unit_test(narrow_bands_of_pairs),
+        cmocka_unit_test(the_best_separation_to_its_digits),
+        cmocka_unit_test(thick_dominoes_grow_at_wide_gaps),
+        cmocka_unit_test(the_higher_of_two_tops),
+        cmocka_unit_test(too_much_work_is_refused),
+        cmocka_unit_test(thin_dominoes_are_quick),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
