@@ -23,13 +23,14 @@ WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Ws
 CFLAGS  ?= $(OPTIM)
 # Every digit is to be the same on every machine: no contraction, never -ffast-math.  Nobody reads errno behind
 # a square root, and without that it is one instruction.
-C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE -Iinclude -Isrc/model $(CFLAGS)
+INCLUDES := -Iinclude -Isrc/model -Isrc/shell
+C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS)
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c src/model/placement.c src/model/quiet.c \
-           $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/methods/*.c)
-SHELL_C := $(wildcard src/shell/*.c)
+MODEL   := src/model/model.c src/model/train.c src/model/row/placement.c \
+           $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
+SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
 Q        = $(if $(V),,@)
@@ -119,7 +120,7 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 # There memory and threads run out where a test wants it.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # How the shell writes numbers is tested as a unit, too.
-$(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,decimal.c wide.c cell.c))
+$(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,language/decimal.c language/wide.c answer/cell.c))
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
@@ -228,14 +229,14 @@ lint: | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
-	clang-tidy --quiet $(MODEL) $(SHELL_C) $(wildcard examples/*.c) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
+	clang-tidy --quiet $(MODEL) $(SHELL_C) $(wildcard examples/*.c) -- -std=c17 -D_GNU_SOURCE $(INCLUDES)
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src examples
+	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	mandoc -T lint man/domino.1 man/libdomino.3
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
 	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash examples/cluster/*.sh \
-	  src/shell/domino.bash
+	  src/shell/prompt/domino.bash
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
@@ -251,7 +252,7 @@ INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib include/domino.h:include $(B)/
 # Every file and folder that installing made, so that uninstall leaves what was there before.
 MANIFEST = "$(DESTDIR)$(PREFIX)/share/doc/domino/installed"
 
-$(B)/completion/domino: src/shell/domino.bash
+$(B)/completion/domino: src/shell/prompt/domino.bash
 	@mkdir -p $(@D) && cp $< $@
 
 install: all $(B)/completion/domino

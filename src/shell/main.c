@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
-#include "command.h"
-#include "line.h"
+#include "interpreter/command.h"
+#include "interpreter/line.h"
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The line interpreter on arbitrary bytes, as a stream in a safe session; see 'make fuzz'. */
-#include "../../src/shell/line.h"
+#include "interpreter/line.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <sys/time.h>

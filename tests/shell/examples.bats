@@ -72,7 +72,7 @@ sentence() {
     "$DOMINO" --help | grep -o -- '--[a-z-]*' | sort -u | while read -r option; do
         grep -qE -- "(Fl Fl|Fl) ${option#--}( |$)" "$page" || { echo "option $option"; false; }
     done
-    grep -ho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell/*.c | sed 's/.*"\(.*\)".*/\1/' | sort -u |
+    grep -rho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell | sed 's/.*"\(.*\)".*/\1/' | sort -u |
         while read -r name; do
             grep -q "^\.It Ev $name\$" "$page" || { echo "environment $name"; false; }
         done

@@ -2,9 +2,9 @@
 /* The shell's quick decimals against printf and strtod, character by character. */
 #include "support.h"
 
-#include "../../src/shell/cell.h"
-#include "../../src/shell/decimal.h"
-#include "../../src/shell/wide.h"
+#include "answer/cell.h"
+#include "language/decimal.h"
+#include "language/wide.h"
 #undef fabs
 #undef pow
 

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A walk through the cycles, event by event: where it stands, and what is said there. */
+#ifndef SHELL_WALK_H
+#define SHELL_WALK_H
+
+#include "answer/output.h"
+#include "domino.h"
+
+/* Where the walk stands: at an event of a cycle, or between two. */
+struct walk {
+    struct dom_train train; /* of the walk */
+    struct dom_train asked; /* what the session had then; another one begins anew */
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count; /* of the events; 0: no walk has begun */
+    int event; /* the last one that was passed */
+    dom_real theta;
+    int cycle;               /* from 1 */
+    enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
+};
+
+/* What a length, a time and an energy of the model are in the cycle of a walk. */
+struct walk_units {
+    dom_real height; /* of the head, in m */
+    dom_real tau;    /* in s */
+    dom_real energy; /* m g h / 2 of the head: in J, or in that of the first head where no mass is known */
+    const char *energy_unit;
+    dom_real weight; /* m g of the head, in N or in that of the first head */
+    const char *weight_unit;
+};
+
+struct session;
+struct walk_units walk_units(const struct session *session, int cycle);
+
+/* Energies in J where a mass is known: the answer gets its columns, in J, in the room. */
+enum { COLUMNS_ROOM = 16 };
+void walk_columns_in(const struct session *session, struct answer *answer, struct column room[COLUMNS_ROOM]);
+
+/* The same columns with energies in J. */
+void columns_in_joules(const struct column *from, struct column to[COLUMNS_ROOM]);
+
+/* Why no cycle begins. */
+extern const char walk_no_start[];
+
+/* The commands 'cycle' and 'why'. */
+struct call;
+extern const struct column cycle_columns[], why_columns[];
+const char *cycle_by(const void *context, int k);
+bool cycle_run(struct session *session, const struct call *call);
+bool why_run(struct session *session, const struct call *call);
+
+/* The event in words, with the paper's symbols and the numbers of its equations. */
+void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
+              struct answer *answer);
+
+/* What a status of the walk means to a person, where it is one of its own; false: it was reported. */
+bool walk_status(struct session *session, enum dom_status status);
+
+/* The smallest contact force along the cycle, where, and the smallest impulse: what the paper assumes. */
+struct walk_contact {
+    dom_real force, theta; /* force in the weight of the domino that it acts on */
+    size_t domino;
+    dom_real impulse; /* in m g tau of the head */
+};
+enum dom_status walk_contact(const struct dom_train *train, struct walk_contact *contact);
+
+#endif
