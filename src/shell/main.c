@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
-#include "interpreter/command.h"
+#include "commands/registry.h"
 #include "interpreter/line.h"
 #include <errno.h>
 #include <getopt.h>
@@ -155,6 +155,7 @@ int main(int argc, char **argv)
     struct plan plan = {.init = true};
     setlocale(LC_CTYPE, "");  /* never LC_NUMERIC: the decimal point is a point */
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a write error, which is reported */
+    command_registry(all_commands);
     session_init(&session, stdout);
     if (!options_judge(argc, argv, &session, &plan))
         return EXIT_USAGE;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The line interpreter on arbitrary bytes, as a stream in a safe session; see 'make fuzz'. */
+#include "commands/registry.h"
 #include "interpreter/line.h"
 #include <stdint.h>
 #include <stdlib.h>
@@ -25,6 +26,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     if (!null) {
         null = fopen("/dev/null", "w");
+        command_registry(all_commands);
         signal(SIGVTALRM, on_timer);
     }
     FILE *in = fmemopen((void *)(uintptr_t)data, size, "r");

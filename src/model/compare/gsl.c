@@ -4,7 +4,7 @@
  * by Brent's method around the best of a few samples, r_max a root by Brent's method, the duration an
  * adaptive quadrature.  No care is taken of second maxima, kinks or a near-stop.
  */
-#include "compare/quiet.h"
+#include "numerics/quiet.h"
 #include "precision/kernel.inc"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>

@@ -5,7 +5,7 @@
  * stops, and then interpolated.  Steps of half sqrt(tol) make errors of about tol.  Its slip is mended: a
  * follower is gone when its leader has come to theta_leave.
  */
-#include "kernel.h"
+#include "precision/kernel.h"
 #include <math.h>
 
 enum { PAPER_LINKS_MAX = 1000000 };

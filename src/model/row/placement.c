@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, on all processors: each row has random numbers of its own, by its number alone. */
-#include "compare/quiet.h"
 #include "domino.h"
+#include "numerics/quiet.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_randist.h>

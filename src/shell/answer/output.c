@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/output.h"
-#include "commands/swept.h"
 #include "io/terminal.h"
 #include "language/wide.h"
 #include <errno.h>
@@ -302,7 +301,7 @@ static void row_table(struct answer *a, const struct cell *cells)
             said[i] = head == 2   ? pretty(a, a->columns[i].key, line[i])
                       : head == 1 ? column_unit(a, &a->columns[i], text[i])
                                   : pretty(a, table_text(a, cells[i], digits, text[i]), line[i]);
-        row_line(a, head > 0 && a->swept && a->swept->like ? a->swept->like : cells, digits, said, head > 0);
+        row_line(a, head > 0 && a->like ? a->like : cells, digits, said, head > 0);
     }
 }
 
@@ -354,7 +353,7 @@ static void answer_prepare(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *like)
 {
-    if (!a->out || a->swept) /* the rows of a point are as those of the sweep */
+    if (!a->out || a->point) /* the rows of a point are as those of the sweep */
         return;
     answer_ask(a);
     if (like)
@@ -403,8 +402,8 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     for (int n = 0; a->columns[n].key && a->kept; n++)
         a->kept[n] = cells[n];
-    if (a->swept) {
-        swept_row(a, cells, reason);
+    if (a->point) {
+        a->point(a, cells, reason);
     } else if (a->out) {
         answer_write(a, cells, reason);
         if (reason)
@@ -419,7 +418,7 @@ bool answer_lost(const struct answer *a)
 
 bool answer_for_people(const struct answer *a)
 {
-    return a->out && a->style.output == OUTPUT_TABLE && !a->swept;
+    return a->out && a->style.output == OUTPUT_TABLE && !a->point;
 }
 
 void answer_say(struct answer *a, const char *format, ...)

@@ -30,12 +30,16 @@ struct answer {
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
-    int width;           /* of the terminal; 0 for none */
-    unsigned bounded;    /* bit i: csv and json have the bounds of column i behind it */
-    bool gap;            /* set a blank line between this answer and the one before, for people */
-    int lost;            /* errno of the first write that failed; 0 for none */
-    struct cell *kept;   /* where the cells of the last row stay */
-    struct swept *swept; /* unless NULL, the answer is that of one point of a sweep: swept.h */
+    int width;         /* of the terminal; 0 for none */
+    unsigned bounded;  /* bit i: csv and json have the bounds of column i behind it */
+    bool gap;          /* set a blank line between this answer and the one before, for people */
+    int lost;          /* errno of the first write that failed; 0 for none */
+    struct cell *kept; /* where the cells of the last row stay */
+    /* Unless NULL, the answer is that of one point of a sweep, whose rows this function takes; swept is its
+     * own, and like, unless NULL, a row of the kinds that most points have, for the head. */
+    void (*point)(struct answer *answer, const struct cell *cells, const char *reason);
+    struct swept *swept;
+    const struct cell *like;
 };
 
 /*

@@ -5,6 +5,7 @@
  * could go beside, and takes a fiftieth of the whole.
  */
 #include "commands/costs.h"
+#include "commands/tables.h"
 #include "interpreter/command.h"
 
 static const struct column cost_columns[] = {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
+#include "commands/tables.h"
 #include "interpreter/command.h"
 #include "language/wide.h"
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The train itself, to scale, in characters or by gnuplot. */
 #include "commands/film.h"
+#include "commands/tables.h"
+#include "commands/walk.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/wide.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the scene asks for beyond the paper, what follows from it, and what it costs. */
+#include "commands/tables.h"
 #include "commands/walk.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, all of it from the tables of commands and parameters. */
+#include "commands/tables.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/wide.h"
@@ -18,8 +19,8 @@ static int help_width(FILE *out)
 static void help_list(FILE *out)
 {
     char usage[USAGE_SIZE];
-    for (const struct command_group *g = command_groups; g->title; g++) {
-        fprintf(out, "%s%s\n", g == command_groups ? "" : "\n", g->title);
+    for (const struct command_group *g = command_groups(); g->title; g++) {
+        fprintf(out, "%s%s\n", g == command_groups() ? "" : "\n", g->title);
         for (const struct command *c = g->commands; c->name; c++)
             fprintf(out, "  %-20s %s\n", command_usage(c, usage), c->summary);
     }
@@ -166,7 +167,7 @@ static bool run_apropos(struct session *session, const struct call *call)
     const char *word = call->word[0];
     char usage[USAGE_SIZE];
     int found = 0;
-    for (const struct command_group *g = command_groups; g->title; g++) {
+    for (const struct command_group *g = command_groups(); g->title; g++) {
         for (const struct command *c = g->commands; c->name; c++) {
             bool hit = mentions(c->name, word) || mentions(c->summary, word) || mentions(c->help, word) ||
                        mentions(c->equation, word);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
+#include "commands/tables.h"
 #include "interpreter/command.h"
 #include "language/wide.h"
 #include "parallel/points.h"

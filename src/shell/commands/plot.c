@@ -2,6 +2,7 @@
 /* plot: curves, drawn by gnuplot. */
 #include "commands/costs.h"
 #include "commands/plot_cycle.h"
+#include "commands/tables.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/wide.h"

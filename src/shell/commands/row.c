@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A finite row: what it is, how it falls, and what to change where it does not. */
 #include "commands/falling.h"
+#include "commands/tables.h"
 #include "commands/walk.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the session itself. */
+#include "commands/tables.h"
 #include "interpreter/command.h"
 #include "interpreter/line.h"
 #include "io/redirect.h"

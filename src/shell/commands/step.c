@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that go through one cycle: as a table, and event by event. */
+#include "commands/tables.h"
 #include "commands/walk.h"
 #include "interpreter/command.h"
 #include "language/wide.h"

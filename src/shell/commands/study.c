@@ -2,6 +2,7 @@
 /* Rows with random errors, and the floor that hinges need. */
 #include "commands/study.h"
 #include "commands/falling.h"
+#include "commands/tables.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/wide.h"

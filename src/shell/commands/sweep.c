@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep: what a command answers, over a grid of parameters and effects. */
-#include "commands/sweep.h"
 #include "commands/grid.h"
 #include "commands/swept.h"
+#include "commands/tables.h"
 #include "language/wide.h"
 #include "parallel/points.h"
 #include <ctype.h>
@@ -19,13 +19,23 @@ struct sweep {
 
 /* ---- Reading ---- */
 
-bool sweep_read_grid(struct reader *r, struct call *call)
+static void sweep_free(void *own)
 {
-    call->sweep = calloc(1, sizeof *call->sweep);
-    if (!call->sweep)
+    struct sweep *s = own;
+    if (s)
+        grid_free(&s->grid);
+    free(s);
+}
+
+static bool sweep_read_grid(struct reader *r, struct call *call)
+{
+    struct sweep *s = calloc(1, sizeof *s);
+    if (!s)
         return session_status(r->session, DOM_NO_MEMORY);
+    call->own = s;
+    call->own_free = sweep_free;
     r->stops = ":,";
-    bool good = grid_read(r, &call->sweep->grid);
+    bool good = grid_read(r, &s->grid);
     r->stops = NULL;
     return good &&
            (*r->at == ':' || session_error(r->session, "':' and a command are missing behind the grid, "
@@ -44,10 +54,10 @@ static const char *command_end(const char *c)
     return c;
 }
 
-bool sweep_read_command(struct reader *r, struct call *call)
+static bool sweep_read_command(struct reader *r, struct call *call)
 {
     struct session *session = r->session;
-    struct sweep *s = call->sweep;
+    struct sweep *s = call->own;
     r->at = skip_blanks(r->at + 1);
     session->column = reader_column(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
@@ -64,13 +74,6 @@ bool sweep_read_command(struct reader *r, struct call *call)
     s->arguments = r->at;
     r->at = command_end(r->at);
     return true;
-}
-
-void sweep_free(struct sweep *s)
-{
-    if (s)
-        grid_free(&s->grid);
-    free(s);
 }
 
 /* ---- One point ---- */
@@ -162,12 +165,12 @@ static void point_none(struct sweeper *w, size_t k, struct answer *a, const char
     bool head = a->out && !a->begun && a->style.output == OUTPUT_TABLE;
     if (head && point_like(w)) {
         memcpy(like, w->swept.first, sizeof like);
-        w->swept.like = like;
+        a->like = like;
     }
     point_values(w, k);
     swept_begin(&w->swept);
     swept_none(a, reason);
-    w->swept.like = NULL;
+    a->like = NULL;
 }
 
 /* The rows of point k; false: something is wrong with the line, see heard. */
@@ -176,6 +179,7 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *a)
     point_values(w, k);
     point_session(w, a->out);
     swept_begin(&w->swept);
+    a->point = swept_row;
     a->swept = &w->swept;
     if (w->styled) {
         dom_real digits = a->style.digits; /* columns are as wide in all rows */
@@ -354,7 +358,7 @@ static bool run_sweep(struct session *session, const struct call *call)
     char renamed[AXES_MAX][RENAMED], where[256];
     long errors = session->errors;
     struct answer *a = call->answer;
-    struct sweeper *w = sweeper_make(session, call->sweep, a, renamed);
+    struct sweeper *w = sweeper_make(session, call->own, a, renamed);
     if (!w)
         return session->errors == errors ? session_status(session, DOM_NO_MEMORY) : false;
     bool done = sweep_rows(session, a, w);
@@ -373,7 +377,8 @@ static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
 
 const struct command sweep_commands[] = {
     {.name = "sweep",
-     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID}, {.name = ": ANSWER", .kind = ARGUMENT_COMMAND}},
+     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID, .read = sweep_read_grid, .choices = grid_names},
+                  {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = sweep_read_command}},
      .summary = "what a command answers, over a grid of any parameters",
      .help =
          "GRID is NAME FROM TO N for each parameter or effect: N values, evenly spaced, or with 'log' behind "

@@ -15,7 +15,6 @@ struct swept {
     bool answered, reasoned;           /* has it a row of an answer, and one with a reason? */
     char reason[SWEPT_REASON];         /* the first */
     struct cell first[ANSWER_COLUMNS]; /* its first row of an answer */
-    const struct cell *like;           /* a row of the kinds that most have, for the head; or NULL */
 };
 
 /* For the next point, of which value is filled in. */

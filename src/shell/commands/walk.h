@@ -4,19 +4,7 @@
 #define SHELL_WALK_H
 
 #include "answer/output.h"
-#include "domino.h"
-
-/* Where the walk stands: at an event of a cycle, or between two. */
-struct walk {
-    struct dom_train train; /* of the walk */
-    struct dom_train asked; /* what the session had then; another one begins anew */
-    struct dom_event events[DOM_EVENTS_MAX];
-    int count; /* of the events; 0: no walk has begun */
-    int event; /* the last one that was passed */
-    dom_real theta;
-    int cycle;               /* from 1 */
-    enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
-};
+#include "session/place.h"
 
 /* What a length, a time and an energy of the model are in the cycle of a walk. */
 struct walk_units {

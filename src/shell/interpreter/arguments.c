@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/arguments.h"
-#include "commands/sweep.h"
 #include "interpreter/lookup.h"
 #include "language/wide.h"
 #include "session/effects.h"
@@ -270,9 +269,8 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         return call->word[i] ? *call->word[i] || session_error(session, "%s is missing", a->name)
                              : session_error(session, "%s", unclosed);
     case ARGUMENT_GRID:
-        return sweep_read_grid(r, call);
     case ARGUMENT_COMMAND:
-        return sweep_read_command(r, call);
+        return a->read(r, call);
     case ARGUMENT_REST:
         call->word[i] = strdup(r->at);
         r->at += strlen(r->at);
@@ -313,7 +311,8 @@ void call_free(struct call *call)
 {
     for (int i = 0; i < ARGUMENTS_MAX; i++)
         free(call->word[i]);
-    sweep_free(call->sweep);
+    if (call->own_free)
+        call->own_free(call->own);
 }
 
 const struct command *read_command(struct reader *r)

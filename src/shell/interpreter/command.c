@@ -4,25 +4,21 @@
 #include "session/effects.h"
 #include <string.h>
 
-const struct command_group command_groups[] = {
-    {"One cycle of the train", cycle_commands},
-    {"The cycle, step by step", walk_commands},
-    {"How far it can grow", limit_commands},
-    {"The train in pictures", draw_commands},
-    {"Curves", plot_commands},
-    {"Any answer over a grid", sweep_commands},
-    {"Effects beyond the paper", effect_commands},
-    {"A row of dominoes", row_commands},
-    {"Rows with random errors", study_commands},
-    {"What accuracy costs", cost_commands},
-    {"The session", session_commands},
-    {"Help", help_commands},
-    {NULL, NULL},
-};
+static const struct command_group *groups;
+
+void command_registry(const struct command_group *all)
+{
+    groups = all;
+}
+
+const struct command_group *command_groups(void)
+{
+    return groups;
+}
 
 static const struct command *command_at(int k)
 {
-    for (const struct command_group *g = command_groups; g->title; g++)
+    for (const struct command_group *g = groups; g->title; g++)
         for (const struct command *c = g->commands; c->name; c++)
             if (k-- == 0)
                 return c;
@@ -61,7 +57,7 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    for (const struct command_group *g = command_groups; g->title; g++)
+    for (const struct command_group *g = groups; g->title; g++)
         for (const struct command *c = g->commands; c->name; c++)
             if (strcmp(c->name, name) == 0)
                 return c;

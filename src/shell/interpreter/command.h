@@ -33,13 +33,18 @@ enum argument_kind {
 
 #define COUNT_MAX 10000000
 
+struct reader;
+struct call;
+
 struct argument {
     const char *name;
     enum argument_kind kind;
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
     bool optional;
-    names_list *choices;                      /* of ARGUMENT_CHOICE and ARGUMENT_PLACE */
-    const struct dom_effect_argument *effect; /* of ARGUMENT_EFFECT, once the effect is known */
+    names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE; for completion, of a
+                            grid */
+    bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
+    const struct dom_effect_argument *effect;               /* of ARGUMENT_EFFECT, once the effect is known */
 };
 
 enum { ARGUMENTS_MAX = 3 };
@@ -51,7 +56,8 @@ struct call {
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
-    struct sweep *sweep;       /* of ARGUMENT_GRID and ARGUMENT_COMMAND */
+    void *own;                 /* what argument.read keeps for its command; call_free calls own_free */
+    void (*own_free)(void *own);
     struct answer *answer;
 };
 
@@ -78,11 +84,13 @@ struct command_group {
     const struct command *commands; /* ends with a NULL name */
 };
 
-extern const struct command_group command_groups[]; /* ends with a NULL title */
-extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
-    session_commands[], help_commands[];
-extern const struct command draw_commands[], plot_commands[];
-extern const struct command effect_commands[], row_commands[], study_commands[], sweep_commands[];
+/*
+ * Sets the groups that all functions below look in, which end with a NULL title: once, before the first
+ * command runs.  The list itself is at the top of the house, in commands/registry.c, since only there every
+ * command is known.
+ */
+void command_registry(const struct command_group *groups);
+const struct command_group *command_groups(void);
 
 /* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */
 const char *command_names(const void *context, int k);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "prompt/complete.h"
-#include "commands/grid.h"
 #include "interpreter/command.h"
 #include "session/effects.h"
 #include <ctype.h>
@@ -74,7 +73,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     if (a->kind == ARGUMENT_PARAMETER)
         offer_list(&offer, parameter_names, NULL);
     else if (a->kind == ARGUMENT_GRID) {
-        offer_list(&offer, grid_names, NULL);
+        offer_list(&offer, a->choices, NULL);
         if (!first) {
             offer_list(&offer, value_names, NULL);
             offer_list(&offer, function_names, NULL);

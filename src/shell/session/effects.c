@@ -58,14 +58,6 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
     return setting;
 }
 
-static void listed_free(struct listed_row *row)
-{
-    free(row->domino);
-    free(row->path);
-    free(row->placed);
-    *row = (struct listed_row){.domino = NULL};
-}
-
 /* The file as named, or, where there is none, beside the script that names it. */
 static char *path_beside(const struct session *session, const char *path)
 {
@@ -117,12 +109,6 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
     return true;
 }
 
-void effects_apply(struct session *session)
-{
-    const struct effect_state *friction = &session->effect[DOM_EFFECT_friction];
-    session->train.mu = friction->on ? friction->value[0] : 0;
-}
-
 bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
                     const char *path)
 {
@@ -169,14 +155,6 @@ bool effect_turn_off(struct session *session, enum dom_effect_name name)
     session->effect[name] = (struct effect_state){.on = false};
     effects_apply(session);
     return true;
-}
-
-void effects_reset(struct session *session)
-{
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        session->effect[k] = (struct effect_state){.on = false};
-    listed_free(&session->listed);
-    effects_apply(session);
 }
 
 void effects_save(const struct session *session, FILE *out)

@@ -36,12 +36,6 @@ bool effect_needs(struct session *session, enum dom_effect_name name);
 
 bool effect_turn_off(struct session *session, enum dom_effect_name name);
 
-/* Every effect off; what the session holds for them is given back. */
-void effects_reset(struct session *session);
-
-/* What the states of the effects mean for the session's train. */
-void effects_apply(struct session *session);
-
 /* The commands that turn on again what is on. */
 void effects_save(const struct session *session, FILE *out);
 

@@ -2,7 +2,6 @@
 #include "session/session.h"
 #include "io/terminal.h"
 #include "language/wide.h"
-#include "session/effects.h"
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -139,6 +138,28 @@ void session_init(struct session *session, FILE *out)
     *session = (struct session){.train = dom_train_default(), .scale = dom_scale_default(), .out = out};
     session->style.digits = parameter_find("digits")->fallback;
     session->seed = parameter_find("seed")->fallback;
+}
+
+void listed_free(struct listed_row *row)
+{
+    free(row->domino);
+    free(row->path);
+    free(row->placed);
+    *row = (struct listed_row){.domino = NULL};
+}
+
+void effects_apply(struct session *session)
+{
+    const struct effect_state *friction = &session->effect[DOM_EFFECT_friction];
+    session->train.mu = friction->on ? friction->value[0] : 0;
+}
+
+void effects_reset(struct session *session)
+{
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+        session->effect[k] = (struct effect_state){.on = false};
+    listed_free(&session->listed);
+    effects_apply(session);
 }
 
 void session_close(struct session *session)

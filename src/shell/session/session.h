@@ -7,9 +7,9 @@
 #define SHELL_SESSION_H
 
 #include "answer/output.h"
-#include "commands/walk.h"
 #include "domino.h"
 #include "language/expression.h"
+#include "session/place.h"
 
 struct command;
 
@@ -87,6 +87,15 @@ void session_init(struct session *session, FILE *out);
 
 /* Gives back what the session holds. */
 void session_close(struct session *session);
+
+/* Turns every effect off, and gives back what the session holds for them. */
+void effects_reset(struct session *session);
+
+/* Hands the values of the effects to the session's train. */
+void effects_apply(struct session *session);
+
+/* Gives back a listed row. */
+void listed_free(struct listed_row *row);
 
 /* The mass of the first domino in kg; 0 where it is not known.  As a block of these sizes in m, or as h and d
  * say. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "compare/quiet.h"
+#include "numerics/quiet.h"
 #include <gsl/gsl_errno.h>
 #include <pthread.h>
 
