@@ -23,7 +23,7 @@ WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Ws
 CFLAGS  ?= $(OPTIM)
 # Every digit is to be the same on every machine: no contraction, never -ffast-math.  Nobody reads errno behind
 # a square root, and without that it is one instruction.
-INCLUDES := -Iinclude -Isrc/model -Isrc/shell
+INCLUDES := -Iinclude -Isrc/model -Isrc/shell -I$(B)
 C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS)
 GSL     := -lgsl -lgslcblas -lm -pthread
 
@@ -80,6 +80,13 @@ $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
+
+# The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
+KERNEL_C := $(filter-out $(MODEL),$(wildcard src/model/*/*.c src/model/*/*.h))
+$(B)/kernel_names.h: $(KERNEL_C) Makefile
+	@mkdir -p $(@D)
+	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z]\w*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@
+$(call OBJ,$(wildcard src/model/precision/*.c tests/unit/*.c tests/hard/*.c tests/bench/*.c)): $(B)/kernel_names.h
 
 # The library shows no other names than dom_*.
 $(B)/libdomino.a: $(call OBJ,$(MODEL))
@@ -225,7 +232,7 @@ LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
-lint: | $(FIRST)
+lint: $(B)/kernel_names.h | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
@@ -233,9 +240,10 @@ lint: | $(FIRST)
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
+	tests/layers $(B)/gcc
 	mandoc -T lint man/domino.1 man/libdomino.3
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash examples/cluster/*.sh \
+	shellcheck tests/run tests/layers tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash examples/cluster/*.sh \
 	  src/shell/prompt/domino.bash
 
 format:

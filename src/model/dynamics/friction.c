@@ -15,21 +15,6 @@ static void friction_count(const struct lean *g, size_t n)
         g->work->entered[DOM_EFFECT_friction]++;
 }
 
-KERNEL real friction_arm_a(const struct link *k)
-{
-    return k->turn.arm - k->lean->mu * k->lean->r * k->lean->d;
-}
-
-KERNEL real friction_arm_b(const struct link *k)
-{
-    return k->turn.Y + k->lean->mu * k->turn.X;
-}
-
-KERNEL real friction_share(const struct link *k)
-{
-    return friction_arm_a(k) / friction_arm_b(k);
-}
-
 /* One domino, its S_i, and theta_i''. */
 struct rubbing {
     struct link link;
@@ -39,7 +24,7 @@ struct rubbing {
 static void rubbing_next(struct rubbing *k)
 {
     struct link leader = k->link;
-    k->S *= friction_share(&k->link);
+    k->S *= torque_ratio(&k->link);
     link_next(&k->link);
     k->bend = link_bend(&leader, k->bend, &k->link);
 }
@@ -57,7 +42,7 @@ static void drive_add(const struct rubbing *k, struct series *C)
 static bool drive_done(const struct rubbing *k, struct series *C, real tol)
 {
     const struct lean *g = k->link.lean;
-    real ratio = fmax(g->weight * fabs(friction_share(&k->link)), g->decay);
+    real ratio = fmax(g->weight * fabs(torque_ratio(&k->link)), g->decay);
     return series_done(C, k->link.weight * fabs(k->S) * g->reach, ratio, tol);
 }
 
@@ -66,7 +51,7 @@ static bool rubbing_done(const struct rubbing *k, struct series *A, struct serie
     const struct link *link = &k->link;
     const struct lean *g = link->lean;
     real S = fabs(k->S), Y = link->turn.Y, bends = g->r * g->L / (Y * Y) * link->slope * link->slope;
-    real ratio = fmax(g->inertia * fabs(friction_share(link)), fmax(g->decay, g->decay_J));
+    real ratio = fmax(g->inertia * fabs(torque_ratio(link)), fmax(g->decay, g->decay_J));
     return drive_done(k, C, g->tol) && series_done(A, link->inertia * S * link->slope, ratio, g->tol) &&
            series_done(B, link->inertia * S * (fabs(k->bend) + bends), ratio, g->tol);
 }
@@ -103,7 +88,7 @@ KERNEL enum dom_status friction_drive(const struct lean *g, struct tilt head, re
         drive_add(&k, &C);
         if (k.link.i + 1 >= g->n || !k.link.leads || drive_done(&k, &C, tol))
             break;
-        k.S *= friction_share(&k.link);
+        k.S *= torque_ratio(&k.link);
         link_next(&k.link);
     }
     friction_count(g, k.link.i + 1);
@@ -143,12 +128,12 @@ static enum dom_status flow_collision(const struct lean *g, struct flow *flow)
     struct lean hitting = *g;
     struct link upright = link_head(g, standing);
     hitting.n = g->n == CHAIN_ENDLESS ? CHAIN_ENDLESS : g->n - 1;
-    enum dom_status status = friction_arm_a(&upright) > 0 ? friction_law(&hitting, g->c, &at_c) : DOM_LOCKS;
+    enum dom_status status = contact_arm_a(&upright) > 0 ? friction_law(&hitting, g->c, &at_c) : DOM_LOCKS;
     if (status == DOM_OK)
         status = chain_sum(&hitting, g->c, &sums);
     if (status != DOM_OK)
         return status;
-    flow->T = g->inertia * friction_share(&upright) * at_c.A;
+    flow->T = g->inertia * torque_ratio(&upright) * at_c.A;
     flow->J0 = 1 + g->inertia * sums.J;
     flow->J_c = sums.J;
     return flow->T > 0 ? DOM_OK : DOM_LOCKS;

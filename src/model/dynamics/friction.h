@@ -20,6 +20,7 @@
 #define DOM_FRICTION_H
 
 #include "geometry/chain.h"
+#include "geometry/sums.h"
 #include "numerics/linear.h"
 
 /* w over a part of the cycle, for every beginning; the lean's, made where it is asked for first. */
@@ -43,13 +44,6 @@ KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, s
 
 /* C alone, which vanishes at the top of a barrier; at tol = 1 its sign is right, from few dominoes. */
 KERNEL enum dom_status friction_drive(const struct lean *lean, struct tilt head, real tol, real *C);
-
-/* The contact of a domino with its follower: the share of a torque that passes on to it, a / b. */
-KERNEL real friction_share(const struct link *link);
-
-/* The arms, times r of that domino. */
-KERNEL real friction_arm_a(const struct link *link);
-KERNEL real friction_arm_b(const struct link *link);
 
 /* The flow of the lean over [0, theta_c], unless it is there already, with the edges between smooth parts. */
 KERNEL enum dom_status friction_flow(const struct lean *lean);

@@ -7,7 +7,7 @@
 #ifndef DOM_BOUND_H
 #define DOM_BOUND_H
 
-#include "geometry/chain.h"
+#include "geometry/link.h"
 
 struct bound {
     real angle;        /* of theta_i */

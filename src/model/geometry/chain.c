@@ -1,47 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "dynamics/friction.h"
+#include "geometry/chain.h"
 #include "geometry/bound.h"
-#include "geometry/sums.h"
-
-KERNEL_LOOP void link_lean(struct link *k)
-{
-    const struct lean *g = k->lean;
-    /* Upright is leaned on in any case: it has just been hit, even in the limit theta_leave = 0. */
-    k->leads = !g->falls_off || k->tilt.v < g->leave.v || k->tilt.x == 0;
-    if (k->leads) {
-        k->turn = lean_turn(g, k->tilt);
-        k->step = k->turn.step;
-    }
-}
-
-KERNEL_LOOP struct link link_head(const struct lean *g, struct tilt head)
-{
-    struct link k = {.lean = g, .i = 0, .tilt = head, .slope = 1, .weight = 1, .inertia = 1};
-    link_lean(&k);
-    return k;
-}
-
-KERNEL_LOOP void link_next(struct link *k)
-{
-    const struct lean *g = k->lean;
-    k->i++;
-    k->tilt = tilt_turn(k->tilt, k->turn);
-    k->slope *= k->step;
-    k->weight *= g->weight;
-    k->inertia *= g->inertia;
-    if (g->behind)
-        k->lean = g->behind;
-    link_lean(k);
-}
-
-KERNEL_LOOP real link_bend(const struct link *leader, real bend, const struct link *follower)
-{
-    real X = leader->turn.X, Y = leader->turn.Y;
-    if (leader->tilt.x == 0 && Y == 0)
-        return 0;
-    real turned = (follower->tilt.y + leader->step * leader->tilt.x * X) / (Y * Y);
-    return leader->step * bend - leader->lean->r * leader->lean->L * turned * leader->slope * leader->slope;
-}
 
 KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, real *H1)
 {
@@ -92,7 +51,7 @@ KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct ti
         /* Whether a domino falls off that carries less than rounding changes nothing. */
         if (b.i + 1 >= g->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        passed = g->mu > 0 ? passed * fabs(friction_share(&b)) : 0;
+        passed = g->mu > 0 ? passed * fabs(torque_ratio(&b)) : 0;
         link_next(&b);
     }
     /* Domino b.i has no follower at 0: it falls off when domino b.i - 1 comes to theta_leave. */

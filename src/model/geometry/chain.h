@@ -1,41 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The train behind the head at one tilt: its dominoes in order, and the sums over them.
+ * The train behind the head at one tilt: the sums over its dominoes (link.h) in their order.
  * It is followed to its end, lean->n dominoes (c1), or until its tail, bounded by a geometric series, no
  * longer matters at the tolerance.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
 
-#include "geometry/lean.h"
+#include "geometry/sums.h"
 #include "numerics/numerics.h"
-
-struct link {
-    const struct lean *lean; /* of this domino and its follower */
-    size_t i;
-    struct tilt tilt;
-    struct turn turn; /* to the follower, where it leads one */
-    real step;        /* slope of the lean to the follower, theta_{i+1}' / theta_i' */
-    real slope;       /* theta_i' (A9) */
-    real weight;      /* r^-(q i) */
-    real inertia;     /* r^-((q+1) i) */
-    bool leads;       /* a follower leans on it */
-};
-
-KERNEL_LOOP struct link link_head(const struct lean *lean, struct tilt head);
-KERNEL_LOOP void link_next(struct link *link);
-
-/* theta'' of a follower from that of its leader: d/dtheta of (b10) along the chain. */
-KERNEL_LOOP real link_bend(const struct link *leader, real bend, const struct link *follower);
-
-struct sums {
-    real J;    /* (c2) */
-    real H1;   /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
-    real H2;   /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_bend_from */
-    real dH;   /* H(theta) - H(0), or from another tilt; only from chain_rise */
-    real left; /* the part of it in a follower that has left during the cycle */
-    size_t n;  /* dominoes followed */
-};
 
 /* The sign of H1 alone, right to rounding, from as few dominoes as show it. */
 KERNEL enum dom_status chain_sign(const struct lean *lean, struct tilt head, real *H1);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Differences of H: two chains side by side, and the far end of both in closed form. */
 #include "geometry/bound.h"
-#include "geometry/sums.h"
+#include "geometry/chain.h"
 
 /*
  * h(A) - h(B) of one domino at the tilts a and b, h = cos + d sin, from t = tan((A - B)/2): the product

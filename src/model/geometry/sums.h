@@ -3,7 +3,16 @@
 #ifndef DOM_SUMS_H
 #define DOM_SUMS_H
 
-#include "geometry/chain.h"
+#include "geometry/link.h"
+
+struct sums {
+    real J;    /* (c2) */
+    real H1;   /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
+    real H2;   /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_bend_from */
+    real dH;   /* H(theta) - H(0), or from another tilt; only from chain_rise */
+    real left; /* the part of it in a follower that has left during the cycle */
+    size_t n;  /* dominoes followed */
+};
 
 /* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 has more.
  */

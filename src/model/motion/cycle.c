@@ -1,13 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "energy/barrier.h"
-
-/* A cycle that has begun: the train, its kinetic energy after the collision, and its barrier. */
-struct cycle {
-    struct lean lean;
-    struct barrier barrier;
-    struct launch launch, launch_error;
-    enum dom_status status; /* of the function that is being integrated or searched */
-};
+#include "motion/cycle.h"
 
 /* DOM_NO_FUEL if the cycle does not begin. */
 static enum dom_status cycle_begin(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
@@ -29,7 +21,7 @@ static enum dom_status cycle_climb(struct cycle *cycle, real end)
 }
 
 /* The cycle from its beginning to theta_c, with its barrier. */
-static enum dom_status cycle_whole(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
+KERNEL enum dom_status cycle_whole(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
                                    bool errors)
 {
     struct lean *g = &cycle->lean;
@@ -44,7 +36,7 @@ static enum dom_status cycle_whole(const struct dom_train *train, struct flow *f
 }
 
 /* (c3), solved for tau^2 omega(theta)^2. */
-static enum dom_status cycle_speed(const struct cycle *cycle, real theta, real *omegasq, real *error)
+KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real theta, real *omegasq, real *error)
 {
     struct tilt head;
     struct sums at = {0}, e = {0};
@@ -112,7 +104,7 @@ static real energy_short(real theta, void *context)
  * The tilt where the energy is used up, of a cycle that stops; on a copy, since the search climbs anew.  With
  * friction the flow may not reach farther than that any more.
  */
-static enum dom_status cycle_rest(struct cycle cycle, real *theta)
+KERNEL enum dom_status cycle_rest(struct cycle cycle, real *theta)
 {
     const struct barrier *b = &cycle.barrier;
     real lo = b->edge[0], hi = b->theta_m;
@@ -162,7 +154,7 @@ KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta
 }
 
 /* 1 / (tau omega), and a bound of its error. */
-static real slowness(real theta, void *context)
+KERNEL real slowness(real theta, void *context)
 {
     struct cycle *cycle = context;
     real omegasq = 0;
@@ -170,7 +162,7 @@ static real slowness(real theta, void *context)
     return cycle->status == DOM_OK && omegasq > 0 ? 1 / sqrt(omegasq) : REAL_NAN;
 }
 
-static real slowness_error(real theta, void *context)
+KERNEL real slowness_error(real theta, void *context)
 {
     struct cycle *cycle = context;
     real omegasq = 0, error = 0;
@@ -184,7 +176,7 @@ static real slowness_error(real theta, void *context)
  * The integral of f, which is as smooth as the slowness, from one tilt to another, over the pieces between
  * the edges of the barrier; unless NULL, error gets its bound.
  */
-static enum dom_status cycle_integral(struct cycle *cycle, num_function *f, real from, real to, real tol,
+KERNEL enum dom_status cycle_integral(struct cycle *cycle, num_function *f, real from, real to, real tol,
                                       real *sum, real *error)
 {
     const struct barrier *b = &cycle->barrier;

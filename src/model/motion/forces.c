@@ -35,10 +35,10 @@ static void moving_push(const struct lean *g, const struct pace *pace, struct mo
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
         real theta_2 = own->slope * pace->acceleration + k[j].bend * pace->omegasq;
         real gravity = own->weight * (own->tilt.x - own->lean->d * own->tilt.y) / 2;
-        real share = j + 1 == n ? 0 : g->mu > 0 ? friction_share(own) : own->step; /* a / b */
+        real share = j + 1 == n ? 0 : g->mu > 0 ? torque_ratio(own) : own->step; /* a / b */
         rest = gravity - own->inertia * theta_2 + share * rest;
         push = own->inertia * own->slope * pace->omega_lost + share * push;
-        real rb = g->mu > 0 ? friction_arm_b(leader) : leader->turn.Y,
+        real rb = g->mu > 0 ? contact_arm_b(leader) : leader->turn.Y,
              arm_b = rb / leader->lean->r * k[j - 1].size;
         /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */
         if (j == 1 && leader->tilt.x == 0 && g->short_of <= REAL_EPSILON)
@@ -125,7 +125,7 @@ KERNEL real forces_needed(real x, real z)
 /* ---- Of a train ---- */
 
 /* The old train's domino j - 1 is this one's j: in the collision its theta_j' omega falls to J-1 of J. */
-static enum dom_status motion_pace(struct motion *m, real theta, struct tilt head, struct pace *pace)
+KERNEL enum dom_status motion_pace(struct motion *m, real theta, struct tilt head, struct pace *pace)
 {
     const struct lean *g = &m->cycle.lean;
     enum dom_status status = cycle_speed(&m->cycle, theta, &pace->omegasq, NULL);

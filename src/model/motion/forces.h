@@ -7,7 +7,7 @@
 #ifndef DOM_FORCES_H
 #define DOM_FORCES_H
 
-#include "dynamics/friction.h"
+#include "motion/motion.h"
 
 /* How a chain moves: tau^2 omega^2 and tau^2 times the acceleration of its head; g.n dominoes at most. */
 struct pace {
@@ -33,6 +33,9 @@ struct held {
 typedef bool held_visit(const struct held *held, void *context);
 KERNEL enum dom_status forces_walk(const struct lean *lean, struct tilt head, const struct pace *pace,
                                    size_t shown, held_visit *visit, void *context);
+
+/* How a train moves at a tilt of its head. */
+KERNEL enum dom_status motion_pace(struct motion *motion, real theta, struct tilt head, struct pace *pace);
 
 /* |x| / z of the floor's force: the friction that a hinge needs; infinite where the domino is lifted. */
 KERNEL real forces_needed(real x, real z);

@@ -1,17 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One cycle as it runs: events, times, accelerations. */
-#include "energy/barrier.h"
+#include "motion/motion.h"
 
 /* ---- Times ---- */
 
-struct motion {
-    struct cycle cycle;
-    real end; /* theta_c, or where the train comes to rest */
-    real tol; /* of times: what a small margin leaves of the one that was asked for */
-    bool stops;
-};
-
-static enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m)
+KERNEL enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m)
 {
     enum dom_status status = cycle_whole(train, flow, &m->cycle, false);
     if (status != DOM_OK)
@@ -199,7 +192,7 @@ KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_,
 /* ---- Accelerations ---- */
 
 /* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w. */
-static enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration,
+KERNEL enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration,
                                            size_t *n)
 {
     struct sums at;

@@ -257,7 +257,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
         return DOM_OK;
     struct link upright = link_head(g, standing);
     enum dom_status status = g->mu > 0 ? friction_law(&d->st.g, d->st.from, &law) : DOM_OK;
-    real T = g->inertia * law.A * (g->mu > 0 ? friction_share(&upright) : 1), keeps = T / (1 + T);
+    real T = g->inertia * law.A * (g->mu > 0 ? torque_ratio(&upright) : 1), keeps = T / (1 + T);
     if (!(T > 0) && g->mu == 0)
         return DOM_UNDERFLOW;
     if (!(T > 0))
