@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "parallel/points.h"
+#include "points.h"
 
 #include "../unit/support.h"
 

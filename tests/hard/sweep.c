@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/sweep.h"
+#include "sweep.h"
 
 #include "../unit/support.h"
 #include "growth.h"
-#include "parallel/points.h"
-#include "parallel/workers.h"
+#include "points.h"
 #include "sketch.h"
+#include "workers.h"
 
 /* ---- One point ---- */
 

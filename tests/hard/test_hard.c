@@ -9,7 +9,7 @@
 #include "cases.h"
 #include "growth.h"
 #include "naive.h"
-#include "parallel/workers.h"
+#include "workers.h"
 
 static void none_fails(long failures)
 {

@@ -5,7 +5,7 @@
  * library's own bounds of its errors hold, and are not far off.  The worst of each quantity is printed.
  */
 #include "../unit/support.h"
-#include "commands/sweep.h"
+#include "sweep.h"
 
 /* An answer may be wrong by so many units; the tolerance itself is about 9 of them. */
 static const double units_allowed[REF_COUNT] = {

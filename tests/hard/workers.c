@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "parallel/workers.h"
+#include "workers.h"
 
 #include <stdatomic.h>
 #include <stdio.h>

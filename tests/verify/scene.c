@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "picture/scene.h"
+#include "scene.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
  * they fall, and how long a cycle lasts.
  */
 #include "../hard/workers.h"
-#include "picture/scene.h"
+#include "scene.h"
 
 #include <math.h>
 #include <stdio.h>
