@@ -57,7 +57,7 @@ quad() { # COMMANDS KEY DIGITS
     same 'reset takes the precision back' '1e-12 10' "$(state 'set precision quad; reset; reset digits')"
     same 'reset tol' '1e-30 30' "$(state 'set precision quad; set tol 1e-3; reset tol')"
     same 'set says that tol has changed' 'tol is now 1e-30' "$("$DOMINO" -e 'set precision quad')"
-    same 'and nothing where it has not' '' "$("$DOMINO" -e 'set tol 1e-3; set precision quad')"
+    same 'and nothing where it has not' '(nothing)' "$("$DOMINO" -e 'set tol 1e-3; set precision quad')"
 }
 
 @test "tol below what the precision can give: refused, with the floor" {
@@ -202,7 +202,7 @@ plot cost launch > $dir/d.txt"
     run -1 env PATH="$dir/empty" "$DOMINO" -e "plot cost launch > $dir/a.svg; print 1"
     [[ ${lines[0]} == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
     same 'the session goes on' 1 "${lines[1]}"
-    same 'nothing is left' '' "$(find "$dir" -maxdepth 1 -type f -name 'a.*')"
+    same 'nothing is left' '(nothing)' "$(find "$dir" -maxdepth 1 -type f -name 'a.*')"
     run -1 "$DOMINO" -e 'plot cst launch'
     [[ $output == *"did you mean 'cost'?"* ]]
     run -1 "$DOMINO" --safe -e 'plot cost launch'

@@ -276,5 +276,5 @@ parts() { # PARTS ROWS
 
 @test "^C ends a script in the middle of a sweep; on a terminal see prompt.bats" {
     run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'
-    same 'no answer' '' "$output"
+    same 'no answer' '(nothing)' "$output"
 }
