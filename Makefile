@@ -128,6 +128,8 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # How the shell writes numbers is tested as a unit, too.
 $(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,language/decimal.c language/wide.c answer/cell.c))
+# And where the dominoes of a picture stand.
+$(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
