@@ -831,6 +831,7 @@ END
     enter
     mkdir -p config/domino
     echo 'set s 0.3' >config/domino/init.dom
+    close fuel 0.177287017324780688790030782681 "$(json fuel | values fuel)"
     differ 'what the file would change' "$(json fuel)" "$(json 'set s 0.3; fuel')"
     for option in -n --no-init --safe --bail; do
         same "$option" "$(json fuel)" "$(XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option" -e 'set output json; fuel')"
@@ -897,11 +898,18 @@ END
 }
 
 @test "complete: nothing is offered twice" {
-    for line in '' 'help ' 'set ' 'set s ' 'help fu' 'print '; do
+    while IFS='|' read -r line word; do
         offered=$("$DOMINO" -e "complete $line")
-        expects "'$line'" "$offered"
+        same "'$line' offers $word once" 1 "$(grep -cx "$word" <<<"$offered")"
         same "'$line'" '(nothing)' "$(sort <<<"$offered" | uniq -d)"
-    done
+    done <<'END'
+|barrier
+help |barrier
+set |output
+set s |sqrt
+help fu|fuel
+print |pi
+END
 }
 
 @test "complete: keys behind a dot" {

@@ -44,7 +44,7 @@ static void slope_is_derivative_of_energy(void **state)
         chain_rise(&g, tilt_make(sin(theta), cos(theta)), &here, NULL);
         chain_rise(&g, tilt_make(sin(theta + h), cos(theta + h)), &right, NULL);
         double scale = fabs(here.H1) + train.d + sin(theta);
-        if (fabs((right.dH - left.dH) / (2 * h) - here.H1) > 1e-5 * scale)
+        if (!(fabs((right.dH - left.dH) / (2 * h) - here.H1) <= 1e-5 * scale))
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: %g, not %g", (double)train.s,
                      (double)train.r, (double)train.d, (double)train.q, theta, (right.dH - left.dH) / (2 * h),
                      here.H1);
@@ -87,7 +87,7 @@ static void energy_agrees_with_its_definition(void **state)
             }
         }
         /* What 4000 dominoes leave out is below rounding here, since s >= 3e-3. */
-        if (fabs(H[1] - H[0] - sums.dH) > 4e-15 * size * (1 + g.d))
+        if (!(fabs(H[1] - H[0] - sums.dH) <= 4e-15 * size * (1 + g.d)))
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: dH %.17g, by definition %.17g",
                      (double)train.s, (double)train.r, (double)train.d, (double)train.q, theta, sums.dH,
                      H[1] - H[0]);
@@ -104,7 +104,7 @@ static void fuels_agree_where_they_must(void **state)
         struct dom_fuels fuels;
         train.r = 1;
         assert_status(dom_fuel_find(&train, &fuels, NULL), DOM_OK);
-        if (fabs((double)(fuels.exact - fuels.paper)) > 1e-13 * (1 + train.d)) /* up to 7000 terms */
+        if (!(fabs((double)(fuels.exact - fuels.paper)) <= 1e-13 * (1 + train.d))) /* up to 7000 terms */
             fail_msg("r = 1, s %.17g d %.17g: exact %.17g paper %.17g", (double)train.s, (double)train.d,
                      (double)fuels.exact, (double)fuels.paper);
         /* At the reach every follower falls off at once, at pi/2; s is a power of 2 so that r s = 1. */
