@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make deps run     install what is missing (Debian), build, open the calculator
-#   make deps test    the same, and run the tests
+#   make deps test    the same, and run the tests; -j2 runs suites side by side; make quick: those that take no minute
 #   make              .build/domino and .build/libdomino.a
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
@@ -37,7 +37,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run quick test unit hard sessions sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
@@ -45,6 +45,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 DEPS_run      := libgsl-dev libreadline-dev
 DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel
+DEPS_quick    := $(DEPS_test)
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
@@ -144,17 +145,35 @@ $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,$(filter-out tests/hard/test_%,$
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@
 
-test: all $(UNIT_BIN) $(HARD_BIN)
-	@tests/run $(B) $(UNIT_BIN) $(HARD_BIN) tests/shell/*.bats
+# Each suite is a target that runs it, always, and leaves its counts: 'make -j test' runs suites side by side, the
+# longest first.  One that fails stops none of the others; what came of all is added up at the end.
+COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
+BATS       := $(foreach name,terminal prompt,tests/shell/$(name).bats)
+BATS       += $(filter-out $(BATS),$(wildcard tests/shell/*.bats))
+UNIT_RUN    = $(call COUNTS_OF,$(UNIT_BIN))
+HARD_RUN    = $(call COUNTS_OF,$(HARD_BIN))
+SHELL_RUN   = $(call COUNTS_OF,$(BATS))
+$(B)/tap/unit/%.count: $(B)/unit/% FORCE
+	@tests/run --suite $(B) $<
+$(B)/tap/hard/%.count: $(B)/hard/% FORCE
+	@tests/run --suite $(B) $<
+$(B)/tap/shell/%.count: tests/shell/% all FORCE
+	@tests/run --suite $(B) $<
+FORCE:
 
-unit: $(UNIT_BIN)
-	@tests/run $(B) $(UNIT_BIN)
+# What is quick of all that: sweeps over a twentieth of the points, sessions without a terminal.
+QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
+QUICK_BATS := $(filter-out $(addprefix tests/shell/,terminal.bats prompt.bats package.bats values.bats sweep.bats),$(BATS))
+QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
 
-hard: $(HARD_BIN)
-	@tests/run $(B) $(HARD_BIN)
-
-sessions: all
-	@tests/run $(B) tests/shell/*.bats
+quick: export SWEEP_SIZE := 0.05
+quick: $(QUICK_RUN)
+test: $(HARD_RUN) $(SHELL_RUN) $(UNIT_RUN)
+unit: $(UNIT_RUN)
+hard: $(HARD_RUN)
+sessions: $(SHELL_RUN)
+quick test unit hard sessions:
+	@tests/run --sum $^
 
 # The same rows in Chipmunk, a rigid-body engine: fails where the two differ.
 VERIFY := $(wildcard tests/verify/*.c)
