@@ -135,7 +135,7 @@ $(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
-.SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c))
+.SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c)) $(UNIT_BIN)
 
 # Hard cases and sweeps against a reference in MPFR: what test_*.c there share is linked into each.
 HARD     := $(wildcard tests/hard/*.c)
@@ -145,13 +145,14 @@ $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,$(filter-out tests/hard/test_%,$
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@
 
-# Each suite is a target that runs it, always, and leaves its counts: 'make -j test' runs suites side by side, the
-# longest first.  One that fails stops none of the others; what came of all is added up at the end.
+# Each suite is a target that always runs it and leaves its counts: 'make -j2 test' runs suites side by side, the
+# longest first.  A suite that fails stops no other; the counts are added up at the end.
 COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
 BATS       := $(foreach name,terminal prompt,tests/shell/$(name).bats)
 BATS       += $(filter-out $(BATS),$(wildcard tests/shell/*.bats))
 UNIT_RUN    = $(call COUNTS_OF,$(UNIT_BIN))
 HARD_RUN    = $(call COUNTS_OF,$(HARD_BIN))
+.SECONDARY: $(HARD_BIN)
 SHELL_RUN   = $(call COUNTS_OF,$(BATS))
 $(B)/tap/unit/%.count: $(B)/unit/% FORCE
 	@tests/run --suite $(B) $<
