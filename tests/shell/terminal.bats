@@ -6,6 +6,7 @@
 load common
 
 setup() {
+    answers_at_all
     socket=$BATS_TEST_TMPDIR/tmux
     prompt='domino❯'
     export HOME=$BATS_TEST_TMPDIR XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
