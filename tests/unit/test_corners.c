@@ -71,7 +71,9 @@ static void bounds_of_a_stop(void **state)
     for (int i = 0; i < 2000; i++) {
         struct dom_train t = random_train(&seed), exact = t;
         dom_real theta, error, finer;
-        if (dom_cycle_stop(&t, &theta, &error) != DOM_OK || isnan((double)theta))
+        enum dom_status status = dom_cycle_stop(&t, &theta, &error);
+        assert_status(status, status == DOM_OK ? DOM_OK : DOM_NO_FUEL);
+        if (status != DOM_OK || isnan((double)theta))
             continue;
         exact.precision = DOM_QUAD;
         exact.tol = 1e-30;
