@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make deps run     install what is missing (Debian), build, open the calculator
-#   make deps test    the same, and run the tests; -j2 runs suites side by side; make quick: those that take no minute
+#   make deps test    the same, and run the tests; with -j2 suites run side by side; make quick: a selection
 #   make              .build/domino and .build/libdomino.a
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
@@ -162,9 +162,9 @@ $(B)/tap/shell/%.count: tests/shell/% all FORCE
 	@tests/run --suite $(B) $<
 FORCE:
 
-# What is quick of all that: sweeps over a twentieth of the points, sessions without a terminal.
+# What is quick of all that: a twentieth of the sweeps' points, the short sessions, the unit tests.
 QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
-QUICK_BATS := $(filter-out $(addprefix tests/shell/,terminal.bats prompt.bats package.bats values.bats sweep.bats),$(BATS))
+QUICK_BATS := $(patsubst %,tests/shell/%.bats,pipe scenes precision draw walk)
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
 
 quick: export SWEEP_SIZE := 0.05

@@ -107,8 +107,11 @@ close() { # WHAT EXPECTED OBTAINED [BOUND]
 
 # Checks with the awk condition that is given (d: the relative difference of the two numbers).
 within() { # WHAT EXPECTED OBTAINED CONDITION
-    [[ $2 =~ [0-9] && $3 =~ [0-9] ]] && awk -v e="$2" -v o="$3" "BEGIN { d = o / e - 1; exit !($4) }" ||
-        { printf '%s\nexpected: %s, %s\nobtained: %s\n' "$1" "$2" "$4" "$3" && false; }
+    if [[ $2 =~ [0-9] && $3 =~ [0-9] ]] && awk -v e="$2" -v o="$3" "BEGIN { d = o / e - 1; exit !($4) }"; then
+        return 0
+    fi
+    printf '%s\nexpected: %s, %s\nobtained: %s\n' "$1" "$2" "$4" "$3"
+    return 1
 }
 
 # Fails with this message, in one line, and the session goes on; for the tests, 'run' sets what it looks at.
