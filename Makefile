@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make deps run     install what is missing (Debian), build, open the calculator
-#   make deps test    the same, and run the tests
+#   make deps test    the same, and run the tests; with -j2 suites run side by side; make quick: a selection
 #   make              .build/domino and .build/libdomino.a
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
@@ -28,21 +28,22 @@ CFLAGS  ?= $(OPTIM) $(HARDEN)
 LDFLAGS ?= -Wl,-z,relro,-z,now
 # Every digit is to be the same on every machine: no contraction, never -ffast-math.  Nobody reads errno behind
 # a square root, and without that it is one instruction.
-C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE -Iinclude -Isrc/model $(CFLAGS) \
+INCLUDES := -Iinclude -Isrc/model -Isrc/shell -I$(B)
+C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c src/model/placement.c src/model/quiet.c \
-           $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/methods/*.c)
-SHELL_C := $(wildcard src/shell/*.c)
+MODEL   := src/model/model.c src/model/train.c src/model/row/placement.c src/model/numerics/quiet.c \
+           $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
+SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
 Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run quick test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
@@ -50,6 +51,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
 
 DEPS_run      := libgsl-dev libreadline-dev
 DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq
+DEPS_quick    := $(DEPS_test)
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
 DEPS_sessions := $(DEPS_test)
@@ -86,6 +88,13 @@ $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
+
+# The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
+KERNEL_C := $(filter-out $(MODEL),$(wildcard src/model/*/*.c src/model/*/*.h))
+$(B)/kernel_names.h: $(KERNEL_C) Makefile
+	@mkdir -p $(@D)
+	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z]\w*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@
+$(call OBJ,$(wildcard src/model/precision/*.c tests/unit/*.c tests/hard/*.c tests/bench/*.c)): $(B)/kernel_names.h
 
 # The library shows no other names than dom_*.
 $(B)/libdomino.a: $(call OBJ,$(MODEL))
@@ -126,12 +135,14 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 # There memory and threads run out where a test wants it.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # How the shell writes numbers is tested as a unit, too.
-$(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,decimal.c wide.c cell.c))
+$(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,language/decimal.c language/wide.c answer/cell.c))
+# And where the dominoes of a picture stand.
+$(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare in double what the library gives in its widest type.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
-.SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c))
+.SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c)) $(UNIT_BIN)
 
 # Hard cases and sweeps against a reference in MPFR: what test_*.c there share is linked into each.
 HARD     := $(wildcard tests/hard/*.c)
@@ -141,17 +152,36 @@ $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,$(filter-out tests/hard/test_%,$
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@
 
-test: all $(UNIT_BIN) $(HARD_BIN)
-	@tests/run $(B) $(UNIT_BIN) $(HARD_BIN) tests/shell/*.bats
+# Each suite is a target that always runs it and leaves its counts: 'make -j2 test' runs suites side by side, the
+# longest first.  A suite that fails stops no other; the counts are added up at the end.
+COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
+BATS       := $(foreach name,terminal prompt,tests/shell/$(name).bats)
+BATS       += $(filter-out $(BATS),$(wildcard tests/shell/*.bats))
+UNIT_RUN    = $(call COUNTS_OF,$(UNIT_BIN))
+HARD_RUN    = $(call COUNTS_OF,$(HARD_BIN))
+.SECONDARY: $(HARD_BIN)
+SHELL_RUN   = $(call COUNTS_OF,$(BATS))
+$(B)/tap/unit/%.count: $(B)/unit/% FORCE
+	@tests/run --suite $(B) $<
+$(B)/tap/hard/%.count: $(B)/hard/% FORCE
+	@tests/run --suite $(B) $<
+$(B)/tap/shell/%.count: tests/shell/% all FORCE
+	@tests/run --suite $(B) $<
+FORCE:
 
-unit: $(UNIT_BIN)
-	@tests/run $(B) $(UNIT_BIN)
+# What is quick of all that: a twentieth of the sweeps' points, the short sessions, the unit tests.
+QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
+QUICK_BATS := $(patsubst %,tests/shell/%.bats,pipe scenes precision draw walk)
+QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
 
-hard: $(HARD_BIN)
-	@tests/run $(B) $(HARD_BIN)
-
-sessions: all
-	@tests/run $(B) tests/shell/*.bats
+quick: export SWEEP_SIZE := 0.05
+quick: $(QUICK_RUN)
+test: $(HARD_RUN) $(SHELL_RUN) $(UNIT_RUN)
+unit: $(UNIT_RUN)
+hard: $(HARD_RUN)
+sessions: $(SHELL_RUN)
+quick test unit hard sessions:
+	@tests/run --sum $^
 
 # The same rows in Chipmunk, a rigid-body engine: fails where the two differ.
 VERIFY := $(wildcard tests/verify/*.c)
@@ -248,18 +278,19 @@ STACK := -Wframe-larger-than=20480
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
-lint: | $(FIRST)
+lint: $(B)/kernel_names.h | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion $(STACK)' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
-	clang-tidy --quiet $(MODEL) $(SHELL_C) $(wildcard examples/*.c) -- -std=c17 -D_GNU_SOURCE -Iinclude -Isrc/model
+	clang-tidy --quiet $(MODEL) $(SHELL_C) $(wildcard examples/*.c) -- -std=c17 -D_GNU_SOURCE $(INCLUDES)
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c -Iinclude -Isrc/model src examples
+	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
+	tests/layers $(B)/gcc
 	mandoc -T lint man/domino.1 man/libdomino.3
 	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
-	  src/shell/domino.bash
+	shellcheck tests/run tests/layers tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
+	  src/shell/prompt/domino.bash
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
@@ -275,7 +306,7 @@ INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib include/domino.h:include $(B)/
 # Every file and folder that installing made, so that uninstall leaves what was there before.
 MANIFEST = "$(DESTDIR)$(PREFIX)/share/doc/domino/installed"
 
-$(B)/completion/domino: src/shell/domino.bash
+$(B)/completion/domino: src/shell/prompt/domino.bash
 	@mkdir -p $(@D) && cp $< $@
 
 install: all $(B)/completion/domino

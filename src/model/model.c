@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The library's doors: who asks for a precision or a method gets its kernel, and nobody else's. */
-#include "kernel.h"
+#include "precision/kernel.h"
 
 static enum dom_status range_check(const struct dom_train *train)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is the same in every precision; its arithmetic is the widest. */
 #define REAL_QUAD
-#include "real.h"
+#include "numerics/real.h"
 
 const char *dom_status_text(enum dom_status status)
 {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
-#include "command.h"
-#include "io.h"
-#include "line.h"
+#include "commands/registry.h"
+#include "interpreter/command.h"
+#include "interpreter/line.h"
+#include "io/io.h"
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>
@@ -163,6 +164,7 @@ int main(int argc, char **argv)
     /* A closed pipe and a file at its limit of size are write errors, which are reported. */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
+    command_registry(all_commands);
     session_init(&session, stdout);
     if (!options_judge(argc, argv, &session, &plan))
         return EXIT_USAGE;

@@ -10,7 +10,7 @@ load faults
 outcome() { # WHAT STATUS
     no_crash "$1" "$2"
     obtained=$(grep -vE '\.$' out) said=$(cat err)
-    same "$1: other lines" '' "$(grep -vxFf expected out)"
+    same "$1: other lines" '(nothing)' "$(grep -vxFf expected out)"
     if [ "$2" -eq 0 ]; then
         same "$1: the answers" "$answers" "$obtained"
     else
@@ -18,7 +18,7 @@ outcome() { # WHAT STATUS
         [ -z "$(LC_ALL=C grep -v '^[[:print:][:space:]]*$' err)" ] || same "$1: what is said" readable "$said"
     fi
     left=$(inside)
-    [[ $left != *.?????? ]] || same "$1: no draft" '' "$left"
+    [[ $left != *.?????? ]] || same "$1: no draft" '(nothing)' "$left"
 }
 
 every_allocation() { # SESSION

@@ -47,7 +47,7 @@ every_file_command() { # SIGNAL
         begin all.script
         sleep "$wait"
         end_by "after $wait s" "$1"
-        same "drafts" '' "$(drafts)"
+        same "drafts" '(nothing)' "$(drafts)"
         [ ! -e new ] || cmp new answer
         [ ! -s two ] || cmp two answer
         same 'rows of the log, in whole answers' 0 "$(($(wc -l <log) % $(wc -l <answer)))"
@@ -69,7 +69,7 @@ every_file_command() { # SIGNAL
     ulimit -St 1
     begin -e 'curve 0.01 0.9 10000000 > new'
     ended_by 'after a second' XCPU
-    same 'what is left' '' "$(inside)"
+    same 'what is left' '(nothing)' "$(inside)"
 }
 
 @test "SIGTERM while gnuplot draws leaves no file" {
@@ -78,7 +78,7 @@ every_file_command() { # SIGNAL
     begin -e 'animate film.gif 2'
     until [ -n "$(drafts)" ]; do kill -0 "$child"; done
     end_by 'the program' TERM
-    same 'what is left' '' "$(inside)"
+    same 'what is left' '(nothing)' "$(inside)"
 }
 
 @test "a script that waits for a FIFO ends with SIGINT and SIGTERM, and leaves no file" {

@@ -4,11 +4,11 @@
  * which argument of its kind, which expression with any command as a function.  Half of the sessions are
  * safe, the others have a scratch folder, in which every name that is made stays; see 'make fuzz'.
  */
-#include "../../src/shell/command.h"
-#include "../../src/shell/effects.h"
-#include "../../src/shell/grid.h"
-#include "../../src/shell/lookup.h"
+#include "commands/grid.h"
+#include "interpreter/command.h"
+#include "interpreter/lookup.h"
 #include "session.h"
+#include "session/effects.h"
 #include <dirent.h>
 #include <stdint.h>
 #include <stdlib.h>

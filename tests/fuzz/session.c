@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
-#include "../../src/shell/escape.h"
-#include "../../src/shell/line.h"
+#include "commands/registry.h"
+#include "interpreter/line.h"
+#include "io/escape.h"
 #include <ctype.h>
 #include <signal.h>
 #include <stdint.h>
@@ -72,6 +73,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
     FILE *in = fmemopen((void *)(uintptr_t)text, size, "r"), *to = open_memstream(&out, &length);
     if (!in || !to)
         abort();
+    command_registry(all_commands);
     session_init(&session, to);
     session.safe = safe;
     session.train.interrupt = &enough;

@@ -118,7 +118,7 @@ static void check_train(struct point *point, struct answers *answers)
     if (answers->falls_off != point->ref->falls_off) {
         double rr = 1 / (double)(point->input.r * point->input.r);
         double room = (double)(point->input.s * (point->input.s + 2 * point->input.d));
-        if (fabs(rr / room - 1) > 32 * ask_unit(point->sweep->precision))
+        if (!(fabs(rr / room - 1) <= 32 * ask_unit(point->sweep->precision)))
             mistake(point, REF_THETA_LEAVE, answers, "falls_off");
         compare_all(point, REF_THETA_C, REF_THETA_F, answers);
     } else {

@@ -80,6 +80,10 @@ void tally_compare(struct tally *tally, const struct comparison *c)
         return;
     }
     const double error = c->ref ? ref_error(c->ref, c->quantity, c->got) : fabs(c->error);
+    if (isnan(error)) {
+        tally_mistake(tally, c, "an error that is no number");
+        return;
+    }
     tally->checked++;
     compare_bound(tally, c, error);
     if (error == 0)

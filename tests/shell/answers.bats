@@ -58,7 +58,7 @@ answers_at_a_terminal() { timeout 300 expect -f "$BATS_TEST_DIRNAME/answers.exp"
     for what in draw 'draw 0.3 forces' 'plot energy' 'plot omega' 'plot chain' 'plot growth' 'plot marginal' \
         'plot cost fuel'; do
         "$DOMINO" -e "$row; $what > a.svg; $what > a.png; $what > a.pdf" >said 2>notes
-        same "$what: standard output" '' "$(cat said)"
+        same "$what: standard output" '(nothing)' "$(cat said)"
         xmllint --noout a.svg
         same "$what: the end of the svg" '</svg>' "$(grep . a.svg | tail -n 1)"
         # Width and height, then bit depth, colour type; the last chunk is IEND with its checksum.
@@ -270,8 +270,8 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
     "$DOMINO" -e help | sed '/^Parameters/,$d' | grep '^  ' >"$BATS_TEST_TMPDIR/list"
     "$DOMINO" -e 'apropos e' | sed 's/^/  /' >>"$BATS_TEST_TMPDIR/list"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/list")" -gt 80 ]
-    same 'out of line' '' "$(grep -vE '^  .{20} [^ ]' "$BATS_TEST_TMPDIR/list")"
-    same 'no blank before it' '' "$(grep -vE '^  .{20} ' "$BATS_TEST_TMPDIR/list")"
+    same 'out of line' '(nothing)' "$(grep -vE '^  .{20} [^ ]' "$BATS_TEST_TMPDIR/list")"
+    same 'no blank before it' '(nothing)' "$(grep -vE '^  .{20} ' "$BATS_TEST_TMPDIR/list")"
 }
 
 # ---- Names ----
@@ -298,7 +298,7 @@ END
     same q 3 "$("$DOMINO" -e 'set q hollow; print q')"
     for name in s r d tol h g mass; do
         wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"
-        same "help $name" '' "$("$DOMINO" -e "help $name" | grep -E '^  (hollow|massive) ' || true)"
+        same "help $name" '(nothing)' "$("$DOMINO" -e "help $name" | grep -E '^  (hollow|massive) ' || true)"
     done
     for name in s r d q h g; do [[ $("$DOMINO" -e "help $name") != *'It decides how far'* ]]; done
     [[ $("$DOMINO" -e 'help tol') == *'It decides how far'* ]]
@@ -321,8 +321,8 @@ END
             esac
         done
     done
-    same 'offered, then refused' '' "$refused"
+    same 'offered, then refused' '(nothing)' "$refused"
     for line in 'draw forces' 'draw forces f' 'draw 0.3 forces' 'plot growth' 'plot energy r' 'reset s'; do
-        same "complete $line" '' "$("$DOMINO" -e "complete $line ")"
+        same "complete $line" '(nothing)' "$("$DOMINO" -e "complete $line ")"
     done
 }

@@ -61,19 +61,57 @@ json() { "$DOMINO" -e "set output json; $1"; }
 keys() { head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
 values() { sed -En "s/^(.*,|\{)\"$1\":(\"[^\"]*\"|[^,}]*).*/\2/p" | tr -d '"'; }
 
-# Equal, or this says what differs.
-same() { # WHAT EXPECTED OBTAINED
-    [ "$2" = "$3" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
+# Checks before every test that there is a program which answers: without one, a test of what the program
+# leaves undone would pass.
+setup() { answers_at_all; }
+answers_at_all() { same 'the program' 42 "$("$DOMINO" -e 'print 6*7' 2>&1)"; }
+
+# Refuses an expectation that came out blank: a program that says nothing would meet it.  Where nothing is
+# expected, the expectation is '(nothing)'.
+expects() { # WHAT EXPECTED
+    [[ $2 == *[![:space:]]* ]] || { printf '%s: the expectation is empty\n' "$1" && false; }
 }
 
-# Equal numbers up to a relative error of 1e-10, and 1e-15 where the value is 0; empty is null.
-close() { # WHAT EXPECTED OBTAINED
-    awk -v e="${2:-null}" -v o="$3" 'BEGIN {
-        if (e == "null" || o == "null" || o == "") exit !(e == o)
+# Equal, or this says what differs.
+same() { # WHAT EXPECTED OBTAINED
+    expects "$1" "$2" || return
+    local expected=$2
+    [ "$2" != '(nothing)' ] || expected=''
+    [ "$expected" = "$3" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
+}
+
+# Two answers that are both there, and not alike: shows that what is compared elsewhere depends on the question.
+differ() { # WHAT ONE OTHER
+    expects "$1" "$2" && expects "$1" "$3" || return
+    [ "$2" != "$3" ] || { printf '%s\ntwice: %s\n' "$1" "$2" && false; }
+}
+
+# Equal files with something in them.
+same_file() { # EXPECTED OBTAINED
+    [ -s "$1" ] || { printf '%s: the expectation is empty\n' "$1" && return 1; }
+    diff -u "$1" "$2"
+}
+
+# Equal numbers up to a relative error of BOUND (1e-10), and 1e-15 where the value is 0; '(nothing)' is null.
+close() { # WHAT EXPECTED OBTAINED [BOUND]
+    expects "$1" "$2" || return
+    awk -v e="$2" -v o="$3" -v bound="${4:-1e-10}" 'BEGIN {
+        if (e == "(nothing)") exit !(o == "null")
+        number = "^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?$"
+        if (e !~ number || o !~ number) exit 1
         error = e - o; if (error < 0) error = -error
         size = e < 0 ? -e : +e
-        exit !(error <= 1e-10 * size + 1e-15)
-    }' || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "${2:-null}" "$3" && false; }
+        exit !(error <= bound * size + 1e-15)
+    }' || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
+}
+
+# Checks with the awk condition that is given (d: the relative difference of the two numbers).
+within() { # WHAT EXPECTED OBTAINED CONDITION
+    if [[ $2 =~ [0-9] && $3 =~ [0-9] ]] && awk -v e="$2" -v o="$3" "BEGIN { d = o / e - 1; exit !($4) }"; then
+        return 0
+    fi
+    printf '%s\nexpected: %s, %s\nobtained: %s\n' "$1" "$2" "$4" "$3"
+    return 1
 }
 
 # Fails with this message, in one line, and the session goes on; for the tests, 'run' sets what it looks at.
@@ -82,6 +120,7 @@ wrong() { # COMMANDS PATTERN
     run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
     [ "$status" -eq 1 ] || same "$1: status" 1 "$status"
     [ "$(wc -l <<<"$stderr")" -eq 1 ] || same "$1: one line" 1 "$stderr"
+    expects "$1" "$2" || return
     grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
     [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
 }

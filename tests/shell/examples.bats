@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every example against its golden transcript; 'GOLDEN=write make sessions' writes them anew.
 
+load common
+
 root=$BATS_TEST_DIRNAME/../..
 
 digits() {
@@ -11,7 +13,7 @@ digits() {
 golden() {
     "$DOMINO" -f "$root/examples/$1.dom" >"$BATS_TEST_TMPDIR/out"
     if [ "${GOLDEN:-}" = write ]; then cp "$BATS_TEST_TMPDIR/out" "$BATS_TEST_DIRNAME/golden/$1.out"; fi
-    diff -u "$BATS_TEST_DIRNAME/golden/$1.out" "$BATS_TEST_TMPDIR/out"
+    same_file "$BATS_TEST_DIRNAME/golden/$1.out" "$BATS_TEST_TMPDIR/out"
 }
 
 @test "accuracy.dom" { golden accuracy; }
@@ -27,9 +29,14 @@ golden() {
 @test "tutorial.dom" { golden tutorial; }
 @test "sweep.dom" { golden sweep; }
 
-@test "no example is without a golden transcript" {
-    for example in "$root"/examples/*.dom; do
-        [ -s "$BATS_TEST_DIRNAME/golden/$(basename "$example" .dom).out" ]
+@test "every example has a golden transcript and a test, and no transcript is left over" {
+    examples=$(cd "$root/examples" && printf '%s\n' *.dom | sed 's/\.dom$//' | sort)
+    [ "$(wc -l <<<"$examples")" -ge 12 ]
+    same transcripts "$examples" "$(cd "$BATS_TEST_DIRNAME/golden" && find . -name '*.out' -size +0 | sed 's,^\./,,; s/\.out$//' | sort)"
+    same tests "$examples" "$(sed -nE 's/^@test "(.*)\.dom" \{ golden \1; \}$/\1/p' "$BATS_TEST_FILENAME" | sort)"
+    # Each runs as a person runs it, with its path on the command line.
+    for example in $examples; do
+        "$DOMINO" "$root/examples/$example.dom" | diff -u "$BATS_TEST_DIRNAME/golden/$example.out" -
     done
 }
 
@@ -64,31 +71,41 @@ sentence() {
 
 @test "the man page has every parameter, option and environment variable" {
     page=$root/man/domino.1
-    "$DOMINO" -e 'set output json; show' | while IFS= read -r row; do
+    json show >"$BATS_TEST_TMPDIR/show"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/show")" -ge 15 ]
+    while IFS= read -r row; do
         name=$(sed -E 's/.*"name":"([^"]*)".*/\1/' <<<"$row")
         meaning=$(sed -E 's/.*"meaning":"([^"]*)".*/\1/' <<<"$row" | sentence)
         grep -A 1 -Fx ".It Va $name" "$page" | grep -qFx -- "$meaning" || { echo "$name: $meaning"; false; }
-    done
-    "$DOMINO" --help | grep -o -- '--[a-z-]*' | sort -u | while read -r option; do
+    done <"$BATS_TEST_TMPDIR/show"
+    "$DOMINO" --help | grep -o -- '--[a-z-]*' | sort -u >"$BATS_TEST_TMPDIR/options"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/options")" -ge 7 ]
+    while read -r option; do
         grep -qE -- "(Fl Fl|Fl) ${option#--}( |$)" "$page" || { echo "option $option"; false; }
-    done
-    grep -ho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell/*.c | sed 's/.*"\(.*\)".*/\1/' | sort -u |
-        while read -r name; do
-            grep -q "^\.It Ev $name\$" "$page" || { echo "environment $name"; false; }
-        done
+    done <"$BATS_TEST_TMPDIR/options"
+    grep -rho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell | sed 's/.*"\(.*\)".*/\1/' | sort -u \
+        >"$BATS_TEST_TMPDIR/environment"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/environment")" -ge 5 ]
+    while read -r name; do
+        grep -q "^\.It Ev $name\$" "$page" || { echo "environment $name"; false; }
+    done <"$BATS_TEST_TMPDIR/environment"
 }
 
 @test "help NAME shows an example whose output is what the command line gives" {
-    "$DOMINO" -e 'complete help ' | while read -r name; do
+    "$DOMINO" -e 'complete help ' >"$BATS_TEST_TMPDIR/topics"
+    examples=0
+    while read -r name; do
         "$DOMINO" -e "help $name" >"$BATS_TEST_TMPDIR/help"
         example=$(sed -n 's/^Example: //p' "$BATS_TEST_TMPDIR/help")
         if [ -n "$example" ]; then
             sed '1,/^Example: /d' "$BATS_TEST_TMPDIR/help" | sed -e 1d -e '/^See also/,$d' -e '/^The parameter/,$d' |
                 sed -e '${/^$/d}' >"$BATS_TEST_TMPDIR/shown"
             "$DOMINO" -e "$example" >"$BATS_TEST_TMPDIR/true"
-            diff -u "$BATS_TEST_TMPDIR/true" "$BATS_TEST_TMPDIR/shown"
+            same_file "$BATS_TEST_TMPDIR/true" "$BATS_TEST_TMPDIR/shown"
+            examples=$((examples + 1))
         fi
-    done
+    done <"$BATS_TEST_TMPDIR/topics"
+    [ "$examples" -ge 25 ]
 }
 
 @test "the README's sessions are what the program prints" {
@@ -98,11 +115,11 @@ sentence() {
     PATH=$(dirname "$DOMINO"):$PATH
     cd "$root" || false
     grep '^\$ \(domino\|for\) ' "$BATS_TEST_TMPDIR/blocks" >"$BATS_TEST_TMPDIR/commands"
-    [ -s "$BATS_TEST_TMPDIR/commands" ]
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/commands")" -ge 5 ]
     while IFS= read -r command; do
         awk -v command="$command" '$0 == command { on = 1; next } /^\$ / { on = 0 } on' \
             "$BATS_TEST_TMPDIR/blocks" | digits >"$BATS_TEST_TMPDIR/said"
-        sh -c "${command#\$ }" 2>&1 | digits >"$BATS_TEST_TMPDIR/says"
-        diff -u "$BATS_TEST_TMPDIR/said" "$BATS_TEST_TMPDIR/says"
+        sh -c "${command#\$ }" 2>&1 </dev/null | digits >"$BATS_TEST_TMPDIR/says"
+        same_file "$BATS_TEST_TMPDIR/said" "$BATS_TEST_TMPDIR/says"
     done <"$BATS_TEST_TMPDIR/commands"
 }

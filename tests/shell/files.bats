@@ -47,7 +47,7 @@ soon() { timeout 30 "$@"; }
     same '-f FIFO' "$answer" "$(soon "$DOMINO" -f fifo)"
     same 'source <()' "$answer" "$(soon bash -c '"$DOMINO" -e "source $1"' bash <(echo fuel))"
     same '<()' "$answer" "$(soon "$DOMINO" <(echo fuel))"
-    same 'nothing in <()' '' "$(soon "$DOMINO" <(true))"
+    same 'nothing in <()' '(nothing)' "$(soon "$DOMINO" <(true))"
     "$DOMINO" -e 'set output csv; effect row 4; row > row.csv'
     same 'effect row <()' "$("$DOMINO" -e 'effect row row.csv; verdict')" \
         "$(soon bash -c '"$DOMINO" -e "effect row $1; verdict"' bash <(cat row.csv))"

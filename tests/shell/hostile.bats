@@ -10,13 +10,13 @@ csv='height (mm), thickness (mm), gap (mm)
 48, 7, -
 48, 7, 20'
 
-setup() { mkdir "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_TMPDIR/work" || exit; }
+setup() { answers_at_all && mkdir "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_TMPDIR/work" || exit; }
 
 # No byte of a control but the new line, no C1, no sign that turns the direction of writing, and all is UTF-8.
 harmless() { # FILE
-    iconv -f UTF-8 -t UTF-8 "$1" >/dev/null || same "$1: UTF-8" '' "$(cat -v "$1")"
+    iconv -f UTF-8 -t UTF-8 "$1" >/dev/null || same "$1: UTF-8" '(nothing)' "$(cat -v "$1")"
     if LC_ALL=C grep -aqP '[\x00-\x09\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]|\xe2\x81[\xa6-\xa9]' "$1"; then
-        same "$1: control characters" '' "$(cat -v "$1")"
+        same "$1: control characters" '(nothing)' "$(cat -v "$1")"
     fi
 }
 
@@ -34,7 +34,7 @@ harmless() { # FILE
             run --separate-stderr timeout 60 "$DOMINO" "$way" calls.dom
             [ "$status" -le 1 ] || same "$way $name" '0 or 1' "$status"
             same "$way $name: goes on" 42 "${lines[-1]}"
-            same "$way $name: one line each" '' "$(grep -v '^calls.dom:[0-9:]* ' <<<"$stderr" || true)"
+            same "$way $name: one line each" '(nothing)' "$(grep -v '^calls.dom:[0-9:]* ' <<<"$stderr" || true)"
         done
     done
 }
@@ -43,12 +43,12 @@ harmless() { # FILE
     wrong 'print pool(1)' "'pool FILE' has no value in an expression"
     wrong 'set s pool' "'pool FILE' has no value in an expression"
     wrong 'count pool(1)' "'pool FILE' has no value in an expression"
-    same completion '' "$("$DOMINO" -e 'complete print po')"
-    same help '' "$("$DOMINO" -e 'help pool' | grep 'In an expression' || true)"
+    same completion '(nothing)' "$("$DOMINO" -e 'complete print po')"
+    same help '(nothing)' "$("$DOMINO" -e 'help pool' | grep 'In an expression' || true)"
     for line in 'set s pool(1)' 'sweep s 0.1 0.2 2 : pool x' 'pool x' 'save x' 'source x' 'show > x' 'effect row x.csv' \
         'animate x.gif'; do
         run -1 --separate-stderr "$DOMINO" --safe -e "$line"
-        same "$line: nothing is written" '' "$(ls)"
+        same "$line: nothing is written" '(nothing)' "$(ls)"
     done
 }
 
@@ -117,7 +117,7 @@ harmless() { # FILE
         for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate "NAME.gif" 1'; do
             run -1 --separate-stderr "$DOMINO" -e 'effect row 2' -e "${line/NAME/$name}"
             [[ $stderr == *'the name has control characters'* ]] || same "$line" refused "$stderr"
-            same "$line: nothing is written" '' "$(ls)"
+            same "$line: nothing is written" '(nothing)' "$(ls)"
         done
     done
     # Letters of other scripts are no harm.

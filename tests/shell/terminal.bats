@@ -6,6 +6,7 @@
 load common
 
 setup() {
+    answers_at_all
     socket=$BATS_TEST_TMPDIR/tmux
     prompt='domino❯'
     export HOME=$BATS_TEST_TMPDIR XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
@@ -87,7 +88,7 @@ fits() { # WIDTH COMMAND...
         screen | diff - "$BATS_TEST_TMPDIR/joined" >"$BATS_TEST_TMPDIR/wrapped" ||
             wide+="$command:"$'\n'"$(grep '^>' "$BATS_TEST_TMPDIR/wrapped")"$'\n'
     done
-    same "wider than $width columns" '' "$wide"
+    same "wider than $width columns" '(nothing)' "$wide"
 }
 
 answers=('chain 0.1' show 'show s' thetac 'theta1 0.1' rmax 'rmax 0.3' pair best 'count 112' 'count 112 2' 'curve 0.1 0.9 3'
@@ -281,7 +282,7 @@ $prompt" "$(screen | tail -n 2)"
     see_last "$prompt"
     terminal capture-pane -p -S - | sed 's/ *$//' >"$BATS_TEST_TMPDIR/all"
     same 'rows' 6000 "$(grep -Ec '^ +0\.[0-9]+( +[0-9.-]+){4}$' "$BATS_TEST_TMPDIR/all")"
-    same 'progress' '' "$(grep -E 'left|\^C' "$BATS_TEST_TMPDIR/all")"
+    same 'progress' '(nothing)' "$(grep -E 'left|\^C' "$BATS_TEST_TMPDIR/all")"
 }
 
 @test "the caret stands under its place" {
@@ -344,7 +345,7 @@ $prompt" "$(screen | tail -n 2)"
         press -l thetac
         press Enter
         see falls_off
-        same "$setting" '' "$(screen -e | grep $'\033')"
+        same "$setting" '(nothing)' "$(screen -e | grep $'\033')"
         terminal kill-server
     done
 }

@@ -12,7 +12,8 @@ all_worth() {
     while IFS='|' read -r value unit expression; do
         answer=$(json "print $expression")
         close "$expression" "$value" "$(values value <<<"$answer" | tail -n 1)"
-        same "$expression: unit" "${unit#-}" "$(values unit <<<"$answer" | tail -n 1)"
+        [ "$unit" != - ] || unit='(nothing)'
+        same "$expression: unit" "$unit" "$(values unit <<<"$answer" | tail -n 1)"
     done
 }
 
@@ -24,6 +25,7 @@ wrong() { # COLUMN COMMANDS MESSAGE; COLUMN 0: the error is about the whole
     local place=-e:1:
     if [ "$1" -gt 0 ]; then place=$place$1:; fi
     same "$2: place" "$place" "${stderr%% *}"
+    expects "$2" "$3"
     [[ ${stderr#* } =~ $3 ]] || same "$2" "$3" "$stderr"
     same "$2: the session goes on" 0.4 "$(tail -n 1 <<<"$output" | values value)"
     same "$2: stdout" 1 "${#lines[@]}"
@@ -444,8 +446,10 @@ END
 # ---- Names, nearly right ----
 
 @test "unique beginnings of commands, parameters, topics, words and keys" {
+    plain=$(json 'fuel; thetac; show digits')
     while IFS='|' read -r short long; do
         same "$short" "$(json "$long")" "$(json "$short")"
+        differ "$long is a question of its own" "$plain" "$(json "$long")"
     done <<'END'
 bar|barrier
 thetac|thetac
@@ -460,7 +464,9 @@ set ang d; thetac|set angle deg; thetac
 print rmax.r_max_p|print rmax.r_max_paper
 rmax; print ans.r_max_p|rmax; print ans.r_max_paper
 END
+    same 'cou' 20 "$(json 'cou 112' | values dominoes)"
     same 'help bar' "$("$DOMINO" -e 'help barrier')" "$("$DOMINO" -e 'help bar')"
+    differ 'help fu' "$("$DOMINO" -e 'help bar')" "$("$DOMINO" -e 'help fu')"
     same 'set output j' "$(json fuel)" "$("$DOMINO" -e 'set output j; fuel')"
 }
 
@@ -535,13 +541,15 @@ END
                     column() { values "$key" <<<"$1"; }
                 fi
                 value=$(column "$rad")
-                if [ "$value" != null ] && [ -n "$value" ]; then value=$(deg "$value"); fi
+                case $key,$value in theta_leave,null | theta_leave,) value='(nothing)' ;; *) value=$(deg "$value") ;; esac
                 obtained=$(column "$answer")
                 close "$command in $format: $key" "$value" "${obtained:-null}"
             done
             # The rest is as before.
-            same "$command" "$(values slope <<<"$rad") $(values J <<<"$rad") $(values kinetic <<<"$rad")" \
-                "$(values slope <<<"$answer") $(values J <<<"$answer") $(values kinetic <<<"$answer")"
+            for key in slope J kinetic; do
+                value=$(values $key <<<"$rad")
+                same "$command: $key" "${value:-(nothing)}" "$(values $key <<<"$answer")"
+            done
         done <<'END'
 thetac|theta_c theta_u theta_inf theta_f theta_leave
 set r 2; thetac|theta_c theta_u theta_inf theta_f theta_leave
@@ -564,10 +572,10 @@ END
     for line in '^theta_c *36\.86989765 deg ' '^omega0 .*deg/s' '^  *deg '; do
         grep -q "$line" <<<"$answer" || same deg "$line" "$answer"
     done
-    [ "$(grep -cw rad <<<"$answer")" -eq 0 ]
+    same 'no radians' '(nothing)' "$(grep -w rad <<<"$answer")"
     theta_c=$(json 'set angle deg; thetac' | values theta_c)
     wrong 25 'set angle deg; theta1   37; set output json' "T = 37 deg .* \[0, ${theta_c:0:15}[0-9]*\]"
-    json "set angle deg; theta1 0; theta1 $theta_c" >/dev/null
+    same 'both ends' 2 "$(json "set angle deg; theta1 0; theta1 $theta_c" | grep -c '"theta_1":[0-9]')"
 }
 
 @test "timing: a time behind every answer, where it does not disturb" {
@@ -583,7 +591,7 @@ END
             [[ $stderr =~ ^time:\ $number$ ]] || same "$commands in $format" 'time: ... ms' "$stderr"
         done
     done
-    same 'nothing to time' '' "$("$DOMINO" -e 'set timing on; set s 0.3; reset s' 2>&1)"
+    same 'nothing to time' '(nothing)' "$("$DOMINO" -e 'set timing on; set s 0.3; reset s' 2>&1)"
     same 'off' "$(json fuel)" "$(json 'set timing on; set timing off; fuel' 2>&1)"
 }
 
@@ -632,18 +640,22 @@ mode() { find "$1" -prune -perm "$2"; }
 @test "'complete LINE' takes the whole line, and nothing of it is run" {
     run -0 --separate-stderr "$DOMINO" -e 'complete fuel; th'
     same "';'" "$("$DOMINO" -e 'complete th')" "$output"
-    same "';': stderr" '' "$stderr"
+    same "';': stderr" '(nothing)' "$stderr"
     same "'set'" output "$("$DOMINO" -e 'complete thetac; set ou' 2>&1)"
     same "'quit'" "$("$DOMINO" -e 'complete q')"$'\n'1 "$("$DOMINO" -e 'complete fuel; q' -e 'print 1' | grep .)"
 }
 
 @test "a file is written whole or not at all" {
     enter
+    "$DOMINO" -e 'fuel > good' # as a good one is
+    grep -q '^fuel ' good
+    rm good
     for call in 'theta1 9' 'set s 0.9; fuel' 'foo' 'rmax 2' 'print 1 +' 'show foo' 'fuel 1' \
         'set s 1e-6; set r 1e6; set q 100; fuel' 'apropos zzzz' 'source nonexistent'; do
         for to in '>' '>>'; do
             echo old >file
             run -1 "$DOMINO" -e "$call $to file; reset; $call $to new"
+            expects "$call $to file: a reason" "$output"
             same "$call $to file" old "$(cat file)"
             same "$call $to: what is left" file "$(inside)"
         done
@@ -715,7 +727,7 @@ END
     wrong 8 'fuel > "a b' '^fuel: '
     wrong 6 'save "a b' '^save: '
     wrong 8 'source "a b' '^source: '
-    same 'nothing was written' '' "$(inside)"
+    same 'nothing was written' '(nothing)' "$(inside)"
 }
 
 @test "save and source: every parameter comes back as it was" {
@@ -765,13 +777,13 @@ END
     same 'answers' '0.3 0.3' "$(values value <<<"$output" | paste -sd ' ' -)"
     same 'places' 'inner:2:1: inner:4:11:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
     run -1 --separate-stderr "$DOMINO" --bail outer
-    same '--bail: answers' '' "$output"
+    same '--bail: answers' '(nothing)' "$output"
     same '--bail: places' 'inner:2:1:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
     # After an error in a file the line goes on where it was.
     run -1 --separate-stderr "$DOMINO" -e 'source inner; foo; print 7'
     same 'the place is back' '-e:1:15:' "$(tail -n 1 <<<"$stderr" | cut -d' ' -f1)"
     echo 'quit' >leave
-    same 'quit in a file' '' "$("$DOMINO" -e 'source leave; fuel' -e fuel)"
+    same 'quit in a file' '(nothing)' "$("$DOMINO" -e 'source leave; fuel' -e fuel)"
 
     echo 'source itself' >itself
     printf 'source two\n' >one
@@ -807,7 +819,7 @@ fuel > plain|[0-9]
 help > /dev/null|[0-9]
 END
     same 'nothing was written' 'plain,set s 0.3' "$(inside),$(cat plain)"
-    same 'no file names are told' '' "$("$DOMINO" --safe -e 'complete source p')"
+    same 'no file names are told' '(nothing)' "$("$DOMINO" --safe -e 'complete source p')"
     for call in fuel 'count 112' 'help fuel' 'set s 0.3; show'; do
         same "$call" "$("$DOMINO" -e "$call")" "$("$DOMINO" --safe -e "$call")"
     done
@@ -819,6 +831,8 @@ END
     enter
     mkdir -p config/domino
     echo 'set s 0.3' >config/domino/init.dom
+    close fuel 0.177287017324780688790030782681 "$(json fuel | values fuel)"
+    differ 'what the file would change' "$(json fuel)" "$(json 'set s 0.3; fuel')"
     for option in -n --no-init --safe --bail; do
         same "$option" "$(json fuel)" "$(XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option" -e 'set output json; fuel')"
         same "$option, stdin" "$(json fuel)" \
@@ -833,13 +847,14 @@ completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
 @test "complete: commands, parameters, topics, words, names of expressions, files" {
     all=$("$DOMINO" -e help | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' | paste -sd ' ' -)
     parameters=$(json show | values name | paste -sd ' ' -)
+    [ "$(wc -w <<<"$all")" -ge 22 ]
     while IFS='|' read -r line expected; do
         same "complete $line" "$expected" "$(completed "$line")"
     done <<END
 |$all
 th|thetac theta1
 bar|barrier
-zzz|
+zzz|(nothing)
 set |$parameters
 show |$parameters
 reset |$parameters
@@ -861,8 +876,8 @@ rmax 0.9*rm|0.9*rmax
 rmax (rm|(rmax
 count 2*sq|2*sqrt
 print an|ans
-foo |
-fuel |
+foo |(nothing)
+fuel |(nothing)
 END
     # In an expression: parameters with a number, commands with a value, functions; nothing else.
     names=" $(completed 'set s ') "
@@ -874,6 +889,7 @@ END
     done
     for call in 'theta1 ' 'count ' 'rmax ' 'curve 0.1 0.9 ' 'print '; do same "$call" "$names" " $(completed "$call") "; done
     # Everything that is offered there has a value, or is a function.
+    [ "$(wc -w <<<"$names")" -ge 40 ]
     for name in $names; do
         run --separate-stderr json "effect row 4; effect placement 5 mm; rmax; print $name"
         [[ $status -eq 0 || $stderr == *usage:* || $stderr == *"values for"* || $name =~ ^(a?(sin|cos|tan)|atan2|exp|ln|log|log10|sqrt|abs|floor|ceil|round|hypot|min|max|theta1|energy|omega|count|budget)$ ]] ||
@@ -882,15 +898,24 @@ END
 }
 
 @test "complete: nothing is offered twice" {
-    for line in '' 'help ' 'set ' 'set s ' 'help fu' 'print '; do
-        same "'$line'" '' "$("$DOMINO" -e "complete $line" | sort | uniq -d)"
-    done
+    while IFS='|' read -r line word; do
+        offered=$("$DOMINO" -e "complete $line")
+        same "'$line' offers $word once" 1 "$(grep -cx "$word" <<<"$offered")"
+        same "'$line'" '(nothing)' "$(sort <<<"$offered" | uniq -d)"
+    done <<'END'
+|barrier
+help |barrier
+set |output
+set s |sqrt
+help fu|fuel
+print |pi
+END
 }
 
 @test "complete: keys behind a dot" {
     same 'rmax.' 'rmax.s rmax.r_max rmax.r_max_exact rmax.r_max_paper' "$(completed 'print rmax.' | sed 's/ rmax\.ends_by//')"
     same 'barrier.m' 'barrier.margin' "$(completed 'print barrier.m')"
-    [[ " $(completed 'print rmax.') " != *' rmax.sin '* ]]
+    same 'no functions' '(nothing)' "$("$DOMINO" -e 'complete print rmax.' | grep -x 'rmax\.sin')"
 }
 
 @test "complete: files, where files belong" {
@@ -903,13 +928,14 @@ END
     done
     touch alps/gamma.dom
     same 'in a directory' 'alps/gamma.dom' "$(completed 'source alps/')"
-    same 'no match' '' "$(completed 'source zzz')"
-    same 'nowhere else' '' "$(completed 'theta1 alpha')"
+    same 'no match' '(nothing)' "$(completed 'source zzz')"
+    same 'nowhere else' '(nothing)' "$(completed 'theta1 alpha')"
 }
 
 @test "apropos: what mentions a word, in any case; or an error" {
     while IFS='|' read -r word found; do
         answer=$("$DOMINO" -e "apropos $word")
+        expects "apropos $word" "$answer"
         for name in $found; do
             grep -Eq "^(set )?$name( |\$)" <<<"$answer" || same "apropos $word" "$name" "$answer"
         done
@@ -941,7 +967,7 @@ END
     names=$(paste -sd ' ' "$BATS_TEST_TMPDIR/names")
     while read -r name; do
         run -0 --separate-stderr "$DOMINO" -e "help $name"
-        same "help $name: stderr" '' "$stderr"
+        same "help $name: stderr" '(nothing)' "$stderr"
         usage=$("$DOMINO" -e help | awk -v name="$name" '$1 == name { sub(/^  /, ""); sub(/  +.*/, ""); print; exit }')
         [[ ${lines[0]} == "$usage"* ]] || same "help $name: its usage" "$usage" "${lines[0]}"
         example=$(sed -n 's/^Example: //p' <<<"$output")
@@ -961,17 +987,21 @@ END
         done < <(sed -n 's/^See also: //p' <<<"$output" | tr ' ' '\n')
     done <"$BATS_TEST_TMPDIR/names"
     [ "$examples" -ge 14 ]
+    seen=0
     json show | values name >"$BATS_TEST_TMPDIR/parameters"
     while read -r name; do
         # 'fuel' is a command, too.
         if grep -qx "$name" "$BATS_TEST_TMPDIR/names"; then continue; fi
+        seen=$((seen + 1))
         run -0 --separate-stderr "$DOMINO" -e "help $name"
         range=$(json "show $name" | values range)
         meaning=$(json "show $name" | values meaning)
+        expects "help $name: meaning" "$meaning"
         for words in "$meaning" "$range" default "set $name"; do
             [[ $output == *"$words"* ]] || same "help $name" "$words" "$output"
         done
     done <"$BATS_TEST_TMPDIR/parameters"
+    [ "$seen" -ge 12 ]
     # 'help set' shows all of them as they are now.
     answer=$("$DOMINO" -e 'set s 0.3; set fuel paper; help set')
     while read -r name; do
@@ -1008,7 +1038,7 @@ END
     local code=0
     wait $! || code=$?
     same 'ended by SIGTERM' 143 "$code"
-    same 'what is left' '' "$(ls drafts)"
+    same 'what is left' '(nothing)' "$(ls drafts)"
 }
 
 @test "angle deg: functions take degrees, print answers in them" {

@@ -7,6 +7,12 @@ load common
 # Of json answers: values of a key, joined.
 all() { values "$1" | paste -sd ' ' -; }
 
+# The steps on stdin are alike, and so many.
+evenly() { # COUNT
+    awk -v count="$1" 'NR == 1 { step = $1 } { d = $1 / step - 1; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
+        END { if (bad || NR != count) { print NR " steps, not even"; exit 1 } }'
+}
+
 @test "cycle: N rows and the events in order; the columns agree with omega, energy, chain, duration" {
     rows=$(json 'cycle 7')
     same events 'launch top hit' "$(values event <<<"$rows" | grep . | paste -sd ' ' -)"
@@ -21,19 +27,16 @@ all() { values "$1" | paste -sd ' ' -; }
         close theta_2 "$(json "chain $theta" | sed -n 3p | values theta_i)" "$(values theta_2 <<<"$row")"
     done <<<"$rows"
     # Even in time, or in tilt.
-    values t <<<"$rows" | awk 'NR == 1 { next } { print $1 }' >"$BATS_TEST_TMPDIR/t"
     json 'cycle 5 tilt' | grep '"event":""' | values theta | awk 'NR > 1 { print $1 - before } { before = $1 }' |
-        awk 'NR == 1 { step = $1 } { d = $1 / step - 1; if (d > 1e-9 || d < -1e-9) exit 1 }'
-    json 'cycle 5' | grep -v '"event":"top"' | values t | awk 'NR > 1 { print $1 - before } { before = $1 }' |
-        awk 'NR == 1 { step = $1 } { d = $1 / step - 1; if (d > 1e-9 || d < -1e-9) exit 1 }'
+        evenly 2
+    json 'cycle 5' | grep -v '"event":"top"' | values t | awk 'NR > 1 { print $1 - before } { before = $1 }' | evenly 4
 }
 
 @test "cycle: energies in J where a mass or a density is set" {
     plain=$(json 'cycle 2' | tail -n 1 | values kinetic)
-    close mass "$(awk -v k="$plain" 'BEGIN { print k * 0.008 * 9.81 * 0.048 / 2 }')" \
-        "$(json 'set mass 0.008; cycle 2' | tail -n 1 | values kinetic | awk '{ print $1 }')" || true
-    awk -v k="$plain" -v j="$(json 'set mass 0.008; cycle 2' | tail -n 1 | values kinetic)" \
-        'BEGIN { d = j / (k * 0.008 * 9.81 * 0.048 / 2) - 1; exit !(d < 1e-12 && d > -1e-12) }'
+    # Five roundings of 1.1e-16, and 17 digits.
+    close mass "$(awk -v k="$plain" 'BEGIN { printf "%.17g", k * 0.008 * 9.81 * 0.048 / 2 }')" \
+        "$(json 'set mass 0.008; cycle 2' | tail -n 1 | values kinetic)" 1e-15
     # 48 x 24 x 7 mm at 1000 kg/m^3 are 8.064 g.
     same density "$(json 'set mass 0.008064; why' | values kinetic | cut -c 1-14)" \
         "$(json 'set density 1000; why' | values kinetic | cut -c 1-14)"
@@ -61,8 +64,8 @@ all() { values "$1" | paste -sd ' ' -; }
     walk=$(json 'step; step; step; step; step; step')
     same events 'launch top hit launch top hit' "$(all event <<<"$walk")"
     same cycles '1 1 1 2 2 2' "$(all cycle <<<"$walk")"
-    awk -v a="$(values t <<<"$walk" | sed -n 3p)" -v b="$(values t <<<"$walk" | sed -n 6p)" \
-        'BEGIN { d = b / a / sqrt(1.5) - 1; exit !(d < 1e-12 && d > -1e-12) }'
+    close 'times of the hits' "$(awk -v a="$(values t <<<"$walk" | sed -n 3p)" 'BEGIN { printf "%.17g", a * sqrt(1.5) }')" \
+        "$(values t <<<"$walk" | sed -n 6p)" 1e-12
     same 'N steps' "$(sed -n 5p <<<"$walk")" "$(json 'step 5')"
     same 'back' "$(sed -n 2p <<<"$walk")" "$(json 'step 5; back 3' | tail -n 1)"
     same 'where' "$(sed -n 2p <<<"$walk")" "$(json 'step 2; where' | tail -n 1)"
@@ -79,7 +82,7 @@ all() { values "$1" | paste -sd ' ' -; }
         json "$state; step 2" >>"$BATS_TEST_TMPDIR/ledger"
         paste <(values before <"$BATS_TEST_TMPDIR/ledger") <(values lost <"$BATS_TEST_TMPDIR/ledger") \
             <(values gained <"$BATS_TEST_TMPDIR/ledger") <(values kinetic <"$BATS_TEST_TMPDIR/ledger") |
-            awk '{ d = $1 - $2 + $3 - $4; if (d > 1e-12 * $1 || d < -1e-12 * $1) { print; bad = 1 } rows++ }
+            awk '{ d = $1 - $2 + $3 - $4; if (NF != 4 || !(d <= 1e-12 * $1 && d >= -1e-12 * $1)) { print; bad = 1 } rows++ }
                 END { exit bad || rows < 5 }'
     done
     "$DOMINO" -e 'set fuel paper; step' | grep -q "The ledger is open by -0.009769 mgh/2: the paper's fuel is no balance"

@@ -100,7 +100,7 @@ static void the_far_tail_has_its_order(void **state)
                                     order_of(coarse.H2, fine.H2, 1e-13), order_of(coarse.dH, fine.dH, 1e-14)};
             static const double expected[] = {3, 3, 1, 4};
             for (int k = 0; k < 4; k++)
-                if (fabs(order[k] - expected[k]) > 0.35)
+                if (!(fabs(order[k] - expected[k]) <= 0.35))
                     fail_msg("s %g q %d: order %g of sum %d, not %g", s, q, order[k], k, expected[k]);
         }
 }
@@ -138,6 +138,7 @@ static void H2_is_the_slope_of_H1(void **state)
 {
     (void)state;
     uint64_t seed = 33;
+    int compared = 0;
     for (int i = 0; i < TRAINS; i++) {
         struct tilt head;
         struct lean g = random_lean(&seed, 1e-15, &head);
@@ -152,7 +153,9 @@ static void H2_is_the_slope_of_H1(void **state)
             continue;
         double noise = 1e-15 * (fabs(at.H1) + g.reach) / h;
         assert_same("H2", &g, at.H2, (above.H1 - below.H1) / (2 * h), fabs(at.H2) + noise / 1e-4, 1e-4);
+        compared++;
     }
+    assert_true(compared > TRAINS * 9 / 10);
 }
 
 /* Where one top is enough H is concave up to theta_u, and no barrier is higher than that of one domino. */

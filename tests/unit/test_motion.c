@@ -79,7 +79,7 @@ static void ledger_closes(void **state)
             assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
             double size = (double)s.before + fabs((double)s.climbed);
             double open = (double)(s.before - s.lost - s.climbed - s.kinetic);
-            if (fabs(open) > 1e-12 * size)
+            if (!(fabs(open) <= 1e-12 * size))
                 fail_msg("the ledger is open by %g of %g at theta %g of s %g r %g d %g q %g", open, size,
                          theta, (double)train.s, (double)train.r, (double)train.d, (double)train.q);
             if (k % 2 == 0)
@@ -120,9 +120,12 @@ static void acceleration_is_the_slope_of_omega(void **state)
         assert_status(dom_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
         double slope = (double)(above.omegasq - below.omegasq) / (4 * h);
         double scale = fabs((double)s.acceleration) + (double)s.omegasq / end;
-        bool near_fall = n > 2 && (fabs((double)events[1].theta - theta) < 5 * h ||
-                                   fabs((double)events[2].theta - theta) < 5 * h);
-        if (!near_fall && fabs(slope - (double)s.acceleration) > 1e-4 * scale)
+        bool near_event = false; /* where the acceleration jumps */
+        for (int k = 1; k + 1 < n; k++)
+            near_event |= fabs((double)events[k].theta - theta) < 20 * h;
+        if (near_event)
+            continue;
+        if (!(fabs(slope - (double)s.acceleration) <= 1e-6 * scale))
             fail_msg("acceleration %g, omega's slope %g", (double)s.acceleration, slope);
         checked++;
     }
@@ -174,7 +177,7 @@ static void forces_hold_the_train_together(void **state)
             double d = (double)train.d, gravity = (sin(theta) - d * cos(theta)) / 2;
             double torque = isnan((double)c.arm_a) ? 0 : seen.head * (double)c.arm_a;
             double scale = fabs(gravity) + fabs((double)s.acceleration) + fabs(torque);
-            if (fabs(gravity + torque - (double)s.acceleration) > 1e-9 * scale)
+            if (!(fabs(gravity + torque - (double)s.acceleration) <= 1e-9 * scale))
                 fail_msg("the head: gravity %g + contact %g, acceleration %g", gravity, torque,
                          (double)s.acceleration);
             assert_true(seen.force > 0 && seen.impulse > 0);
@@ -313,7 +316,7 @@ static void bounds_hold(void **state)
         };
         for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) {
             double off = fabs((double)(pairs[k][0] - pairs[k][1])), bound = (double)pairs[k][2];
-            if (off > bound)
+            if (!(off <= bound))
                 fail_msg("member %zu of train %d: off by %g, bound %g (s %g r %g d %g q %g theta %g)", k, i,
                          off, bound, (double)train.s, (double)train.r, (double)train.d, (double)train.q,
                          theta);

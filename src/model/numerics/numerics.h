@@ -10,7 +10,7 @@
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
 
-#include "real.h"
+#include "numerics/real.h"
 
 enum num_status { NUM_OK, NUM_NOT_BRACKETED, NUM_NOT_FINITE, NUM_NOT_CONVERGED, NUM_NO_MEMORY };
 

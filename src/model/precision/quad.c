@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define REAL_QUAD
+#define KERNEL_NAME(name) name##_quad
 #include "precision/kernel.inc"
 
 const struct kernel kernel_quad = KERNEL_TABLE;

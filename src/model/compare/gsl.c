@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * To compare with: the same energies, given to solvers of GSL as anybody would.  The barrier is a maximum
+ * by Brent's method around the best of a few samples, r_max a root by Brent's method, the duration an
+ * adaptive quadrature.  No care is taken of second maxima, kinks or a near-stop.
+ */
+#include "numerics/quiet.h"
+#include "precision/kernel.inc"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_min.h>
+#include <gsl/gsl_roots.h>
+
+enum { GSL_SAMPLES = 16, GSL_ITERATIONS = 200, GSL_INTERVALS = 1000 };
+
+struct gsl_context {
+    const struct dom_train *train;
+    struct lean lean;
+    double kinetic;
+    enum dom_status status;
+};
+
+/* H(0) - H(theta): GSL minimizes. */
+static double gsl_depth(double theta, void *context)
+{
+    struct gsl_context *c = context;
+    struct tilt head;
+    struct sums at = {0};
+    c->status = lean_tilt(&c->lean, theta, &head);
+    if (c->status == DOM_OK)
+        c->status = chain_rise(&c->lean, head, &at, NULL);
+    return -at.dH;
+}
+
+/* From the samples around the highest one. */
+static enum dom_status gsl_polish(struct gsl_context *c, double left, double middle, double right,
+                                  struct barrier *b)
+{
+    gsl_function f = {gsl_depth, c};
+    gsl_min_fminimizer *solver = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
+    if (!solver)
+        return DOM_NO_MEMORY;
+    int code = gsl_min_fminimizer_set(solver, &f, middle, left, right), done = GSL_CONTINUE;
+    for (int i = 0; code == GSL_SUCCESS && done == GSL_CONTINUE && c->status == DOM_OK; i++) {
+        code = i < GSL_ITERATIONS ? gsl_min_fminimizer_iterate(solver) : GSL_EMAXITER;
+        /* The height is right to the square of what theta_m is. */
+        done = gsl_min_test_interval(gsl_min_fminimizer_x_lower(solver), gsl_min_fminimizer_x_upper(solver),
+                                     0, sqrt((double)c->train->tol));
+    }
+    *b = (struct barrier){.theta_m = gsl_min_fminimizer_x_minimum(solver),
+                          .height = -gsl_min_fminimizer_f_minimum(solver)};
+    gsl_min_fminimizer_free(solver);
+    return c->status != DOM_OK ? c->status : code == GSL_EMAXITER ? DOM_NOT_CONVERGED : DOM_OK;
+}
+
+static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
+{
+    double theta_c = tilt_angle(c->lean.c), step = theta_c / GSL_SAMPLES;
+    int top = 0;
+    *b = (struct barrier){.theta_m = 0, .height = 0};
+    c->status = DOM_OK;
+    for (int k = 1; k <= GSL_SAMPLES && c->status == DOM_OK; k++) {
+        double height = -gsl_depth(fmin(k * step, theta_c), c);
+        if (height > b->height) {
+            *b = (struct barrier){.theta_m = k * step, .height = height};
+            top = k;
+        }
+    }
+    if (c->status != DOM_OK || top == GSL_SAMPLES)
+        return c->status;
+    double middle = top > 0 ? top * step : step / 2; /* it may stand before the first sample */
+    while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0)
+        middle /= 2;
+    if (top == 0 && -gsl_depth(middle, c) <= 0)
+        return c->status;
+    return gsl_polish(c, fmax(0, (top - 1) * step), middle, (top + 1) * step, b);
+}
+
+/* Launch and barrier at the growth r. */
+static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier *b)
+{
+    struct launch launch = {0};
+    enum dom_status status = lean_set(&c->lean, (double)c->train->s, r);
+    if (status == DOM_OK)
+        status = collision_launch(&c->lean, c->train->fuel, &launch, NULL);
+    if (status == DOM_OK)
+        status = gsl_barrier(c, b);
+    c->kinetic = launch.kinetic;
+    return status;
+}
+
+static enum dom_status gsl_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
+                                        struct dom_barrier *error)
+{
+    struct gsl_context c = {.train = train, .lean = lean_read(train)};
+    struct barrier b;
+    enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
+    if (status != DOM_OK || error)
+        return status != DOM_OK ? status : DOM_NO_METHOD;
+    if (!(c.kinetic > 0))
+        c.kinetic = (double)DOM_NAN;
+    *barrier = (struct dom_barrier){b.theta_m, b.height, c.kinetic, c.kinetic - b.height};
+    return isnan(c.kinetic) ? DOM_NO_FUEL : c.kinetic >= b.height ? DOM_OK : DOM_STOPS;
+}
+
+static double gsl_margin(double r, void *context)
+{
+    struct gsl_context *c = context;
+    struct barrier b = {0};
+    c->status = gsl_cycle(c, r, &b);
+    return c->status == DOM_OK ? c->kinetic - b.height : 0;
+}
+
+static enum dom_status gsl_root(struct gsl_context *c, double lo, double hi, double *r)
+{
+    gsl_function f = {gsl_margin, c};
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    if (!solver)
+        return DOM_NO_MEMORY;
+    int code = gsl_root_fsolver_set(solver, &f, lo, hi), done = GSL_CONTINUE;
+    for (int i = 0; code == GSL_SUCCESS && done == GSL_CONTINUE && c->status == DOM_OK; i++) {
+        code = i < GSL_ITERATIONS ? gsl_root_fsolver_iterate(solver) : GSL_EMAXITER;
+        done = gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), 0,
+                                      (double)c->train->tol);
+    }
+    *r = gsl_root_fsolver_root(solver);
+    gsl_root_fsolver_free(solver);
+    return c->status != DOM_OK ? c->status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
+}
+
+static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
+                                      struct dom_limit *error, enum dom_status *why)
+{
+    if (error)
+        return DOM_NO_METHOD;
+    quiet_begin();
+    struct gsl_context c = {.train = train, .lean = lean_read(train)};
+    double reach = 1 / (double)train->s, r = reach, at_1 = gsl_margin(1, &c);
+    enum dom_end ends = DOM_END_REACH;
+    if (c.status == DOM_OK && at_1 < 0) {
+        ends = DOM_END_NONE;
+        r = (double)DOM_NAN;
+        if (why)
+            *why = c.kinetic > 0 ? DOM_STOPS : DOM_NO_FUEL;
+    } else if (c.status == DOM_OK && gsl_margin(reach, &c) < 0) {
+        ends = DOM_END_BARRIER;
+        c.status = gsl_root(&c, 1, reach, &r);
+    }
+    quiet_end();
+    if (c.status == DOM_OK)
+        *limit = (struct dom_limit){.r_max = r, .ends = ends};
+    return c.status;
+}
+
+static double gsl_slowness(double theta, void *context)
+{
+    struct gsl_context *c = context;
+    struct tilt head;
+    struct sums at = {.J = 1};
+    c->status = lean_tilt(&c->lean, theta, &head);
+    if (c->status == DOM_OK)
+        c->status = chain_rise(&c->lean, head, &at, NULL);
+    return sqrt(at.J / (c->kinetic - at.dH));
+}
+
+static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
+{
+    if (error)
+        return DOM_NO_METHOD;
+    struct gsl_context c = {.train = train, .lean = lean_read(train)};
+    struct barrier b;
+    enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
+    if (status != DOM_OK || c.kinetic < b.height)
+        return status != DOM_OK ? status : DOM_STOPS;
+    gsl_integration_workspace *space = gsl_integration_workspace_alloc(GSL_INTERVALS);
+    if (!space)
+        return DOM_NO_MEMORY;
+    gsl_function f = {gsl_slowness, &c};
+    quiet_begin();
+    double value = 0, estimate = 0, tol = fmax((double)train->tol, 50 * REAL_EPSILON);
+    int code =
+        gsl_integration_qags(&f, 0, tilt_angle(c.lean.c), 0, tol, GSL_INTERVALS, space, &value, &estimate);
+    quiet_end();
+    gsl_integration_workspace_free(space);
+    if (c.status == DOM_OK && code == GSL_SUCCESS)
+        *duration = value;
+    return c.status != DOM_OK ? c.status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
+}
+
+const struct kernel kernel_gsl = {
+    .barrier_find = gsl_barrier_find,
+    .limit_rmax = gsl_limit_rmax,
+    .cycle_duration = gsl_cycle_duration,
+};

@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * To compare with: the recipe of the paper (end of the section 'A general domino train'), in its angles
+ * and plain sums.  theta is raised in steps until H decreases; r is raised in steps until the train
+ * stops, and then interpolated.  Steps of half sqrt(tol) make errors of about tol.  Its slip is mended: a
+ * follower is gone when its leader has come to theta_leave.
+ */
+#include "precision/kernel.h"
+#include <math.h>
+
+enum { PAPER_LINKS_MAX = 1000000 };
+
+struct paper {
+    const struct dom_train *train;
+    double s, r, d, q, tol, L;
+    double theta_c, theta_f, theta_leave;
+    double P, J0, kinetic;
+    enum dom_status status;
+};
+
+struct paper_sums {
+    double H, J; /* (c1), (c2) */
+};
+
+static struct paper_sums paper_chain(struct paper *p, double theta)
+{
+    struct paper_sums sums = {0, 0};
+    double slope = 1, weight = 1, inertia = 1;
+    size_t n = 0;
+    for (; weight > p->tol / 8 && n < PAPER_LINKS_MAX && p->status == DOM_OK; n++) {
+        if (n % 1024 == 0 && dom_raised(p->train->interrupt))
+            p->status = DOM_INTERRUPTED;
+        sums.H += weight * (cos(theta) + p->d * sin(theta));
+        sums.J += inertia * slope * slope;
+        weight *= pow(p->r, -p->q);
+        inertia *= pow(p->r, -p->q - 1);
+        if (theta >= p->theta_leave && theta > 0) {
+            /* What left keeps theta_f, and what it led has done so before. */
+            sums.H += weight * (cos(p->theta_f) + p->d * sin(p->theta_f)) / (1 - pow(p->r, -p->q));
+            break;
+        }
+        double X = p->r * (p->L * cos(theta) - p->d); /* (b8) */
+        slope *= 1 - p->r * p->L * sin(theta) / sqrt(1 - X * X);
+        theta += asin(X);
+    }
+    struct dom_work *work = p->train->work;
+    if (work) {
+        work->passes++;
+        work->dominoes += n;
+        work->longest = n > work->longest ? n : work->longest;
+    }
+    return sums;
+}
+
+/* At r = 1 the sums have no end. */
+static enum dom_status paper_begin(const struct dom_train *t, double r, struct paper *p)
+{
+    double s = (double)t->s, d = (double)t->d, q = (double)t->q, L = s + d;
+    *p = (struct paper){.train = t, .s = s, .r = r, .d = d, .q = q, .tol = (double)t->tol, .L = L};
+    if (r * s > 1)
+        return DOM_OUT_OF_REACH;
+    if (r <= 1)
+        return DOM_TOO_LONG;
+    p->theta_c = asin(r * s);                 /* (a2) */
+    bool falls = 1 / (r * r) < L * L - d * d; /* (A17) */
+    p->theta_leave = falls ? acos((L * L + d * d - 1 / (r * r)) / (2 * d * L)) : 4;
+    p->theta_f = falls ? asin((1 + r * r * (L * L - d * d)) / (2 * r * L)) /* (A18) */
+                       : acos(d / L);                                      /* (A16) */
+    struct paper_sums at_0 = paper_chain(p, 0), at_c = paper_chain(p, p->theta_c);
+    double J0 = at_0.J;
+    p->P = t->fuel == DOM_FUEL_PAPER ? 1 - cos(p->theta_f) - d * sin(p->theta_f) : at_0.H - at_c.H; /* (c7) */
+    p->J0 = J0;
+    p->kinetic = p->P * (J0 - 1) / (pow(r, q) * J0 - J0 + 1); /* J(0) omega(0)^2, (c6) */
+    return p->status != DOM_OK ? p->status : isfinite(p->kinetic) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+/* theta raised step by step until H decreases. */
+static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *height)
+{
+    double step = p->theta_c * sqrt(p->tol) / 2, H0 = paper_chain(p, 0).H, H = H0;
+    *theta_m = 0;
+    for (double theta = step; theta <= p->theta_c && p->status == DOM_OK; theta += step) {
+        double next = paper_chain(p, theta).H;
+        if (!(next > H))
+            break;
+        H = next;
+        *theta_m = theta;
+    }
+    *height = H - H0;
+    return p->status;
+}
+
+static enum dom_status paper_launch_find(const struct dom_train *train, struct dom_launch *launch,
+                                         struct dom_launch *error)
+{
+    struct paper p;
+    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    if (status == DOM_OK)
+        *launch = (struct dom_launch){p.P, p.J0, (p.J0 - 1) / p.J0, p.kinetic / p.J0, p.kinetic};
+    return status;
+}
+
+static enum dom_status paper_fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
+                                       struct dom_fuels *error)
+{
+    struct dom_train exact = *train;
+    struct paper p;
+    exact.fuel = DOM_FUEL_EXACT;
+    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(&exact, (double)train->r, &p);
+    if (status == DOM_OK)
+        *fuels = (struct dom_fuels){p.P, 1 - cos(p.theta_f) - p.d * sin(p.theta_f)};
+    return status;
+}
+
+static enum dom_status paper_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
+                                          struct dom_barrier *error)
+{
+    struct paper p;
+    double theta_m, height;
+    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    if (status == DOM_OK)
+        status = paper_barrier(&p, &theta_m, &height);
+    if (status != DOM_OK)
+        return status;
+    *barrier = (struct dom_barrier){theta_m, height, p.kinetic, p.kinetic - height};
+    return p.kinetic >= height ? DOM_OK : DOM_STOPS;
+}
+
+static enum dom_status paper_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
+                                        struct dom_limit *error, enum dom_status *why)
+{
+    double reach = 1 / (double)train->s, step = sqrt((double)train->tol) / 2, before = 0;
+    (void)why;
+    if (error)
+        return DOM_NO_METHOD;
+    for (size_t k = 1; 1 + (double)k * step < reach; k++) {
+        double r = 1 + (double)k * step;
+        struct paper p;
+        double theta_m, height;
+        enum dom_status status = paper_begin(train, r, &p);
+        if (status == DOM_OK)
+            status = paper_barrier(&p, &theta_m, &height);
+        if (status != DOM_OK)
+            return status;
+        double margin = p.kinetic - height;
+        if (margin < 0) { /* interpolate between this r and the one before */
+            if (!(before > 0))
+                return DOM_NOT_CONVERGED;
+            *limit = (struct dom_limit){r - step * margin / (margin - before), DOM_END_BARRIER};
+            return DOM_OK;
+        }
+        before = margin;
+    }
+    *limit = (struct dom_limit){reach, DOM_END_REACH};
+    return DOM_OK;
+}
+
+/* The paper has no recipe for t_f; in its spirit, a sum over steps of theta. */
+static enum dom_status paper_cycle_duration(const struct dom_train *train, dom_real *duration,
+                                            dom_real *error)
+{
+    struct paper p;
+    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    if (status != DOM_OK)
+        return status;
+    size_t steps = (size_t)ceil(2 / sqrt(p.tol));
+    double H0 = paper_chain(&p, 0).H, sum = 0;
+    for (size_t k = 0; k <= steps && p.status == DOM_OK; k++) {
+        struct paper_sums at = paper_chain(&p, p.theta_c * (double)k / (double)steps);
+        double omegasq = (p.kinetic - (at.H - H0)) / at.J; /* (c3) */
+        if (!(omegasq > 0))
+            return DOM_STOPS;
+        sum += (k == 0 || k == steps ? 0.5 : 1) / sqrt(omegasq);
+    }
+    if (p.status == DOM_OK)
+        *duration = sum * p.theta_c / (double)steps;
+    return p.status;
+}
+
+const struct kernel kernel_paper = {
+    .fuel_find = paper_fuel_find,
+    .launch_find = paper_launch_find,
+    .barrier_find = paper_barrier_find,
+    .limit_rmax = paper_limit_rmax,
+    .cycle_duration = paper_cycle_duration,
+};

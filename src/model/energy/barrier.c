@@ -1,0 +1,449 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The barrier is a global maximum: H may fall first and rise later, when a pushing follower has left.
+ * H and H' are continuous, H'' jumps where a domino falls off; so each smooth piece of the cycle is
+ * scanned for sign changes of H', and every maximum found is compared.
+ */
+#include "energy/barrier.h"
+
+/*
+ * Over 1,000,000 random trains 8 samples a piece, dense up to theta_u, missed none of what 150 tilts a piece
+ * found; tests/unit/test_barrier.c repeats the comparison on fewer.
+ */
+#define BARRIER_SAMPLES 8
+
+/* sin^2(pi k / 16): where they are, of the width of a piece. */
+static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30866f, 0.50000f,
+                                                        0.69134f, 0.85355f, 0.96194f};
+
+struct slope_context {
+    const struct lean *lean;
+    struct tilt from; /* heights are over that of the train there */
+    real known;       /* a top that is not climbed again, tan(theta / 2); negative for none */
+    enum dom_status status;
+};
+
+/* With friction it is u that rises and falls: C in the place of -H'/2. */
+static enum dom_status rubbing_slope(const struct lean *g, struct tilt head, real tol, real *slope)
+{
+    enum dom_status status = friction_drive(g, head, tol, slope);
+    *slope *= -2;
+    return status;
+}
+
+/* H1, or with friction what is in its place, at p = tan(theta / 2): searches move in p. */
+static real slope_of_H(real p, void *context)
+{
+    struct slope_context *c = context;
+    const struct lean *g = c->lean;
+    struct sums sums = {0};
+    c->status =
+        g->mu > 0 ? rubbing_slope(g, tilt_half(p), g->tol, &sums.H1) : chain_sum(g, tilt_half(p), &sums);
+    return c->status == DOM_OK ? sums.H1 : REAL_NAN;
+}
+
+/* Its sign, from as short a train as shows it. */
+static real rises(real p, struct slope_context *c)
+{
+    real H1 = 0;
+    c->status = c->lean->mu > 0 ? rubbing_slope(c->lean, tilt_half(p), 1, &H1)
+                                : chain_sign(c->lean, tilt_half(p), &H1);
+    return H1;
+}
+
+/* Keeps p as the top if it is higher. */
+static void barrier_keep(struct barrier *b, real p, real height)
+{
+    if (height > b->height) {
+        b->height = height;
+        b->half = p;
+    }
+}
+
+static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
+{
+    struct sums sums = {0};
+    enum dom_status status = DOM_OK;
+    if (c->lean->mu > 0)
+        sums.dH = friction_climb(c->lean, 2 * atan(p));
+    else
+        status = chain_rise_from(c->lean, c->from, tilt_half(p), &sums);
+    if (status == DOM_OK)
+        barrier_keep(b, p, sums.dH);
+    return status;
+}
+
+/* Where a top is looked for. */
+struct top {
+    real lo, hi;
+    bool rises, falls; /* H does, at lo and hi: else the top may be at an end */
+    real p;            /* where to look next */
+    real height;       /* of the top, right to the third order of the step to it */
+    real moved;        /* by the last step, relative */
+};
+
+/* One step of Newton's method to H1 = 0, from the sums at p: where that leads out of the bracket, or not to a
+ * top, to an end, or half of it. */
+static void top_step(struct top *top, struct sums at)
+{
+    real p = top->p;
+    bool up = at.H1 > 0;
+    top->rises = top->rises || up;
+    top->falls = top->falls || !up;
+    real turn = -at.H1 / at.H2, next = p + turn * (1 + p * p) / 2;
+    if (p == (up ? top->hi : top->lo)) { /* the end is the top */
+        next = p;
+        turn = 0;
+    }
+    *(up ? &top->lo : &top->hi) = p;
+    bool newton = turn == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi);
+    if (!newton)
+        next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
+    top->height = newton ? at.dH + at.H1 * turn / 2 : at.dH;
+    top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / next;
+    top->p = next;
+}
+
+#define TOP_STEPS 200
+
+/* From top->p, where `at` are the sums, if it is not NULL. */
+static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
+                                     real tol)
+{
+    real before = 1;
+    tol = fmax(tol, 4 * REAL_EPSILON);
+    for (int i = 0; i < TOP_STEPS; i++) {
+        struct sums here;
+        enum dom_status status = DOM_OK;
+        if (at)
+            here = *at;
+        else
+            status = chain_bend_from(c->lean, c->from, tilt_half(top->p), &here);
+        if (status != DOM_OK)
+            return status;
+        at = NULL;
+        top_step(top, here);
+        bool closed = top->rises && top->falls;
+        if (top->moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi))
+            return DOM_OK;
+        if (closed && i > 2 && top->moved > before / 2) /* a kink throws Newton to and fro */
+            top->p = (top->lo + top->hi) / 2;
+        before = top->moved;
+    }
+    return DOM_NOT_CONVERGED;
+}
+
+/* From sample to sample: a maximum of H lies between two where it rises and falls. */
+struct sample {
+    real p, slope;
+};
+
+static void barrier_sample(struct slope_context *c, real p, real tol, struct sample *last, struct barrier *b)
+{
+    if (c->status != DOM_OK)
+        return;
+    struct sample next = {p, rises(p, c)};
+    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && c->lean->mu > 0) {
+        real half;
+        enum num_status status =
+            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &half);
+        c->status = model_status(c->status, status);
+        if (c->status == DOM_OK)
+            c->status = barrier_try(c, half, b);
+    } else if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 &&
+               !(last->p <= c->known && c->known <= p)) {
+        struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
+        top.p = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
+        c->status = barrier_climb(c, NULL, &top, tol);
+        if (c->status == DOM_OK)
+            c->status = barrier_try(c, top.p, b);
+    }
+    *last = next;
+}
+
+/* Behind theta_u the head falls, and all of its followers are behind it: H falls as well. */
+static bool falls_behind(const struct lean *g)
+{
+    return g->mu == 0 && !g->behind && g->c.x > g->d * g->c.y;
+}
+
+/* tan(theta_u / 2), tan theta_u = d (b2). */
+static real half_of_u(const struct lean *g)
+{
+    return g->d / (1 + g->reach);
+}
+
+/*
+ * Is H concave up to theta_u, so that it has one top?  There the head's h'' is at most -1.  By (b8) and (b10)
+ * theta_{i+1}'' is theta_1' theta_i'' less at most r L y_i / Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2
+ * s^2): no theta_i'' is below -i r L / sqrt(1 - r^2 s^2).  Followers, all of them falling, take no more from
+ * the concavity than the sum of r^(-q i) times that, where the sum of i w^i is w / (1 - w)^2.  One that
+ * leaves only takes less.
+ */
+KERNEL bool barrier_single(const struct lean *g)
+{
+    real apart = 1 - g->weight;
+    return falls_behind(g) && g->rL * g->weight < apart * apart * sqrt(g->leave_at);
+}
+
+/*
+ * All maxima of H inside one smooth piece.  Chebyshev spacing: the structure sits near the ends, where
+ * dominoes leave; from upright on also at the tilts d and sqrt(1 - r s), however small they are.
+ */
+static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool upright, real tol,
+                                    struct barrier *b)
+{
+    const struct lean *g = c->lean;
+    if (c->from.x == 0 && falls_behind(g))
+        hi = fmin(hi, half_of_u(g));
+    if (hi <= lo)
+        return DOM_OK;
+    struct sample last = {lo, rises(lo, c)};
+    real finest = (g->short_of > 0 ? fmin(g->d, sqrt(g->short_of)) : g->d) / 32;
+    for (real p = finest; upright && p < (real)sample_place[0] * (hi - lo) && p > lo; p *= 4)
+        barrier_sample(c, lo + p, tol, &last, b);
+    for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
+        barrier_sample(c, lo + (real)sample_place[k] * (hi - lo), tol, &last, b);
+    barrier_sample(c, hi, tol, &last, b);
+    if (c->status == DOM_OK && last.slope > 0)
+        c->status = barrier_try(c, hi, b); /* H still rises at the end of the piece */
+    return c->status;
+}
+
+KERNEL enum dom_status barrier_piece(const struct lean *g, struct tilt from, real lo, real hi,
+                                     struct barrier *b)
+{
+    struct slope_context c = {.lean = g, .from = from, .known = -1};
+    *b = (struct barrier){.theta_m = lo, .half = half_of_tilt(from), .edge = {lo, hi}, .edges = 2};
+    enum dom_status status = barrier_scan(&c, b->half, tan(hi / 2), lo == 0, g->tol / 8, b);
+    if (b->height > 0)
+        b->theta_m = fmin(2 * atan(b->half), hi);
+    return status;
+}
+
+/* The only top before the tilt hi. */
+static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
+{
+    struct top top = {.hi = hi, .p = hi / 2};
+    enum dom_status status = barrier_climb(c, NULL, &top, tol);
+    return status == DOM_OK ? barrier_try(c, top.p, b) : status;
+}
+
+/* Of all smooth pieces, where b->half is known already, if it is not 0. */
+static enum dom_status barrier_pieces(const struct lean *g, real end, real tol, struct barrier *b)
+{
+    enum dom_status status = chain_edges(g, end, b->edge, &b->edges);
+    struct slope_context c = {.lean = g, .from = standing, .known = b->half > 0 ? b->half : -1};
+    real lo = b->edge[0];
+    if (status == DOM_OK && barrier_single(g))
+        status = c.known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(g)), tol, b);
+    else
+        for (int i = 1; status == DOM_OK && i < b->edges; i++) {
+            real hi = tan(b->edge[i] / 2);
+            status = barrier_scan(&c, lo, hi, i == 1, tol, b);
+            lo = hi;
+        }
+    b->theta_m = fmin(2 * atan(b->half), end);
+    return status;
+}
+
+KERNEL enum dom_status barrier_search(const struct lean *g, real end, real tol, struct barrier *barrier)
+{
+    enum dom_status status = g->mu > 0 ? friction_flow(g) : DOM_OK;
+    *barrier = (struct barrier){.theta_m = 0, .height = 0};
+    return status == DOM_OK ? barrier_pieces(g, end, tol, barrier) : status;
+}
+
+KERNEL enum dom_status barrier_tops(const struct lean *g, struct barrier *b)
+{
+    struct barrier tops = *b;
+    if (tops.height <= 0) /* upright it stands higher */
+        tops.height = tops.half = 0;
+    enum dom_status status =
+        barrier_single(g) ? DOM_OK : barrier_pieces(g, tilt_angle(g->c), TOP_TOL(g), &tops);
+    if (status == DOM_OK)
+        *b = tops;
+    return status;
+}
+
+/* tan(theta / 2) of the last tilt at which H may rise. */
+static real half_of_highest(const struct lean *g)
+{
+    return falls_behind(g) ? half_of_u(g) : half_of_tilt(g->c);
+}
+
+static real half_near(const struct lean *g, const struct barrier *b)
+{
+    real last = half_of_highest(g);
+    return b->half > 0 ? fmin(b->half, last) : last / 2;
+}
+
+KERNEL struct tilt barrier_near(const struct lean *g, const struct barrier *b)
+{
+    return tilt_half(half_near(g, b));
+}
+
+KERNEL bool barrier_follow(const struct lean *g, const struct sums *at, struct barrier *b)
+{
+    struct slope_context c = {.lean = g, .from = standing, .known = -1};
+    struct top top = {.hi = half_of_highest(g), .p = half_near(g, b)};
+    if (barrier_climb(&c, at, &top, TOP_TOL(g)) != DOM_OK)
+        return false;
+    b->half = top.p;
+    b->height = top.height;
+    return true;
+}
+
+KERNEL real barrier_most(const struct lean *g)
+{
+    /* Every domino moves no farther than to where its follower was at first, and weighs no less: all together
+     * they rise by less than one from upright to theta_u would, h(theta_u) - 1. */
+    return g->d * half_of_u(g);
+}
+
+KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)
+{
+    return launch->fuel <= 0 ? DOM_NO_FUEL : launch->kinetic >= b->height ? DOM_OK : DOM_STOPS;
+}
+
+KERNEL real balance_tol(real tol, real left, real whole)
+{
+    return left > whole / 4 ? tol : fmin(tol, fmax(tol * left / whole, 4 * REAL_EPSILON));
+}
+
+KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real end, struct launch *launch,
+                                       struct launch *error, struct barrier *b)
+{
+    real asked;
+    do {
+        enum dom_status status = collision_launch(g, fuel, launch, error);
+        if (status == DOM_OK)
+            status = barrier_search(g, end, g->tol / 8, b);
+        if (status != DOM_OK || launch->fuel <= 0)
+            return status;
+        asked = g->tol;
+        g->tol = balance_tol(asked, fabs(launch->kinetic - b->height), launch->kinetic);
+    } while (g->tol < asked / 4);
+    return DOM_OK;
+}
+
+KERNEL real barrier_width(const struct lean *g, struct tilt from, const struct barrier *b, real margin)
+{
+    struct sums at;
+    if (g->mu > 0 || b->height <= 0 || chain_bend_from(g, from, tilt_half(b->half), &at) != DOM_OK)
+        return REAL_NAN;
+    bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
+    return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
+}
+
+/* H' at a tilt: its sign, 0 where rounding hides it, and its size. */
+static enum dom_status sure_slope(const struct lean *g, real theta, int *sign, real *size)
+{
+    struct tilt head;
+    struct sums at, e;
+    enum dom_status status = lean_tilt(g, theta, &head);
+    if (status == DOM_OK)
+        status = chain_rise(g, head, &at, &e);
+    if (status != DOM_OK)
+        return status;
+    *sign = at.H1 > e.H1 ? 1 : at.H1 < -e.H1 ? -1 : 0;
+    *size = fabs(at.H1) + e.H1;
+    return DOM_OK;
+}
+
+/*
+ * How far theta may be from the top, over [first, last]: H rises for sure this far before it, and falls for
+ * sure this far behind, or there the cycle begins or ends.  By H'' that is where H' has changed by twice what
+ * may be wrong with it; where H'' jumps or vanishes, the distance is doubled until it is.
+ */
+static enum dom_status top_error(const struct lean *g, real theta, real first, real last, real *error,
+                                 real *steepest)
+{
+    struct tilt head;
+    struct sums at;
+    int sign = 0;
+    real size = 0, least = 8 * UNIT * theta;
+    enum dom_status status = sure_slope(g, theta, &sign, steepest);
+    if (status == DOM_OK)
+        status = lean_tilt(g, theta, &head);
+    if (status == DOM_OK)
+        status = chain_bend_from(g, standing, head, &at);
+    if (status != DOM_OK)
+        return status;
+    *error = least;
+    bool begins = theta <= first && sign < 0, ends = theta >= last * (1 - 4 * REAL_EPSILON) && sign > 0;
+    if (begins || ends)
+        return DOM_OK;
+    real off = fmax(fmin(2 * *steepest / fabs(at.H2), last), fmax(least, REAL_MIN));
+    for (bool sure = false; !sure; off *= 2) {
+        real lo = theta - off, hi = theta + off;
+        int before = 1, behind = -1;
+        if (lo > first)
+            status = sure_slope(g, lo, &before, &size);
+        *steepest = fmax(*steepest, size);
+        if (status == DOM_OK && hi < last)
+            status = sure_slope(g, hi, &behind, &size);
+        if (status != DOM_OK)
+            return status;
+        *steepest = fmax(*steepest, size);
+        sure = before > 0 && behind < 0;
+        *error = off + least;
+    }
+    return DOM_OK;
+}
+
+KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier *b, struct barrier *error)
+{
+    struct tilt head;
+    struct sums at, e;
+    real steepest = 0;
+    *error = (struct barrier){.theta_m = 0, .height = 0};
+    if (g->mu > 0)
+        error->theta_m = error->height = REAL_NAN;
+    if (g->mu > 0)
+        return DOM_OK;
+    real first = b->edge[0], theta = fmax(b->theta_m, first);
+    enum dom_status status = top_error(g, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
+    if (status == DOM_OK)
+        status = lean_tilt(g, theta, &head);
+    if (status == DOM_OK)
+        status = chain_rise(g, head, &at, &e);
+    if (status == DOM_OK && error->theta_m > 0)
+        error->height = e.dH + steepest * error->theta_m;
+    return status;
+}
+
+KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
+                                    struct dom_barrier *error)
+{
+    struct lean g;
+    struct barrier b, b_error;
+    struct launch l, l_error;
+    FLOW(flow);
+    enum dom_status status = lean_make(train, &g);
+    if (status == DOM_OK)
+        lean_flow(&g, &flow);
+    if (status == DOM_OK)
+        status = barrier_balance(&g, train->fuel, tilt_angle(g.c), &l, error ? &l_error : NULL, &b);
+    if (status == DOM_OK && error)
+        status = barrier_error(&g, &b, &b_error);
+    if (status != DOM_OK)
+        return status;
+    enum dom_status verdict = barrier_verdict(&l, &b);
+    bool fuelled = verdict != DOM_NO_FUEL;
+    real margin = l.kinetic - b.height;
+    *barrier = (struct dom_barrier){
+        .theta_m = b.theta_m,
+        .barrier = b.height,
+        .kinetic = fuelled ? l.kinetic : REAL_NAN,
+        .margin = fuelled ? margin : REAL_NAN,
+    };
+    if (error)
+        *error = (struct dom_barrier){
+            .theta_m = b_error.theta_m,
+            .barrier = b_error.height,
+            .kinetic = l_error.kinetic,
+            .margin = l_error.kinetic + b_error.height + UNIT * fabs(margin),
+        };
+    return verdict;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Running error bounds: how far rounding may have carried the quantities of one domino from their exact
+ * values, to first order in the unit roundoff, from the head down the train.  An error of an angle shrinks
+ * with the slope from leader to follower, and each lean adds its own few roundings.
+ */
+#ifndef DOM_BOUND_H
+#define DOM_BOUND_H
+
+#include "geometry/link.h"
+
+struct bound {
+    real angle;        /* of theta_i */
+    real Y, arm, step; /* of the turn and the slope of the lean to the follower */
+    real slope;        /* of theta_i' */
+    real weight;       /* of r^(-q i), r^(-(q+1) i): relative */
+    real inertia;
+};
+
+KERNEL struct bound bound_head(const struct lean *lean, const struct link *head, real angle);
+
+/* From domino i, as it was before link_next, to domino i + 1, as it is now. */
+KERNEL void bound_next(const struct lean *lean, const struct link *leader, const struct link *follower,
+                       struct bound *bound);
+
+/* Of the terms of J and of dH/dtheta. */
+KERNEL real bound_J(const struct link *link, const struct bound *bound);
+KERNEL real bound_H1(const struct lean *lean, const struct link *link, const struct bound *bound);
+
+/* Of h(A) - h(B) of one domino at the tilts a and b, from t = tan((A - B)/2), with the error of t. */
+KERNEL real bound_rise(const struct lean *lean, struct tilt a, struct tilt b, real angle_a, real angle_b,
+                       real t, real t_error);
+
+/* Of the t of the followers of a and b (chain_rise). */
+KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
+                            const struct bound *bound_b, real t, real t_error);
+
+/* Of the half turn t_f of a follower that leaves its leader (chain_rise). */
+KERNEL real bound_leaving(const struct lean *lean, const struct link *leader, const struct bound *bound,
+                          real t_f);
+
+#endif

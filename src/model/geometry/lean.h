@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One domino leaning on the next: the geometry of section 2 and appendix A, in Cartesian form.
+ *
+ * An angle theta travels as struct tilt, so that the loops down the train need no trigonometry and
+ * nothing cancels: v = 1 - cos theta keeps its relative accuracy where cos theta is nearly 1.
+ */
+#ifndef DOM_LEAN_H
+#define DOM_LEAN_H
+
+#include "numerics/real.h"
+
+struct tilt {
+    real x, y; /* sin theta, cos theta (A4) */
+    real v;    /* 1 - cos theta */
+};
+
+/* A domino that nobody has touched yet. */
+static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
+
+struct flow; /* friction.h */
+
+/*
+ * H, and J, of a train whose head leans at theta_inf - e, a far follower: H1 is dH/dtheta there, J0 is J, and
+ * so on.  From H(theta) = h(theta) + r^-q H(theta_1) and J(theta) = 1 + r^-(q+1) theta_1'^2 J(theta_1),
+ * derived again and again at theta_1 = theta = theta_inf, where X = 0.
+ */
+struct far {
+    real H1, H2, H3;
+    real J0, J1, J2;
+    real per_sine, half_cot; /* 1 / sin theta_inf, and half of its cotangent */
+};
+
+/* A checked train with the quantities that its whole cycle shares. */
+struct lean {
+    real s, r, d, q, tol;
+    real mu;           /* 0: no friction, and flow is not used */
+    struct flow *flow; /* whose is the caller's; see lean_flow */
+    const volatile sig_atomic_t *interrupt;
+    struct dom_work *work;
+    size_t work_most;  /* dominoes that all passes together may follow, counted in work; 0: no limit */
+    real L;            /* s + d */
+    real rs, rL;       /* r s, r L */
+    real short_of;     /* 1 - r s >= 0: by how much the head reaches the next domino */
+    real leave_at;     /* 1 - r^2 s^2, which is leave_by v where a follower leaves */
+    real leave_by;     /* 2 r^2 L d */
+    real weight;       /* r^-q, share of a follower in H over that of its leader (c1) */
+    real inertia;      /* r^-(q+1), the same for J (c2) */
+    real rq, rq_1;     /* r^q and r^q - 1 */
+    real reach;        /* sqrt(1 + d^2), the largest |dh/dtheta| */
+    real decay;        /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
+    real decay_J;      /* the same of J, where it is not that of the next two */
+    struct tilt c;     /* theta_c (a2) */
+    struct tilt inf;   /* theta_inf (A16) */
+    struct tilt f;     /* theta_f (A18) if followers fall off, else theta_inf */
+    struct tilt leave; /* theta_leave, only where falls_off */
+    bool falls_off;    /* (A17) */
+    struct far far;    /* unless falls_off */
+    size_t n;          /* dominoes from here on: a chain ends with them */
+    /* The same for the follower and its own; NULL: as for this one, the train is self-similar. */
+    const struct lean *behind;
+};
+
+#define CHAIN_ENDLESS SIZE_MAX
+
+/* Checks the train, and fills lean. */
+KERNEL enum dom_status lean_make(const struct dom_train *train, struct lean *lean);
+
+/* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
+KERNEL struct lean lean_read(const struct dom_train *train);
+KERNEL enum dom_status lean_set(struct lean *lean, real s, real r);
+
+/* Room for the motion of a train with friction, if it has any; for as long as the lean is used. */
+KERNEL void lean_flow(struct lean *lean, struct flow *flow);
+
+/* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
+KERNEL enum dom_status lean_tilt(const struct lean *lean, real theta, struct tilt *tilt);
+
+/* A checked train and theta in [0, theta_c] as the tilt of its head. */
+KERNEL enum dom_status lean_make_tilted(const struct dom_train *train, dom_real theta, struct lean *lean,
+                                        struct tilt *head);
+
+/* Bounds of the error, as an angle, of a head's tilt and of theta_f. */
+KERNEL real lean_error_head(struct tilt head);
+KERNEL real lean_error_f(const struct lean *lean);
+
+/* The leader's tilt at which its follower has this one: theta_1 inverted, follower >= theta_c. */
+KERNEL struct tilt lean_leader(const struct lean *lean, struct tilt follower);
+
+KERNEL struct tilt tilt_make(real x, real y)
+{
+    return (struct tilt){.x = x, .y = y, .v = x * x / (1 + y)};
+}
+
+KERNEL real tilt_angle(struct tilt t)
+{
+    return atan2(t.x, t.y);
+}
+
+/* By p = tan(theta / 2), in which searches move: no trigonometry, and small tilts keep their digits. */
+KERNEL struct tilt tilt_half(real p)
+{
+    real pp = p * p, share = 2 / (1 + pp);
+    return (struct tilt){.x = p * share, .y = 1 - pp * share, .v = pp * share};
+}
+
+KERNEL real half_of_tilt(struct tilt t)
+{
+    return t.x / (1 + t.y);
+}
+
+/*
+ * The turn from a leader to its follower, with the arm of the contact force on the leader (table 1).
+ * Neither X near 0 nor X near 1 cancels.  Where Y - r L x would, the arm comes from
+ * Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower is about to leave.
+ */
+struct turn {
+    real X, Y; /* sine and cosine of theta_1 - theta (A5) */
+    real arm;  /* r a = Y - r L x */
+    real step; /* d theta_1 / d theta (b10); 1 where the leader is upright, also in the limit Y = 0 (r s = 1)
+                */
+};
+
+KERNEL_LOOP struct turn lean_turn(const struct lean *g, struct tilt leader)
+{
+    real rLv = g->rL * leader.v, X = g->rs - rLv;
+    real Y = sqrt((g->short_of + rLv) * (1 + g->rs - rLv)), rLx = g->rL * leader.x;
+    if (2 * rLx <= Y) /* the slope in one rounding near 1, since many are multiplied */
+        return (struct turn){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
+    real arm = (g->leave_at - g->leave_by * leader.v) / (Y + rLx);
+    return (struct turn){X, Y, arm, arm / Y};
+}
+
+/*
+ * The follower's tilt (A6, corrected: y' = Y y - X x), as its v' = 1 - y' alone: terms of one sign, of which
+ * x' and y' follow, so that neither drifts along a long train.
+ */
+KERNEL_LOOP struct tilt tilt_turn(struct tilt t, struct turn turn)
+{
+    real v = turn.X * turn.X / (1 + turn.Y) + (turn.Y * t.v + turn.X * t.x);
+    return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
+}
+
+#endif

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sums over a chain, in the loops that follow it: compensated, each with a bound of its tail. */
+#ifndef DOM_SUMS_H
+#define DOM_SUMS_H
+
+#include "geometry/link.h"
+
+struct sums {
+    real J;    /* (c2) */
+    real H1;   /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
+    real H2;   /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_bend_from */
+    real dH;   /* H(theta) - H(0), or from another tilt; only from chain_rise */
+    real left; /* the part of it in a follower that has left during the cycle */
+    size_t n;  /* dominoes followed */
+};
+
+/* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 has more.
+ */
+#define LINKS_MAX ((size_t)2000000)
+
+/* The tail of a sum may be this part of the tolerance, so that a result of several sums keeps it. */
+#define TAIL_SHARE ((real)0.125)
+
+/* A sum with a bound on the terms that have not been added yet. */
+struct series {
+    real sum, size;   /* of the terms, and of their absolute values */
+    real lost;        /* what rounding took from the sum so far */
+    real next, ratio; /* at most: the first of the terms to come, and each to the one before */
+};
+
+/* Compensated (Fast2Sum; a follower never counts for more than all before it, but in roundings). */
+KERNEL_LOOP void series_add(struct series *s, real term)
+{
+    real sum = s->sum + term;
+    s->lost += fabs(s->sum) >= fabs(term) ? (s->sum - sum) + term : (term - sum) + s->sum;
+    s->sum = sum;
+    s->size += fabs(term);
+}
+
+/*
+ * Does the tail matter?  The next terms are at most `term` times ratio, ratio^2, ...; below the unit
+ * roundoff of what was added no tolerance needs them.
+ */
+KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
+{
+    s->next = term * ratio;
+    s->ratio = ratio;
+    return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
+}
+
+/* Rounding of the sum, and its tail: 0 where the train has ended. */
+KERNEL real series_error(const struct series *s, bool ended)
+{
+    real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
+    return 2 * UNIT * (fabs(s->sum) + UNIT * s->size) + tail;
+}
+
+/* Every few thousand dominoes: has somebody asked to stop, is the train too long? */
+KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
+{
+    if (i % 4096 != 0)
+        return DOM_OK;
+    if (dom_raised(g->interrupt))
+        return DOM_INTERRUPTED;
+    if (g->work_most > 0 && g->work->dominoes + i > g->work_most)
+        return DOM_TOO_LONG;
+    return i < LINKS_MAX ? DOM_OK : DOM_TOO_LONG;
+}
+
+KERNEL void chain_count(const struct lean *g, size_t n)
+{
+    if (!g->work)
+        return;
+    g->work->passes++;
+    g->work->dominoes += n;
+    g->work->longest = n > g->work->longest ? n : g->work->longest;
+}
+
+struct sum_state {
+    struct series J, H1, dH;
+    real left;
+};
+
+KERNEL_LOOP void add_J(struct sum_state *a, const struct link *k)
+{
+    series_add(&a->J, k->inertia * k->slope * k->slope);
+}
+
+KERNEL_LOOP void add_H1(struct sum_state *a, const struct link *k)
+{
+    series_add(&a->H1, k->weight * k->slope * (k->lean->d * k->tilt.y - k->tilt.x));
+}
+
+KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)
+{
+    const struct lean *g = k->lean;
+    return series_done(&a->J, k->inertia * k->slope * k->slope,
+                       fmax(g->inertia * k->step * k->step, g->decay_J), g->tol);
+}
+
+KERNEL_LOOP bool done_H1(struct sum_state *a, const struct link *k, real tol)
+{
+    const struct lean *g = k->lean;
+    return series_done(&a->H1, k->weight * k->slope * g->reach, fmax(g->weight * k->step, g->decay), tol);
+}
+
+KERNEL struct sums sums_of(const struct sum_state *a, real H2, size_t n)
+{
+    return (struct sums){.J = a->J.sum + a->J.lost,
+                         .H1 = a->H1.sum + a->H1.lost,
+                         .H2 = H2,
+                         .dH = a->dH.sum + a->dH.lost,
+                         .left = a->left,
+                         .n = n};
+}
+
+KERNEL bool sums_finite(const struct sums *sums)
+{
+    return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH);
+}
+
+KERNEL enum dom_status sum_result(const struct lean *g, const struct sum_state *a, real H2, size_t n,
+                                  struct sums *sums)
+{
+    chain_count(g, n);
+    *sums = sums_of(a, H2, n);
+    return sums_finite(sums) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+#endif

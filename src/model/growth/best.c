@@ -1,0 +1,383 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The best separation.  Samples give a growth R that some separation allows; then intervals of s are dropped
+ * for which no separation allows more: none has s R > 1, and a bound shows that at R, or at another growth
+ * below which a train of the interval has stopped, no train of the interval goes on (strip.h).  What remains
+ * is halved.
+ *
+ * Resolved are tops of r_max(s) that are wider than BEST_FINEST of s: of an interval so narrow only the
+ * middle is looked at.  With friction there is no bound, and all that is known are the samples.
+ */
+#include "growth/limit.h"
+
+#define BEST_RATIO    ((real)0.9) /* of successive samples */
+#define BEST_PATIENCE 8           /* as many lower ones in a row end them */
+#define BEST_LOWEST   ((real)1e-6)
+#define BEST_FINEST   ((real)2e-3)
+#define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* where nothing has been found yet */
+
+struct search {
+    struct margin_context *c;
+    real s, r_max; /* the best so far */
+    real finest;   /* the narrowest interval, over s */
+    real finer;    /* share of slope_step that is used */
+};
+
+/* 0 where not even r = 1 goes on. */
+static real rmax_at(real s, void *context)
+{
+    struct margin_context *c = context;
+    struct limit limit;
+    if (c->status != DOM_OK) /* the reason of the first failure */
+        return REAL_NAN;
+    c->s = s;
+    if (limit_find(c, &limit, NULL) != DOM_OK)
+        return REAL_NAN;
+    return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
+}
+
+/* Coarsely, unless it seems to be better: a dip that a coarse scan misses makes r_max larger. */
+static real search_at(struct search *b, real s)
+{
+    b->c->coarse = (real)1e-3;
+    real r_max = rmax_at(s, b->c);
+    b->c->coarse = 0;
+    if (b->c->status == DOM_OK && r_max > b->r_max)
+        r_max = rmax_at(s, b->c);
+    if (b->c->status == DOM_OK && r_max > b->r_max) {
+        b->s = s;
+        b->r_max = r_max;
+    }
+    return r_max;
+}
+
+/* The margin at one growth, as a function of s; without fuel it is negative. */
+static enum dom_status margin_of_s(struct margin_context *c, real s, real r, struct margin *m)
+{
+    c->s = s;
+    *m = margin_rough(c, r, fmax((real)1e-6, c->lean.tol));
+    if (c->status == DOM_NO_FUEL) {
+        *m = (struct margin){.kinetic = -1};
+        c->status = DOM_OK;
+    }
+    return c->status;
+}
+
+/* Does no train between lo and hi go on at the growth r, of which m is the margin at lo? */
+static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
+                                    const struct margin *m, bool *stops)
+{
+    struct lean at_lo = c->lean, at_hi = c->lean;
+    struct strip strip;
+    *stops = false;
+    enum dom_status status = lean_set(&at_lo, lo, r);
+    if (status == DOM_OK)
+        status = lean_set(&at_hi, hi, r);
+    /* At r = 1 the fuels agree, and P increases with s where it is positive. */
+    if (status == DOM_OK && r == 1 && energy_fuel_paper(&at_hi) <= 0) {
+        *stops = true;
+        return DOM_OK;
+    }
+    if (status == DOM_OK)
+        status = strip_walk(&at_lo, &at_hi, c->train->fuel, (real)INFINITY,
+                            fmin((real)1e-2, (hi - lo) / lo / 16), &strip);
+    if (status != DOM_OK)
+        return status;
+    real barrier = m->barrier * (1 - (real)1e-5),
+         least = strip_barrier_least(&strip, barrier, barrier_most(&at_lo), hi - lo);
+    *stops = strip.kinetic_most <= 0 || strip.kinetic_most < least;
+    return DOM_OK;
+}
+
+/*
+ * Of the separation s, where the margin at R is not negative, but r_max is lower since it is at a lower
+ * growth: that growth, or a better witness a little above it.
+ */
+static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
+{
+    real lowest = 0;
+    *witness = b->r_max;
+    for (real step = (b->r_max - r_max) / 2; step > (real)1e-4 * r_max; step /= 2) {
+        struct margin m;
+        enum dom_status status = margin_of_s(b->c, s, r_max + step, &m);
+        if (status != DOM_OK)
+            return status;
+        if (margin_share(&m) < lowest) {
+            lowest = margin_share(&m);
+            *witness = r_max + step;
+        }
+    }
+    return DOM_OK;
+}
+
+/* The narrowest interval: wider where much of the work that an answer may take is done, so that it comes to
+ * an end. */
+static real search_finest(const struct search *b)
+{
+    const struct lean *g = &b->c->lean;
+    real done = (real)g->work->dominoes / (real)g->work_most;
+    return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
+}
+
+/* Looks for a larger growth between lo and hi; witness: a growth at which the trains there may stop. */
+static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
+{
+    struct margin_context *c = b->c;
+    struct margin m;
+    enum dom_status status = DOM_OK;
+    bool stops = false;
+    real last = 1 / fmax(b->r_max, 1);
+    hi = fmin(hi, last);
+    if (lo >= hi)
+        return DOM_OK;
+    for (int k = 0; k < 2 && status == DOM_OK && !stops; k++) {
+        real r = fmax(k == 0 ? b->r_max : witness, 1);
+        if (k == 1 && (witness >= b->r_max || witness * hi > 1))
+            break;
+        status = margin_of_s(c, lo, r, &m);
+        if (status == DOM_OK && margin_left(&m) < 0)
+            status = search_stops(c, lo, hi, r, &m, &stops);
+    }
+    if (status != DOM_OK || stops)
+        return status;
+    real middle = sqrt(lo * hi);
+    status = margin_of_s(c, middle, fmax(b->r_max, 1), &m);
+    bool above = status == DOM_OK && margin_left(&m) >= 0;
+    if (above && witness < b->r_max) {
+        status = margin_of_s(c, middle, witness, &m);
+        above = status == DOM_OK && margin_left(&m) >= 0;
+    }
+    if (above) {
+        real r_max = search_at(b, middle);
+        status = c->status;
+        if (status == DOM_OK && r_max > 0 && r_max < b->r_max * (1 - (real)1e-3))
+            status = search_witness(b, middle, r_max, &witness);
+    }
+    if (status != DOM_OK || hi - lo <= search_finest(b) * hi)
+        return status;
+    status = search_between(b, middle, hi, witness);
+    return status == DOM_OK ? search_between(b, lo, middle, witness) : status;
+}
+
+/* From s = 1 downwards. */
+static enum dom_status search_samples(struct search *b)
+{
+    int lower = 0;
+    b->s = 1;
+    b->r_max = rmax_at(1, b->c);
+    for (real s = BEST_RATIO; b->c->status == DOM_OK && lower < BEST_PATIENCE && s > BEST_LOWEST;
+         s *= BEST_RATIO) {
+        real before = b->r_max;
+        search_at(b, s);
+        lower = b->r_max > before ? 0 : lower + 1;
+    }
+    return b->c->status;
+}
+
+/* With friction: the cells around the best, and all above it where the reach allows more, in smaller steps.
+ */
+static enum dom_status search_finely(struct search *b)
+{
+    for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
+         ratio = sqrt(ratio)) {
+        bool any = b->r_max > 0;
+        real from = any ? fmin(b->s / (ratio * ratio), 1) : 1, to = any ? b->s * ratio * ratio : (real)0.5;
+        for (real s = from; s > to && b->c->status == DOM_OK; s *= ratio)
+            if (s * b->r_max < 1)
+                search_at(b, s);
+    }
+    return b->c->status;
+}
+
+/* ---- The top ---- */
+
+/*
+ * d margin / ds at a fixed growth by the nine-point rule.  Its error is (h / scale)^8, where the scale is a
+ * few percent of s, or the distance to the reach, and roundoff / h: least near this h.
+ */
+static real slope_step(real s, real r)
+{
+    return fmin((real)0.03 * s, (1 / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
+}
+
+static real margin_slope_by(struct margin_context *c, real s, real r, real h)
+{
+    static const int weight[] = {672, -168, 32, -3};
+    real sum = 0;
+    for (int k = 1; k <= 4 && c->status == DOM_OK; k++) {
+        c->s = s + (real)k * h;
+        real after = margin_at(r, c);
+        c->s = s - (real)k * h;
+        sum += (real)weight[k - 1] * (after - (c->status == DOM_OK ? margin_at(r, c) : 0));
+    }
+    return c->status == DOM_OK ? sum / (840 * h) : REAL_NAN;
+}
+
+/* d margin / ds where r is r_max(s): of the sign of d r_max / ds.  At the reach r_max = 1/s decreases. */
+static real top_slope(real s, void *context)
+{
+    struct search *b = context;
+    struct margin_context *c = b->c;
+    real r = rmax_at(s, c), h = slope_step(s, r) * b->finer;
+    if (c->status != DOM_OK)
+        return REAL_NAN;
+    return r > 0 && s + 4 * h < 1 / r ? margin_slope_by(c, s, r, h) : -1;
+}
+
+/*
+ * The share of slope_step at which the rule errs least: a second derivative that jumps, where a follower's
+ * detaching begins, may be within its nodes.  What two steps differ by shows that, and roundoff / h bounds it
+ * below.
+ */
+static void search_step(struct search *b)
+{
+    real s = b->s, r = b->r_max, h = slope_step(s, r), least = (real)INFINITY;
+    b->finer = 1;
+    if (!(h > 0) || s + 4 * h >= 1 / r)
+        return;
+    real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->lean);
+    for (real share = 1; share > (real)1e-5 && b->c->status == DOM_OK; share /= 4) {
+        real next = margin_slope_by(b->c, s, r, h * share / 4);
+        real wrong = fabs(next - last) + 16 * fmax(b->c->lean.tol, REAL_EPSILON) * K / (h * share / 4);
+        if (wrong < least) {
+            least = wrong;
+            b->finer = share / 4;
+        }
+        last = next;
+    }
+}
+
+/* The top near b->s: smooth, where the slope changes its sign, or a kink or a jump, to which golden section
+ * leads. */
+static enum dom_status search_top(struct search *b, real tol, bool *smooth)
+{
+    struct margin_context *c = b->c;
+    real s = b->s, low = 0, high = 0, width;
+    c->lean.tol = (real)c->train->tol;
+    /* As far away as it takes to be lower on both sides. */
+    for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
+        low = rmax_at(s * (1 - width), c);
+        high = s * (1 + width) <= 1 ? rmax_at(s * (1 + width), c) : 0;
+        if (!(low >= b->r_max || high >= b->r_max))
+            break;
+        if (low > b->r_max || high > b->r_max) {
+            s = low > high ? s * (1 - width) : s * (1 + width);
+            b->s = s;
+            b->r_max = fmax(low, high);
+            width /= 4;
+        }
+    }
+    *smooth = false;
+    if (c->status != DOM_OK)
+        return c->status;
+    real top = s, hi = fmin(s * (1 + width), 1);
+    enum num_status solver =
+        s < hi ? num_maximum(rmax_at, c, s * (1 - width), s, hi, tol, &top) : NUM_NOT_BRACKETED;
+    if (model_status(c->status, solver) != DOM_OK && solver != NUM_NOT_BRACKETED)
+        return model_status(c->status, solver);
+    search_at(b, top);
+    /* The slope of the margin is a difference: it needs all digits. */
+    c->lean.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
+    search_step(b);
+    /* Values alone fix a smooth top to the root of their noise; a bracket of its slope begins beyond that. */
+    for (width = 16 * sqrt(fmax(tol, REAL_EPSILON)); c->status == DOM_OK && width < (real)0.02; width *= 4) {
+        real lo = b->s * (1 - width), up = b->s * (1 + width), zero;
+        real before = top_slope(lo, b), after = up <= 1 ? top_slope(up, b) : -1;
+        if (c->status != DOM_OK || !(before > 0 && after < 0))
+            continue;
+        /* At a smooth top the slope shrinks with the distance; at a kink, or a jump, one of them does not. */
+        real near_lo = top_slope(b->s * (1 - width / 8), b), near_up = top_slope(b->s * (1 + width / 8), b);
+        if (c->status != DOM_OK || near_lo > before / 4 || near_up < after / 4)
+            break;
+        if (num_root_between(top_slope, b, lo, before, up, after, tol / 8, &zero) != NUM_OK)
+            break;
+        real height = rmax_at(zero, c);
+        if (c->status == DOM_OK && height >= b->r_max * (1 - fmax(16 * tol, 64 * REAL_EPSILON))) {
+            *smooth = slope_step(zero, height) > 0 && zero * height < 1;
+            b->s = zero;
+            b->r_max = height;
+        }
+        break;
+    }
+    return c->status;
+}
+
+/* How much lower r_max is at s + step than the top; 0 behind a jump, whose lower side is not the top's. */
+static real best_fall(struct margin_context *c, real s, real step, real top)
+{
+    real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
+    return near > far / 2 && far > 64 * UNIT * top ? 0 : far;
+}
+
+/*
+ * Near a smooth top the slope vanishes: what rounding, tol and the rule leave of it bounds s, over its own
+ * slope; at a kink or a jump s is bracketed to tol itself.  r_max may be off by as much as it changes over
+ * that.
+ */
+static enum dom_status best_error(struct search *b, bool smooth, struct dom_best *error)
+{
+    struct margin_context *c = b->c;
+    real s = b->s, r = b->r_max, r_error = 0;
+    struct limit limit;
+    c->s = s;
+    enum dom_status status = limit_find(c, &limit, NULL);
+    if (status == DOM_OK)
+        status = limit_error(c, &limit, &r_error);
+    /* A jump of r_max(s) is where a dip of the margin begins, of which the shallowest are not resolved
+     * (scan.h). */
+    real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
+    if (status == DOM_OK && smooth && c->train->mu == 0) {
+        real h = slope_step(s, r) * b->finer, width = 4 * h;
+        real bend = fabs(top_slope(s + width, b) - top_slope(s - width, b)) / (2 * width);
+        c->s = s;
+        c->errors = true;
+        margin_at(r, c);
+        c->errors = false;
+        /* Twice the step has 256 times the error of the rule, whose weights add up to 1750 / 840 / h. */
+        real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
+        s_error += 2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * c->error / h) / bend;
+    }
+    if (c->status == DOM_OK && status == DOM_OK)
+        r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));
+    *error = (struct dom_best){.s = s_error, .r_max = r_error};
+    return status != DOM_OK ? status : c->status;
+}
+
+static enum dom_status best_find(struct margin_context *c, struct dom_best *best, struct dom_best *error)
+{
+    struct search b = {.c = c, .finest = BEST_FINEST, .finer = 1};
+    bool smooth;
+    enum dom_status status = search_samples(&b);
+    if (status == DOM_OK)
+        status = c->train->mu > 0 ? search_finely(&b) : search_between(&b, BEST_LOWEST, 1, INFINITY);
+    if (status != DOM_OK)
+        return c->status = status;
+    if (!(b.r_max > 1))
+        return c->status = DOM_NO_GROWTH;
+    /* Next to a jump there may be several tops: once more around the best, in narrower intervals. */
+    real before = 0;
+    status = search_top(&b, (real)1e-6, &smooth);
+    for (int k = 0; status == DOM_OK && c->train->mu == 0 && !smooth && k < 3 && b.r_max > before; k++) {
+        before = b.r_max;
+        b.finest = BEST_FINEST / 64;
+        status = search_between(&b, b.s * (1 - 4 * BEST_FINEST), b.s * (1 + 4 * BEST_FINEST), (real)INFINITY);
+    }
+    if (status == DOM_OK)
+        status = search_top(&b, (real)c->train->tol, &smooth);
+    if (status == DOM_OK && error)
+        status = best_error(&b, smooth, error);
+    if (status == DOM_OK)
+        *best = (struct dom_best){.s = b.s, .r_max = b.r_max};
+    return c->status = status;
+}
+
+KERNEL enum dom_status limit_best(const struct dom_train *train, struct dom_best *best,
+                                  struct dom_best *error)
+{
+    struct dom_work work = {0};
+    struct margin_context c = margin_of_train(train);
+    limit_begin(&c, &work);
+    enum dom_status status = best_find(&c, best, error);
+    limit_end(train, &work);
+    return status;
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "numerics/real.h"
+
+/* r^n for a whole n >= 0, in the widest arithmetic, of which it loses some n roundings. */
+static dom_real power_of(dom_real r, dom_real n)
+{
+    dom_real power = 1;
+    for (uint64_t left = (uint64_t)n; left > 0; left /= 2, r *= r)
+        power *= left % 2 ? r : 1;
+    return power;
+}
+
+/*
+ * Does the n-th reach the height?  The heights and r are decimals that were rounded, half a unit each, and
+ * typed with no more digits than they have, which moves a power that meets the height by some 4 + n such
+ * halves. No more than a millionth of a domino is forgiven.
+ */
+static bool count_reaches(real first, real height, real r, real ln_r, real n)
+{
+    real slack = fmin(UNIT * (4 + n), (real)1e-6 * ln_r);
+    return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
+}
+
+KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_, struct dom_count *count,
+                                  struct dom_count *error)
+{
+    real first = (real)first_, height = (real)height_, r = (real)r_;
+    if (!(first > 0 && height > 0 && r >= 1 && isfinite(first) && isfinite(height) && isfinite(r)))
+        return DOM_BAD_PARAMETER;
+    real ratio = height / first, ln_r = log1p(r - 1), exact = log(ratio) / ln_r;
+    struct dom_count none = {.dominoes = 0, .exact = 0, .last = 0};
+    if (r == 1) {
+        bool there = ratio <= 1;
+        dom_real n = there ? (dom_real)0 : (dom_real)INFINITY;
+        *count = (struct dom_count){n, n, there ? (dom_real)first : DOM_NAN};
+        if (error)
+            *error = none;
+        return DOM_OK;
+    }
+    /* Beyond 2^(REAL_BITS) neighbouring integers are one number. */
+    if (!(ratio >= REAL_MIN && isfinite(ratio) && exact < 2 / REAL_EPSILON))
+        return DOM_BAD_PARAMETER;
+    real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* a division and a logarithm each */
+    real nearest = fmax(round(exact), 0), n = fmax(ceil(exact), 0);
+    if (fabs(exact - nearest) <= error_of_exact + UNIT * (4 + nearest) / ln_r)
+        n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;
+    real last = first * pow(r, n);
+    *count = (struct dom_count){n, exact, last};
+    if (error)
+        *error = (struct dom_count){.dominoes = 0, .exact = error_of_exact, .last = 4 * UNIT * last};
+    return DOM_OK;
+}

@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The largest growth: the first root of the margin as a function of r, looked for upwards from r = 1 to the
+ * reach r = 1/s.  The margin need not be monotone (thin dominoes: it falls, rises again and drops near 1/s),
+ * so the scan goes on only over intervals that a bound covers (scan.h); with friction over samples and their
+ * slopes (probe.h).
+ */
+#include "growth/limit.h"
+
+/*
+ * Of a root of the margin: what is left of the margin and what may be wrong with it, over its slope in r.
+ * The slope is that of a difference wide enough to stand out from what may be wrong with both margins,
+ * on this side of the reach.
+ */
+KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
+{
+    real r = limit->r_max, reach = 1 / c->s;
+    *error = c->train->mu > 0 ? REAL_NAN : UNIT * r;
+    if (limit->ends != DOM_END_BARRIER || c->train->mu > 0)
+        return DOM_OK;
+    c->errors = true;
+    real margin = margin_at(r, c), wrong = c->error, slope = 0;
+    c->errors = false;
+    real widest = fmin((reach - r) / 4, r / 4), h = fmin(sqrt(REAL_EPSILON) * 64 * r, widest);
+    for (; c->status == DOM_OK && slope == 0; h = fmin(8 * h, widest)) {
+        real lo = fmax(r - h, 1), above = margin_at(r + h, c);
+        real below = c->status == DOM_OK ? margin_at(lo, c) : above;
+        if (fabs(above - below) > 8 * wrong || h >= widest)
+            slope = fabs(above - below) > 2 * wrong ? fabs(above - below) / (r + h - lo) : REAL_MIN;
+    }
+    /* Where even the widest shows no slope, all that is known is that r lies between 1 and the reach. */
+    *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
+    /* Near the reach the margin bends: the bound holds if the margins at its ends have their signs for sure.
+     */
+    for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
+        real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
+        sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
+    }
+    return c->status;
+}
+
+/* As the caller wants it. */
+static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
+                                    struct dom_limit *wide, struct dom_limit *error)
+{
+    real r_error = 0;
+    enum dom_status status = error ? limit_error(c, limit, &r_error) : DOM_OK;
+    if (status != DOM_OK)
+        return status;
+    *wide = (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends};
+    if (error)
+        *error = (struct dom_limit){.r_max = r_error, .ends = limit->ends};
+    return DOM_OK;
+}
+
+static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
+
+/* First r > from->r at which the margin, >= 0 there, is negative. */
+static enum dom_status limit_fall(struct margin_context *c, const struct edge *from, struct limit *limit)
+{
+    if (c->train->mu == 0)
+        return scan_fall(c, from, &limit->r_max, &limit->ends);
+    struct edge before, after;
+    bool found = false;
+    enum dom_status status = probe_change(c, from, &before, &after, &found);
+    *limit = (struct limit){.r_max = 1 / c->s, .ends = DOM_END_REACH};
+    if (status != DOM_OK || !found)
+        return status;
+    limit->ends = DOM_END_BARRIER;
+    return scan_root(c, &before, &after, &limit->r_max);
+}
+
+/* First r >= from at which the margin is not negative, if there is one. */
+static enum dom_status limit_rise(struct margin_context *c, real from, struct edge *edge, bool *found)
+{
+    if (c->train->mu == 0)
+        return scan_rise(c, from, edge, found);
+    struct edge before;
+    *edge = (struct edge){from, margin_sign(c, from)};
+    *found = c->status == DOM_OK && margin_left(&edge->margin) >= 0;
+    if (c->status != DOM_OK || *found)
+        return c->status;
+    struct edge first = *edge;
+    return probe_change(c, &first, &before, edge, found);
+}
+
+KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit, enum dom_status *why)
+{
+    struct edge first = {.r = 1};
+    struct lean g = c->lean;
+    enum dom_status status = lean_set(&g, c->s, 1);
+    if (status != DOM_OK)
+        return c->status = status;
+    /* There P has a closed form, and K = P T, T >= 1. */
+    first.margin =
+        (struct margin){.kinetic = energy_fuel_paper(&g), .barrier = barrier_most(&g), .most = true};
+    if (c->train->mu > 0 || !(first.margin.kinetic > 2 * first.margin.barrier))
+        first.margin = margin_sign(c, 1);
+    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_left(&first.margin) < 0)) {
+        *limit = no_limit;
+        if (why)
+            *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
+        return c->status = DOM_OK;
+    }
+    if (c->status == DOM_OK)
+        c->status = limit_fall(c, &first, limit);
+    return c->status;
+}
+
+/*
+ * All passes of an answer together follow no more dominoes than this, which takes a second or two in double;
+ * beyond it the answer is out of reach (DOM_TOO_LONG).  With friction a domino takes some four times as long.
+ */
+#define WORK_MOST         ((size_t)60000000)
+#define WORK_MOST_RUBBING ((size_t)15000000)
+
+KERNEL void limit_begin(struct margin_context *c, struct dom_work *work)
+{
+    c->lean.work = work;
+    c->lean.work_most = c->train->mu > 0 ? WORK_MOST_RUBBING : WORK_MOST;
+}
+
+KERNEL void limit_end(const struct dom_train *train, const struct dom_work *work)
+{
+    if (!train->work)
+        return;
+    train->work->passes += work->passes;
+    train->work->dominoes += work->dominoes;
+    if (work->longest > train->work->longest)
+        train->work->longest = work->longest;
+    for (int i = 0; i < DOM_EFFECT_COUNT; i++)
+        train->work->entered[i] += work->entered[i];
+}
+
+KERNEL enum dom_status limit_rmax(const struct dom_train *train, struct dom_limit *limit,
+                                  struct dom_limit *error, enum dom_status *why)
+{
+    struct dom_work work = {0};
+    struct margin_context c = margin_of_train(train);
+    struct limit found;
+    limit_begin(&c, &work);
+    enum dom_status status = limit_find(&c, &found, why);
+    if (status == DOM_OK)
+        status = limit_public(&c, &found, limit, error);
+    limit_end(train, &work);
+    return status;
+}
+
+static enum dom_status pair_find(struct margin_context *c, struct limit *found)
+{
+    struct edge edge;
+    bool any;
+    *found = no_limit;
+    /* (b0): below that growth domino 1 has not tipped over when it hits. */
+    real tips = fmax(c->lean.d / c->lean.reach / c->s, 1);
+    if (tips >= 1 / c->s)
+        return DOM_OK;
+    enum dom_status status = limit_rise(c, tips, &edge, &any);
+    return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;
+}
+
+KERNEL enum dom_status limit_pair(const struct dom_train *train, struct dom_limit *limit,
+                                  struct dom_limit *error)
+{
+    struct dom_work work = {0};
+    struct margin_context c = margin_of_pair(train);
+    struct limit found;
+    limit_begin(&c, &work);
+    enum dom_status status = pair_find(&c, &found);
+    if (status == DOM_OK)
+        status = limit_public(&c, &found, limit, error);
+    limit_end(train, &work);
+    return status;
+}

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "growth/margin.h"
+
+/* The barrier that the kinetic energy is held against, as the context wants it; near: of barrier_near, or
+ * NULL. */
+static enum dom_status margin_barrier(const struct lean *g, struct margin_context *c, const struct sums *near,
+                                      struct margin *m)
+{
+    struct barrier *b = &c->barrier, b_error = {0};
+    real most = barrier_most(g), sure = 4 * g->tol;
+    if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > most) {
+        m->barrier = most;
+        m->most = true;
+        return DOM_OK;
+    }
+    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* whatever the barrier is */
+        m->barrier = 0;
+        return DOM_OK;
+    }
+    enum dom_status status = DOM_NOT_CONVERGED;
+    if (c->how != MARGIN_SURE) {
+        bool top = barrier_follow(g, near, b);
+        m->barrier = fmax(b->height, 0); /* that of the upright train */
+        if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
+            return top ? DOM_OK : DOM_NOT_CONVERGED;
+        if (top)
+            status = barrier_tops(g, b);
+    }
+    if (status != DOM_OK)
+        /* With friction the height is right to the second order of the tilt alone. */
+        status = barrier_search(g, tilt_angle(g->c), c->errors || g->mu > 0 ? g->tol / 8 : TOP_TOL(g), b);
+    if (status == DOM_OK && c->errors)
+        status = barrier_error(g, b, &b_error);
+    m->barrier = b->height;
+    m->error += b_error.height;
+    return status;
+}
+
+/* Of the endless train (c8, corrected). */
+static enum dom_status train_margin(const struct lean *g, struct margin_context *c, struct margin *m)
+{
+    struct launch launch, error = {0};
+    struct sums near, at_c;
+    enum dom_fuel fuel = c->train->fuel;
+    enum dom_status status;
+    bool both = c->how == MARGIN_FOLLOW && !g->falls_off;
+    /* At r = 1 the fuels agree, and the closed one needs no train. */
+    if (g->r == 1 && g->mu == 0 && energy_fuel_paper(g) <= 0)
+        return DOM_NO_FUEL;
+    if (both) {
+        status = chain_both(g, barrier_near(g, &c->barrier), &near, &at_c);
+        if (status != DOM_OK)
+            return status;
+        struct fuel f = fuel_of(g, &at_c);
+        launch = launch_of(g, fuel, &f);
+    } else {
+        status = collision_launch(g, fuel, &launch, c->errors ? &error : NULL);
+    }
+    if (status == DOM_OK && g->r == 1 && launch.fuel <= 0)
+        return DOM_NO_FUEL;
+    *m = (struct margin){.kinetic = launch.kinetic, .error = error.kinetic};
+    return status == DOM_OK ? margin_barrier(g, c, both ? &near : NULL, m) : status;
+}
+
+/* Sine and cosine of theta_c - theta_u: before theta_u domino 1 has not tipped over when it hits (b0). */
+static void pair_tips(const struct lean *g, real *sine, real *cosine)
+{
+    real u = g->reach; /* h(theta_u) (b2) */
+    *sine = (g->c.x - g->d * g->c.y) / u;
+    *cosine = (g->c.y + g->d * g->c.x) / u;
+}
+
+KERNEL real pair_push(const struct lean *g)
+{
+    real sine, cosine;
+    pair_tips(g, &sine, &cosine);
+    return sine > 0 ? g->reach * sine * sine / (1 + cosine) : 0;
+}
+
+/* Of the pair after the collision (b13). */
+static enum dom_status pair_margin(const struct lean *g, struct margin_context *c, struct margin *m)
+{
+    struct lean two = *g;
+    two.n = c->dominoes;
+    real u = g->reach, sine, cosine;
+    pair_tips(g, &sine, &cosine);
+    if (g->mu > 0) {
+        enum dom_status status = friction_flow(&two);
+        if (status != DOM_OK)
+            return status;
+    }
+    real k = g->inertia, T = g->mu > 0 ? g->flow->T : k, share = T / (1 + T); /* (b11) */
+    real kinetic = (1 + k) * g->r * pair_push(g) * share * share;
+    real sine_error = UNIT * (5 * g->c.x + 7 * g->d * g->c.y) / u, powers = 24 * UNIT;
+    *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
+                  : (struct margin){.kinetic = 0};
+    return margin_barrier(&two, c, NULL, m);
+}
+
+KERNEL struct margin_context margin_of_train(const struct dom_train *train)
+{
+    return (struct margin_context){.train = train,
+                                   .lean = lean_read(train),
+                                   .s = (real)train->s,
+                                   .dominoes = CHAIN_ENDLESS,
+                                   .margin = train_margin};
+}
+
+KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
+{
+    struct margin_context c = margin_of_train(train);
+    c.dominoes = 2;
+    c.margin = pair_margin;
+    return c;
+}
+
+/* At the relative tolerance tol. */
+static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
+{
+    struct lean g = c->lean;
+    FLOW(flow);
+    g.tol = tol;
+    c->status = lean_set(&g, c->s, r);
+    if (c->status == DOM_OK)
+        lean_flow(&g, &flow);
+    if (c->status == DOM_OK)
+        c->status = c->margin(&g, c, m);
+    c->locked = c->status == DOM_LOCKS;
+    if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
+        c->status = DOM_OK;
+        *m = (struct margin){.kinetic = -1};
+    }
+    c->error = m->error + UNIT * fabs(m->kinetic - m->barrier);
+    return c->status;
+}
+
+KERNEL real margin_at(real r, void *context)
+{
+    struct margin_context *c = context;
+    struct margin m = {0};
+    c->how = MARGIN_SURE;
+    return margin_to(c, r, c->lean.tol, &m) == DOM_OK ? margin_left(&m) : REAL_NAN;
+}
+
+KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
+{
+    struct margin m = {.kinetic = REAL_NAN};
+    c->how = MARGIN_SURE;
+    margin_to(c, r, tol, &m);
+    return m;
+}
+
+#define ROUGH ((real)1e-3)
+
+KERNEL struct margin margin_sign(struct margin_context *c, real r)
+{
+    struct margin m = {.kinetic = REAL_NAN};
+    real tol = fmax(ROUGH, c->lean.tol);
+    c->how = c->train->mu > 0 ? MARGIN_SURE : MARGIN_SIGN;
+    if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
+        return m;
+    c->how = MARGIN_SURE;
+    /* As for barrier_verdict: what the two leave is known as well as they are, so no tolerance turns the
+     * verdict. */
+    for (real asked = c->lean.tol, fine; margin_to(c, r, asked, &m) == DOM_OK; asked = fine) {
+        fine = balance_tol(asked, fabs(margin_left(&m)), fabs(m.kinetic));
+        if (!(fine < asked / 4))
+            break;
+    }
+    return m;
+}
+
+KERNEL void margin_follow_begin(struct margin_context *c)
+{
+    c->how = MARGIN_FOLLOW;
+    c->share = 1;
+    c->last[0].half = c->last[1].half = 0;
+}
+
+KERNEL real margin_follow(real r, void *context)
+{
+    struct margin_context *c = context;
+    struct margin m = {0};
+    real tol = c->lean.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
+    struct followed *last = c->last;
+    if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r) /* as the last two tops say */
+        c->barrier.half =
+            last[1].half + (last[1].half - last[0].half) / (last[1].r - last[0].r) * (r - last[1].r);
+    do {
+        rough = next;
+        if (margin_to(c, r, rough, &m) != DOM_OK)
+            return REAL_NAN;
+        share = margin_share(&m);
+        next = fmax(tol, ROUGH * share * share);
+    } while (rough > tol && fabs(share) < 8 * rough);
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* the sums know no more of it */
+        share = 0;
+    last[0] = last[1];
+    last[1] = (struct followed){r, c->barrier.half};
+    if (fabs(share) <= c->share) {
+        c->share = fabs(share);
+        c->nearest = c->barrier;
+    }
+    return share;
+}
+
+KERNEL bool margin_highest(const struct margin_context *c, real r)
+{
+    struct lean g = c->lean;
+    struct barrier b = c->nearest;
+    if (lean_set(&g, c->s, r) != DOM_OK)
+        return false;
+    g.n = c->dominoes;
+    return barrier_tops(&g, &b) == DOM_OK &&
+           b.height <= c->nearest.height * (1 + fmax(g.tol, 4 * REAL_EPSILON));
+}

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "growth/probe.h"
+
+/* Samples a factor e of r, far from the reach; then a decade of 1 - r s each. */
+#define PROBE_PER_E   8
+#define PROBE_DECADES 8
+
+/* The k-th sample of r between 1 and the reach; the last is 1/s itself, and larger k give it again. */
+static real probe_place(real s, int k)
+{
+    const real near = (real)0.1;
+    real ln_reach = -log(s);
+    int far = (int)ceil(fmax(ln_reach - near, 0) * PROBE_PER_E);
+    if (k < far)
+        return exp((real)k * fmax(ln_reach - near, 0) / (real)far);
+    real short_of = fmin(near, 1 - s) * pow(10, (real)(far - k));
+    return k - far > PROBE_DECADES ? 1 / s : fmax((1 - short_of) / s, 1);
+}
+
+/* How many times halves are looked into: a probe a factor e^(1/8) wide is then 1e-3 of r. */
+#define PROBE_HALVES 7
+
+/*
+ * The margin over three times what it bends away from the straight line must be left of it; the bend of a
+ * parabola between two samples is a quarter of that seen over twice the distance.
+ */
+#define PROBE_SAFETY 3
+
+struct probe {
+    struct margin_context *c;
+    bool positive; /* the sign that is followed */
+    struct edge *before, *after;
+    bool found;
+};
+
+static enum dom_status probe_sample(struct probe *p, real r, struct edge *edge)
+{
+    *edge = (struct edge){r, margin_sign(p->c, r)};
+    return p->c->status;
+}
+
+static bool probe_kept(const struct probe *p, const struct edge *edge)
+{
+    return (margin_left(&edge->margin) >= 0) == p->positive;
+}
+
+/*
+ * Between two samples, of which the first has the sign: whether the margin keeps it, by the sample between
+ * them; the half in doubt first where it comes first.
+ */
+static enum dom_status probe_between(struct probe *p, const struct edge *lo, const struct edge *hi, real bend,
+                                     int halves)
+{
+    real at_lo = margin_share(&lo->margin), at_hi = margin_share(&hi->margin);
+    bool kept = probe_kept(p, hi);
+    if (kept && fmin(fabs(at_lo), fabs(at_hi)) > PROBE_SAFETY * bend)
+        return DOM_OK;
+    if (halves == 0 || hi->r - lo->r <= 64 * REAL_EPSILON * hi->r) {
+        if (!kept) {
+            *p->before = *lo;
+            *p->after = *hi;
+            p->found = true;
+        }
+        return DOM_OK;
+    }
+    struct edge middle;
+    enum dom_status status = probe_sample(p, lo->r + (hi->r - lo->r) / 2, &middle);
+    real at = margin_share(&middle.margin), off = fabs(at - (at_lo + at_hi) / 2);
+    if (status == DOM_OK)
+        status = probe_between(p, lo, &middle, off / 2, halves - 1);
+    if (status == DOM_OK && !p->found)
+        status = probe_between(p, &middle, hi, off / 2, halves - 1);
+    return status;
+}
+
+KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *before,
+                                    struct edge *after, bool *found)
+{
+    const real reach = 1 / c->s;
+    struct probe p = {.c = c, .positive = margin_left(&from->margin) >= 0, .before = before, .after = after};
+    struct edge last = *from, lo = *from, hi = *from;
+    real bend = 0;
+    enum dom_status status = DOM_OK;
+    for (int k = 0; status == DOM_OK && !p.found && hi.r < reach; k++) {
+        real r = probe_place(c->s, k);
+        if (r <= hi.r)
+            continue;
+        last = lo;
+        lo = hi;
+        status = probe_sample(&p, r, &hi);
+        if (status != DOM_OK)
+            break;
+        /* What the sample before is off the line through its neighbours; nothing is known of the first. */
+        real across = hi.r - last.r, part = across > 0 ? (lo.r - last.r) / across : 0;
+        real line = margin_share(&last.margin) * (1 - part) + margin_share(&hi.margin) * part;
+        bend = part > 0 ? fabs(margin_share(&lo.margin) - line) : fabs(margin_share(&hi.margin) - line) / 4;
+        status = probe_between(&p, &lo, &hi, bend, PROBE_HALVES);
+    }
+    *found = p.found;
+    return status;
+}

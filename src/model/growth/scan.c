@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "growth/scan.h"
+
+#define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
+/* The share of the barrier that margin_sign may be wrong by. */
+#define SCAN_ROUGH ((real)1e-3)
+#define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
+#define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
+
+/*
+ * The root of the margin between lo and hi, for which the top of the barrier at hi is followed.  That it is
+ * the highest also at the root is seen there by one more search; where it is not, all tops are searched at
+ * every r.
+ */
+KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
+                                 real *r)
+{
+    real tol = c->lean.tol;
+    enum num_status solver;
+    if (c->train->mu == 0) {
+        margin_follow_begin(c);
+        solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
+                                  margin_share(&hi->margin), tol / 8, r);
+        if (c->status == DOM_INTERRUPTED)
+            return c->status;
+        if (solver == NUM_OK && margin_highest(c, *r))
+            return DOM_OK;
+    }
+    solver = num_root(margin_at, c, lo->r, hi->r, tol / 8, r);
+    return model_status(c->status, solver);
+}
+
+/* What is known of the margin between two samples, the first of which is not negative. */
+enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL /* through 0 once, if at all */ };
+
+/* The margin with its barrier to a relative tolerance, where margin_sign may know only one of its tops. */
+static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
+{
+    edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->lean.tol));
+    return c->status;
+}
+
+/* (1 + k) r [k / (1 + k)]^2, which decreases with r: the kinetic energy of the pair over its push (b11). */
+static real pair_keeps(const struct lean *g)
+{
+    real k = g->inertia;
+    return g->r * k * k / (1 + k);
+}
+
+/*
+ * K of the pair over a strip.  Its push grows with r, d ln push / d ln r = cot((theta_c - theta_u) / 2) tan
+ * theta_c, and what is kept of it shrinks, by 2 q + 1 - (q + 1) k / (1 + k).
+ */
+static void pair_strip(const struct lean *lo, const struct lean *hi, struct strip *s)
+{
+    real push_lo = pair_push(lo), push_hi = pair_push(hi), u = lo->reach;
+    real sine = (lo->c.x - lo->d * lo->c.y) / u, cosine = (lo->c.y + lo->d * lo->c.x) / u;
+    s->kinetic_least = push_lo * pair_keeps(hi) * (1 - 256 * REAL_EPSILON);
+    s->kinetic_most = push_hi * pair_keeps(lo) * (1 + 256 * REAL_EPSILON);
+    real gains = (1 + cosine) / sine * (hi->c.x / hi->c.y);
+    real ages = 2 * lo->q + 1 - (lo->q + 1) * lo->inertia / (1 + lo->inertia), net = gains - ages;
+    s->bends = s->drops + net * (net > 0 ? s->kinetic_most : s->kinetic_least);
+    if (!(sine > 0) || !isfinite(s->bends))
+        s->bends = (real)INFINITY;
+}
+
+/* Bounds between two growths. */
+static enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip)
+{
+    struct lean at_lo = c->lean, at_hi = c->lean;
+    real ln_r = log1p((hi - lo) / lo), most = barrier_most(&c->lean);
+    enum dom_status status = lean_set(&at_lo, c->s, lo);
+    if (status == DOM_OK)
+        status = lean_set(&at_hi, c->s, hi);
+    if (status != DOM_OK)
+        return status;
+    at_lo.n = at_hi.n = c->dominoes;
+    bool pair = c->dominoes == 2;
+    status = strip_walk(&at_lo, &at_hi, c->train->fuel, pair ? (real)INFINITY : most,
+                        fmin((real)1e-2, ln_r / 16), strip);
+    if (status != DOM_OK || !pair)
+        return status;
+    pair_strip(&at_lo, &at_hi, strip);
+    strip->clear = strip->kinetic_least > most;
+    return DOM_OK;
+}
+
+/* Between lo and hi; hi->margin is found unless its kinetic energy is known. */
+static enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
+                                  enum known *known)
+{
+    struct strip strip;
+    real ln_r = log1p((hi->r - lo->r) / lo->r), most = barrier_most(&c->lean);
+    *known = KNOWN_NOTHING;
+    enum dom_status status = scan_bounds(c, lo->r, hi->r, &strip);
+    if (status != DOM_OK)
+        return status;
+    if (strip.clear) {
+        hi->margin = (struct margin){.kinetic = strip.kinetic_least, .barrier = most, .most = true};
+        *known = KNOWN_POSITIVE;
+        return DOM_OK;
+    }
+    if (isnan(hi->margin.kinetic))
+        hi->margin = margin_sign(c, hi->r);
+    if (c->status != DOM_OK)
+        return c->status;
+    bool above = margin_left(&hi->margin) >= 0;
+    if (strip.bends < 0) {
+        *known = above ? KNOWN_POSITIVE : KNOWN_TO_FALL;
+        return DOM_OK;
+    }
+    for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
+         wrong = 8 * SCAN_FINE) {
+        /* It has risen to its end by no more than strip.bends. */
+        real left = margin_left(&hi->margin), spare = wrong * hi->margin.barrier;
+        real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
+        if (left - spare > strip.bends * ln_r || strip.kinetic_least > barrier)
+            *known = KNOWN_POSITIVE;
+        else if (wrong <= 8 * SCAN_FINE ||
+                 (left <= strip.bends * ln_r && strip.kinetic_least <= barrier - spare))
+            break;
+        else if (scan_sure(c, hi) != DOM_OK)
+            return c->status;
+    }
+    return DOM_OK;
+}
+
+/*
+ * A guess how far the margin stays positive after `from`: the kinetic energy falls as r^-(2q+1) (c6), and the
+ * fuel as the weights of the dominoes that matter.
+ */
+static real scan_ahead(const struct margin_context *c, const struct edge *from)
+{
+    real most = barrier_most(&c->lean), K = from->margin.kinetic, q = c->lean.q, s = c->s;
+    real matter = 1 / (q * log(from->r) + from->r * sqrt(s * (s + 2 * c->lean.d)));
+    real falls = 2 * q + 1 + (c->dominoes == 2 ? 0 : q * fmin(matter, 1 / s));
+    return (K > most ? log(2 * K / most) : (real)0.5) / falls;
+}
+
+/* A guess where the margin is 0 between lo and below, as a share of the way. */
+static real scan_share(const struct edge *lo, const struct edge *below, real pull)
+{
+    real up = margin_left(&lo->margin), down = -margin_left(&below->margin) * pull, share = up / (up + down);
+    real K = lo->margin.kinetic, K_below = below->margin.kinetic, barrier = below->margin.barrier;
+    if (K > 2 * lo->margin.barrier && K_below > 0 && barrier > K_below && K > 2 * barrier)
+        share = log(K / barrier) / log(K / K_below) * pull + share * (1 - pull);
+    return fmin(fmax(K_below > 0 ? share : (real)0.5, (real)0.1), (real)0.9);
+}
+
+/* All that the search knows: the margin is positive up to lo, and negative at below, if that is known. */
+struct scan {
+    struct edge lo, below;
+    real step;  /* to try next, in ln r */
+    int strips; /* tried so far */
+};
+
+/* SCAN_FINEST, and twice as much for each 100 strips after the first 1500: no search takes more than some
+ * 3,000. */
+static real scan_finest(const struct margin_context *c, const struct scan *scan)
+{
+    return fmax(SCAN_FINEST, c->coarse) *
+           exp((real)0.7 * (real)(scan->strips > 1500 ? (scan->strips - 1500) / 100 : 0));
+}
+
+/* Comes closer to the root between lo and below until it can only be the first one. */
+static enum dom_status scan_close(struct margin_context *c, struct scan *scan, real *r)
+{
+    struct edge *lo = &scan->lo, *below = &scan->below, next;
+    enum known known = KNOWN_NOTHING;
+    real pull = 1; /* of the side that stays, which the straight line is drawn to less and less */
+    while (known != KNOWN_TO_FALL && below->r - lo->r > SCAN_CLOSE * lo->r) {
+        real width = scan_share(lo, below, pull) * (below->r - lo->r);
+        for (;; width /= 2) {
+            next = (struct edge){.r = lo->r + width, .margin = {.kinetic = REAL_NAN}};
+            enum dom_status status = scan_strip(c, lo, &next, &known);
+            scan->strips++;
+            if (status != DOM_OK)
+                return status;
+            if (known != KNOWN_NOTHING || margin_left(&next.margin) < 0 ||
+                width <= scan_finest(c, scan) * lo->r)
+                break;
+        }
+        bool above = margin_left(&next.margin) >= 0;
+        *(above ? lo : below) = next;
+        pull = above ? pull / 2 : 1;
+    }
+    return scan_root(c, lo, below, r);
+}
+
+/*
+ * Is the margin negative over a strip, at whose lower end it is?  Where domino 1 has not tipped over at hi it
+ * is; else K at most must stay below the barrier at least, or the margin must not have the time to rise to 0.
+ */
+static enum dom_status scan_below(struct margin_context *c, const struct edge *lo, real hi, bool *below)
+{
+    struct strip strip;
+    enum dom_status status = scan_bounds(c, lo->r, hi, &strip);
+    if (status != DOM_OK)
+        return status;
+    real barrier = lo->margin.barrier, ln_r = log1p((hi - lo->r) / lo->r),
+         rises = fmax(strip.bends, 0) * ln_r;
+    *below = strip.kinetic_most == 0 || margin_left(&lo->margin) + rises < 0 ||
+             strip.kinetic_most < strip_barrier_least(&strip, barrier, barrier_most(&c->lean), ln_r);
+    return DOM_OK;
+}
+
+KERNEL enum dom_status scan_rise(struct margin_context *c, real from, struct edge *edge, bool *found)
+{
+    const real reach = 1 / c->s;
+    struct edge lo = {.r = from}, hi;
+    real step = log(reach / from) / 8;
+    *found = false;
+    enum dom_status status = scan_sure(c, &lo);
+    while (status == DOM_OK && lo.r < reach) {
+        if (margin_left(&lo.margin) >= 0) {
+            *found = true;
+            *edge = lo;
+            return DOM_OK;
+        }
+        real left = log(reach / lo.r);
+        bool last = step >= left * (real)0.8, finest = step <= SCAN_FINEST, below;
+        hi.r = last ? reach : lo.r * exp(fmax(step, SCAN_FINEST));
+        status = scan_below(c, &lo, hi.r, &below);
+        if (status == DOM_OK && (below || finest)) {
+            status = scan_sure(c, &hi);
+            lo = hi;
+            step *= 2;
+        } else if (status == DOM_OK || (status == DOM_UNDERFLOW && !finest)) {
+            status = DOM_OK;
+            step = (last ? left : step) / 2;
+        }
+    }
+    if (status == DOM_OK && margin_left(&lo.margin) >= 0) {
+        *found = true;
+        *edge = lo;
+    }
+    return status;
+}
+
+KERNEL enum dom_status scan_fall(struct margin_context *c, const struct edge *from, real *r,
+                                 enum dom_end *ends)
+{
+    const real reach = 1 / c->s;
+    struct scan scan = {.lo = *from};
+    scan.step = scan_ahead(c, from);
+    while (scan.lo.r < reach) {
+        real left = log(reach / scan.lo.r), step = fmax(scan.step, scan_finest(c, &scan));
+        bool last = step >= left * (real)0.8;
+        struct edge hi = {.r = last ? reach : scan.lo.r * exp(step), .margin = {.kinetic = REAL_NAN}};
+        step = last ? left : step;
+        enum known known;
+        enum dom_status status = scan_strip(c, &scan.lo, &hi, &known);
+        bool finest = step <= scan_finest(c, &scan);
+        scan.strips++;
+        if (status == DOM_UNDERFLOW && !finest) { /* what comes before may still be within range */
+            scan.step = step / 2;
+            continue;
+        }
+        if (status != DOM_OK)
+            return status;
+        if (known == KNOWN_TO_FALL) {
+            *ends = DOM_END_BARRIER;
+            return scan_root(c, &scan.lo, &hi, r);
+        }
+        if (known != KNOWN_POSITIVE && margin_left(&hi.margin) < 0 && step <= 1) {
+            scan.below = hi;
+            *ends = DOM_END_BARRIER;
+            return scan_close(c, &scan, r);
+        }
+        if (known == KNOWN_POSITIVE || finest) {
+            scan.lo = hi;
+            scan.step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
+        } else {
+            scan.step = step / 2;
+        }
+    }
+    *r = reach;
+    *ends = DOM_END_REACH;
+    return DOM_OK;
+}

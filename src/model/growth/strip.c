@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "growth/strip.h"
+#include "geometry/sums.h"
+
+/* Relative room for rounding in sums over a chain; their terms carry a few units each. */
+#define STRIP_SLACK (256 * REAL_EPSILON)
+
+/* 1 - h(theta). */
+static real strip_fall(const struct lean *g, struct tilt t)
+{
+    return t.v - g->d * t.x;
+}
+
+/* -dh/dtheta: negative before theta_u. */
+static real strip_sink(const struct lean *g, struct tilt t)
+{
+    return t.x - g->d * t.y;
+}
+
+/* A follower between its tilts at the two ends. */
+struct between {
+    struct tilt lo, hi;
+    real fall_least, fall_most; /* 1 - h */
+};
+
+static struct between between_of(const struct lean *g, struct tilt lo, struct tilt hi)
+{
+    real at_lo = strip_fall(g, lo), at_hi = strip_fall(g, hi);
+    bool before = strip_sink(g, hi) <= 0, after = strip_sink(g, lo) >= 0;
+    /* h is highest at theta_u, where it is sqrt(1 + d^2). */
+    real least = after ? at_lo : before ? at_hi : -barrier_most(g);
+    return (struct between){lo, hi, least, fmax(at_lo, at_hi)};
+}
+
+/* A chain of upright dominoes, which goes on with theta_f where one has detached. */
+struct upright {
+    struct link link;
+    bool ended; /* this domino and all after it are at theta_f */
+    real weight, inertia, slope, T, next;
+};
+
+static void upright_next(struct upright *u, const struct lean *g)
+{
+    u->weight *= g->weight;
+    u->inertia *= g->inertia;
+    if (!u->ended && u->link.leads) {
+        link_next(&u->link);
+    } else {
+        u->ended = true;
+        u->link.tilt = g->f;
+        u->link.step = 0;
+        u->link.slope = 0;
+    }
+    u->slope = u->link.slope;
+    /* T = sum of r^-(q+1)i theta_i'^2 along the train whose head leans at theta_c: upright, from domino 1 on.
+     */
+    u->T += u->inertia * u->slope * u->slope;
+    real step = u->ended || !u->link.leads ? 0 : u->link.step;
+    real ratio = g->inertia * step * step;
+    u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
+}
+
+/* What a strip adds up; of one in s, d / ds is in the place of d / d ln r. */
+struct strip_sums {
+    real least, most;              /* of the fuel */
+    real turn;                     /* of d theta_i(0) / d ln r, at most */
+    real drops, rests;             /* of strip->drops, and of sum w^i g d theta_i / d ln r */
+    real far_rests;                /* of the tail of the latter, times 1 - w */
+    real least_turn;               /* of d theta_i(theta) / d ln r, at the largest tilt, at least */
+    real first_drops, first_rests; /* of domino 1, which the sums leave out */
+    real ages;                     /* sum i w^i (h_i(0) - h_{i+1}(0)), at least */
+    real tilt;                     /* of the head at the top of a barrier, at most */
+};
+
+/* d theta_1 / d ln r, or d theta_1 / ds, at the leader's least tilt and hi: at most over the strip. */
+static real strip_turn(const struct lean *lo, const struct lean *hi, struct tilt leader)
+{
+    real v = hi->falls_off ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
+    real by = lo->r < hi->r ? X : hi->r * (1 - v);
+    return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
+}
+
+/* The same at the leader's largest tilt and lo: at least over the strip. */
+static real strip_least_turn(const struct lean *lo, bool in_r, struct tilt leader)
+{
+    real v = lo->falls_off ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
+    real by = in_r ? X : lo->r * (1 - v);
+    return X > 0 ? by / sqrt((lo->short_of + lo->rL * v) * (1 + X)) : 0;
+}
+
+/*
+ * Of follower i.  With u_i = d theta_i / d ln r, D_i = theta_i(theta) - theta_i(0), c = (1 - w) T / (1 + (1 -
+ * w) T) and w = r^-q, the envelope theorem gives, at the top theta of the barrier, d margin / d ln r = -K d
+ * ln D / d ln r - (q / D) sum i w^i (h_i - h_{i+1})
+ *                         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) -
+ * h_i(theta))], D = r^q / T + r^q - 1, K = P / D.  Behind theta_u, g_i(theta) - g_i(0) <= h_i(0) D_i,
+ * u_i(theta) <= u_i(0) and h_i(0) - h_i(theta) >= g_i(0) D_i; before it, each part counts with its size.
+ */
+static void strip_follower(const struct lean *lo, const struct lean *hi, bool in_r, size_t i,
+                           const struct between *at, real weight, real slope, real least_weight,
+                           struct strip_sums *s)
+{
+    real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), moves = s->tilt * slope, u = s->turn;
+    real ages = in_r ? lo->q * (real)i : 0;
+    if (g_lo >= 0) {
+        real h = 1 - strip_fall(lo, at->lo);
+        s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
+        /* h falls by the integral of g, over the turn from this domino to the next, asin X >= X. */
+        s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
+    } else {
+        /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
+        s->drops +=
+            weight * (lo->reach * moves * u - g_lo * fmax(u - s->least_turn, 0) - ages * g_lo * moves);
+        s->ages += (real)i * weight * g_lo * strip_turn(lo, hi, at->lo); /* asin X <= X / Y */
+    }
+    s->rests += weight * fmax(g_hi, 0) * u;
+}
+
+/*
+ * The first follower once more, whose turn may be without bound at the reach.  A head that leans less than K
+ * / d has not risen by K: at the tops that count it leans more, and there the turn is less than upright, and
+ * takes from the margin less than that adds to it.
+ */
+static real strip_first(const struct lean *lo, const struct lean *hi, const struct between *at, real tilt,
+                        real least_tilt, real c)
+{
+    real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), h = 1 - strip_fall(lo, at->lo);
+    if (g_lo < 0 || !(least_tilt > 0))
+        return (real)INFINITY;
+    real u = strip_turn(lo, hi, tilt_make(sin(least_tilt), cos(least_tilt)));
+    real more = u - (1 - c) * lo->c.x / lo->c.y;
+    return lo->weight * tilt * fmax(h * u - lo->q * g_lo, 0) +
+           (more > 0 ? lo->weight * g_hi : hi->weight * g_lo) * more;
+}
+
+/* The same of all that have not been added, of which i is the first. */
+static void strip_tail(const struct lean *lo, const struct lean *hi, const struct between *at, real weight,
+                       real slope, real step, struct strip_sums *s)
+{
+    real next = strip_turn(lo, hi, at->lo),
+         u = step == 0 ? next : fmax(next + step * s->turn, next / (1 - step));
+    real h = fmax(1 - strip_fall(lo, at->lo), 0), far = strip_sink(lo, hi->f);
+    s->drops += slope == 0 ? 0 : weight * s->tilt * slope * h * u / (1 - lo->weight * step);
+    s->far_rests = weight * far * u;
+}
+
+static void strip_finish(const struct lean *lo, const struct lean *hi, enum dom_fuel fuel,
+                         const struct upright *a, const struct upright *b, const struct between *first,
+                         const struct strip_sums *sums, struct strip *s)
+{
+    real T_least = b->T, T_most = a->T + a->next, fallen = -expm1(-hi->q * log1p(hi->r - 1));
+    real D_most = hi->rq / T_least + hi->rq_1, D_least = lo->rq / T_most + lo->rq_1;
+    s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
+    s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
+    s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
+    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases: monotone in T. */
+    real q = lo->q, ages = fmin((2 * q + 1 + q * T_least) / (1 + fallen * T_least),
+                                (2 * q + 1 + q * T_most) / (1 + fallen * T_most));
+    real c = fallen * T_most / (1 + fallen * T_most);
+    real kinetic = fmax(s->kinetic_least, 0), rests, head;
+    if (fuel == DOM_FUEL_PAPER) { /* its P = 1 - h(theta_f) moves with theta_f alone */
+        rests = hi->falls_off ? strip_sink(hi, hi->f) * strip_turn(lo, hi, hi->leave) / D_least : 0;
+        head = sums->first_drops;
+        c = 0;
+    } else { /* of the tail c / (1 - w) is needed, which is at most T */
+        rests = c * sums->rests + T_most * sums->far_rests - q * sums->ages / D_most;
+        head = sums->first_drops + c * sums->first_rests;
+    }
+    real by_tilt = strip_first(lo, hi, first, sums->tilt, kinetic / lo->d, c);
+    head = isfinite(head) ? fmin(head, by_tilt) : by_tilt;
+    s->bends = sums->drops + head + rests;
+    s->bends += fabs(s->bends) * STRIP_SLACK - kinetic * ages;
+    if (!isfinite(s->bends))
+        s->bends = (real)INFINITY;
+}
+
+/*
+ * The tilt of the head at the top of any barrier of the strip, at most: theta_u, less where the first
+ * follower pulls.  There d cos - sin = sum r^-qi theta_i' g(theta_i), of whose terms, none of them negative,
+ * the first is at least what it is with each factor at its own end of the strip, theta_1' at the largest
+ * tilt.
+ */
+static real strip_top(const struct lean *lo, const struct lean *hi, struct tilt first)
+{
+    if (!(lo->c.x > lo->d * lo->c.y))
+        return tilt_angle(hi->c);
+    real top = atan(lo->d), g = strip_sink(lo, first);
+    for (int k = 0; k < 2 && top > 0; k++) {
+        struct tilt head = tilt_make(sin(top), cos(top));
+        if (hi->falls_off && head.v >= hi->leave.v)
+            break;
+        top = fmax(atan(lo->d) - hi->weight * lean_turn(hi, head).step * g / lo->reach, 0);
+    }
+    return top;
+}
+
+KERNEL enum dom_status strip_walk(const struct lean *lo, const struct lean *hi, enum dom_fuel fuel,
+                                  real enough, real tol, struct strip *strip)
+{
+    struct upright a = {.link = link_head(lo, standing), .weight = 1, .inertia = 1};
+    struct upright b = {.link = link_head(hi, standing), .weight = 1, .inertia = 1};
+    struct strip_sums sums = {.turn = strip_turn(lo, hi, standing)};
+    struct strip s = {.grows = 1};
+    real most = barrier_most(lo);
+    tol = fmax(tol, 64 * REAL_EPSILON);
+    real paper = fuel == DOM_FUEL_PAPER ? energy_fuel_paper(lo) : 0;
+    upright_next(&a, lo);
+    upright_next(&b, hi);
+    struct between at = between_of(lo, a.link.tilt, b.link.tilt);
+    sums.tilt = strip_top(lo, hi, at.lo);
+    const struct between first = at;
+    /* A chain that does not pass theta_u has no fuel. */
+    bool never = strip_sink(lo, lo->f) <= 0;
+    if (strip_sink(lo, hi->f) <= 0) {
+        *strip = (struct strip){.kinetic_least = -(real)INFINITY,
+                                .grows = (real)INFINITY,
+                                .drops = (real)INFINITY,
+                                .bends = (real)INFINITY};
+        return DOM_OK;
+    }
+    struct tilt highest = tilt_make(sin(sums.tilt), cos(sums.tilt));
+    struct link top = link_head(hi, highest);
+    bool early = strip_sink(lo, at.lo) < 0;
+    sums.least_turn = strip_least_turn(lo, lo->r < hi->r, highest);
+    if (early && top.leads)
+        link_next(&top);
+    else
+        early = false;
+    sums.least = at.fall_least;
+    sums.most = at.fall_most;
+    for (size_t i = 1;; i++) {
+        enum dom_status status = chain_watch(lo, i - 1);
+        if (status != DOM_OK)
+            return status;
+        strip_follower(lo, hi, lo->r < hi->r, i, &at, a.weight, a.slope, b.weight, &sums);
+        if (i == 1) {
+            sums.first_drops = sums.drops;
+            sums.first_rests = sums.rests;
+            sums.drops = sums.rests = 0;
+        }
+        real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
+        s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
+        /* What the rest can lose over the way that is left to it, at either end; it gains nothing. */
+        bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
+        real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
+        real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
+        real least = fuel == DOM_FUEL_PAPER ? paper : sums.least;
+        real divisor = hi->rq / b.T + hi->rq_1, kinetic = least / divisor * (1 - STRIP_SLACK);
+        if (after && kinetic > enough) {
+            *strip = (struct strip){.kinetic_least = kinetic, .clear = true};
+            chain_count(lo, 2 * i);
+            return DOM_OK;
+        }
+        bool ends = a.ended && b.ended;
+        /* Below the last a rounded chain comes to rest before its end. */
+        real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
+        bool done = settled && fmax(after ? rest : 0, rest_hi) <= small && (never || a.next <= tol * a.T) &&
+                    b.next <= tol * b.T;
+        if (i >= lo->n - 1 || ends || done) {
+            if (fuel == DOM_FUEL_PAPER) {
+                sums.least = paper;
+                sums.most = energy_fuel_paper(hi);
+            } else if (settled) {
+                sums.most += rest_hi;
+            }
+            if (!after) /* of lo, no more is known */
+                sums.least = -(sums.drops = (real)INFINITY);
+            s.cut = ends || lo->n != CHAIN_ENDLESS ? 0 : a.weight * (strip_fall(lo, hi->f) - at.fall_least);
+            real step = a.ended || !a.link.leads ? 0 : a.link.step;
+            if (lo->n == CHAIN_ENDLESS)
+                strip_tail(lo, hi, &at, a.weight * lo->weight, a.slope * step, step, &sums);
+            strip_finish(lo, hi, fuel, &a, &b, &first, &sums, &s);
+            chain_count(lo, 2 * i);
+            *strip = s;
+            return DOM_OK;
+        }
+        real step = a.ended || !a.link.leads ? 0 : a.link.step;
+        sums.turn = strip_turn(lo, hi, at.lo) + (step > 0 ? step * sums.turn : 0);
+        if (early) {
+            sums.least_turn =
+                strip_least_turn(lo, lo->r < hi->r, top.tilt) + (top.leads ? top.step * sums.least_turn : 0);
+            early = top.leads && g_lo < 0;
+            if (early)
+                link_next(&top);
+        } else {
+            sums.least_turn = 0;
+        }
+        real least_weight = b.weight, most_weight = a.weight;
+        upright_next(&a, lo);
+        upright_next(&b, hi);
+        struct between next = between_of(lo, a.link.tilt, b.link.tilt);
+        real more = next.fall_least - at.fall_least, most_more = next.fall_most - at.fall_most;
+        sums.least += more * (more > 0 ? least_weight : most_weight);
+        sums.most += most_more * (most_more > 0 ? most_weight : least_weight);
+        at = next;
+    }
+}
+
+/*
+ * Behind theta_u the drop of follower i is the integral of w^i theta_i' g(theta_i) over theta; at any train
+ * of the strip it is at least that at hi over `grows`, since theta_i' and w^i are not smaller, and g(theta_i)
+ * shrinks by no more than upright: h/g and d theta_i / dr decrease with theta.  What the followers do not
+ * take of the head's own rise is at most `most`.  Where a follower stands before theta_u, the slope of the
+ * barrier bounds it.
+ */
+KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
+{
+    real by_grows = isfinite(s->grows) ? (hi_barrier + s->cut) / s->grows + most * (1 - 1 / s->grows) : most;
+    real by_slope = hi_barrier + s->drops * width;
+    return fmin(most, fmin(by_grows, isfinite(by_slope) ? by_slope : most)) * (1 + STRIP_SLACK);
+}
+
+/* The same from below: a drop is at most `grows` times that at lo. */
+KERNEL real strip_barrier_least(const struct strip *s, real lo_barrier, real most, real width)
+{
+    real by_grows = s->grows * lo_barrier - (s->grows - 1) * most - s->cut,
+         by_slope = lo_barrier - s->drops * width;
+    real least = fmax(isfinite(by_grows) ? by_grows : 0, isfinite(by_slope) ? by_slope : 0);
+    return fmax(least, 0) * (1 - STRIP_SLACK);
+}

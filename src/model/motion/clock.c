@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The clock of a cycle: times and tilts in both directions, and the cycle as a table. */
+#include "motion/motion.h"
+
+/*
+ * The time as a Chebyshev series on each smooth piece.  What a few times cost from integrals of their own,
+ * all times cost together, since between its nodes a series knows them as well.
+ */
+struct clock {
+    int pieces;
+    struct tick {
+        struct num_series series;
+        real begins; /* the time at lo */
+        bool before; /* a stop: the series is of x in slowness_before, from the stop back */
+        real lo, hi; /* tilts */
+    } tick[CHAIN_EDGES];
+    real whole;
+};
+
+/* How wide the slowness is peaked before a stop, in u: there w is H' delta - H'' delta^2 / 2. */
+static real stop_width(const struct motion *m)
+{
+    struct tilt rest;
+    struct sums at;
+    const struct lean *g = &m->cycle.lean;
+    if (g->mu > 0 || lean_tilt(g, m->end, &rest) != DOM_OK ||
+        chain_bend_from(g, standing, rest, &at) != DOM_OK || !(at.H2 < 0))
+        return REAL_NAN;
+    return sqrt(2 * fabs(at.H1 / at.H2) / m->end);
+}
+
+static enum dom_status tick_make(struct motion *m, struct tick *tick, real *time)
+{
+    struct cycle *c = &m->cycle;
+    const struct barrier *b = &c->barrier;
+    enum num_status solver;
+    if (tick->before) {
+        m->smooth = tick->lo;
+        m->root = 0;
+        m->span = sqrt((m->end - tick->lo) / m->end);
+        solver = num_peak_series(slowness_before, m, 0, 1, 0, stop_width(m) / m->span, m->tol, &tick->series);
+        *time = m->span * num_series_at(&tick->series, 1);
+    } else {
+        real width = barrier_width(&c->lean, standing, b, c->launch.kinetic - b->height);
+        solver = num_peak_series(slowness, c, tick->lo, tick->hi, b->theta_m, width, m->tol, &tick->series);
+        *time = num_series_at(&tick->series, tick->hi);
+    }
+    return model_status(c->status, solver);
+}
+
+/* DOM_NOT_CONVERGED where a piece has no series that is short enough. */
+static enum dom_status clock_make(struct motion *m, struct clock *clock)
+{
+    const struct barrier *b = &m->cycle.barrier;
+    *clock = (struct clock){.pieces = 0};
+    for (int i = 1; i < b->edges && b->edge[i - 1] < m->end; i++) {
+        struct tick *tick = &clock->tick[clock->pieces++];
+        real time;
+        *tick = (struct tick){.begins = clock->whole,
+                              .lo = b->edge[i - 1],
+                              .hi = fmin(b->edge[i], m->end),
+                              .before = m->stops && b->edge[i] >= m->end};
+        enum dom_status status = tick_make(m, tick, &time);
+        if (status != DOM_OK)
+            return status;
+        clock->whole += time;
+    }
+    return DOM_OK;
+}
+
+static real clock_time(const struct motion *m, const struct clock *clock, real theta)
+{
+    const struct tick *tick = &clock->tick[clock->pieces - 1];
+    while (tick > clock->tick && theta < tick->lo)
+        tick--;
+    if (theta <= tick->lo)
+        return tick->begins;
+    if (!tick->before)
+        return tick->begins + num_series_at(&tick->series, theta);
+    real span = sqrt((m->end - tick->lo) / m->end), x = sqrt(fmax((m->end - theta) / m->end, 0)) / span;
+    return tick->begins + span * (num_series_at(&tick->series, 1) - num_series_at(&tick->series, x));
+}
+
+static enum dom_status clock_tilt(const struct motion *m, const struct clock *clock, real time, real *theta)
+{
+    const struct tick *tick = &clock->tick[clock->pieces - 1];
+    while (tick > clock->tick && time < tick->begins)
+        tick--;
+    real span = sqrt((m->end - tick->lo) / m->end), x = 0;
+    real into = tick->before ? (clock->whole - time) / span : time - tick->begins;
+    enum num_status solver = num_series_find(&tick->series, into, &x);
+    *theta = tick->before ? fmax(m->end - m->end * (x * span) * (x * span), tick->lo) : x;
+    return model_status(DOM_OK, solver);
+}
+
+/*
+ * The tilt at a time, by Newton, whose derivative is omega, and halving where that leaves the bracket;
+ * *at is where it begins and where it ends.
+ */
+static enum dom_status tilt_search(struct motion *m, real time, real tol, real *at)
+{
+    real lo = 0, hi = m->end;
+    m->tol = tol;
+    for (int i = 0; i < 200; i++) {
+        real omegasq = 0, passed = 0;
+        enum dom_status status = cycle_speed(&m->cycle, *at, &omegasq, NULL);
+        if (status == DOM_OK)
+            status = motion_time(m, 0, *at, &passed);
+        if (status != DOM_OK)
+            return status;
+        real off = time - passed, next = *at + off * sqrt(fmax(omegasq, 0));
+        *(off >= 0 ? &lo : &hi) = *at;
+        if (!(next > lo && next < hi))
+            next = (lo + hi) / 2;
+        bool there = fabs(next - *at) <= fmax(tol, 4 * REAL_EPSILON) * m->end;
+        *at = next;
+        if (there)
+            return DOM_OK;
+    }
+    return DOM_NOT_CONVERGED;
+}
+
+/* The same by the clock, or by integrals where there is none, clock->pieces = 0. */
+static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, real time, real *at)
+{
+    if (clock->pieces > 0)
+        return clock_tilt(m, clock, time, at);
+    /* Cheap integrals lead close by; then each step doubles the digits. */
+    const real tol = m->tol;
+    *at = 0;
+    enum dom_status status = tilt_search(m, time, fmax(tol, (real)1e-8), at);
+    if (status == DOM_OK && tol < (real)1e-8)
+        status = tilt_search(m, time, tol, at);
+    m->tol = tol;
+    return status;
+}
+
+/* The clock, and the time that the cycle takes. */
+static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *whole)
+{
+    enum dom_status status = clock_make(m, clock);
+    *whole = clock->whole;
+    if (status == DOM_OK || status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
+        return status;
+    clock->pieces = 0;
+    return motion_time(m, 0, m->end, whole);
+}
+
+KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_, dom_real *theta)
+{
+    struct motion m;
+    FLOW(flow);
+    struct clock clock;
+    real time = (real)time_, whole = 0, at = 0;
+    enum dom_status status = motion_begin(train, &flow, &m, false);
+    if (status == DOM_OK)
+        status = clock_begin(&m, &clock, &whole);
+    if (status != DOM_OK)
+        return status;
+    if (!(time >= 0 && time <= whole * (1 + fmax(m.tol, 4 * REAL_EPSILON))))
+        return DOM_BAD_TILT;
+    if (time == 0 || time >= whole) {
+        *theta = time == 0 ? 0 : m.end;
+        return DOM_OK;
+    }
+    status = motion_tilt(&m, &clock, time, &at);
+    if (status == DOM_OK)
+        *theta = at;
+    return status;
+}
+
+/* ---- The cycle as a table ---- */
+
+struct table {
+    struct motion m;
+    struct clock clock;
+    bool errors;
+    dom_state_visit *visit;
+    void *context;
+    bool ended; /* by the visitor */
+};
+
+static enum dom_status table_row(struct table *t, real theta, const struct dom_event *event)
+{
+    struct dom_state state, error;
+    real time = t->clock.pieces > 0 ? clock_time(&t->m, &t->clock, theta) : REAL_NAN;
+    enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors ? &error : NULL);
+    if (status != DOM_OK)
+        return status;
+    struct dom_event timed = event ? *event : (struct dom_event){.kind = DOM_EVENT_LAUNCH};
+    timed.time = state.time;
+    t->ended = !t->visit(&state, t->errors ? &error : NULL, event ? &timed : NULL, t->context);
+    return DOM_OK;
+}
+
+KERNEL enum dom_status cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by,
+                                  bool errors, dom_state_visit *visit, void *context)
+{
+    struct table t = {.errors = errors, .visit = visit, .context = context};
+    FLOW(flow);
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count = 0, next = 0;
+    real whole = 0;
+    enum dom_status status = motion_begin(train, &flow, &t.m, errors);
+    if (status == DOM_OK)
+        status = motion_events(&t.m, events, &count);
+    if (status == DOM_OK)
+        status = clock_begin(&t.m, &t.clock, &whole);
+    for (size_t k = 0; k < rows && status == DOM_OK && !t.ended; k++) {
+        real part = rows > 1 ? (real)k / (real)(rows - 1) : 1, theta = part * t.m.end;
+        if (by == DOM_BY_TIME && part > 0 && part < 1)
+            status = motion_tilt(&t.m, &t.clock, part * whole, &theta);
+        for (; next < count && status == DOM_OK && !t.ended && (real)events[next].theta <= theta; next++)
+            status = table_row(&t, (real)events[next].theta, &events[next]);
+        bool between = next < count && theta > (real)events[next > 0 ? next - 1 : 0].theta;
+        if (between && status == DOM_OK && !t.ended)
+            status = table_row(&t, theta, NULL);
+    }
+    return status == DOM_OK && t.m.stops ? DOM_STOPS : status;
+}

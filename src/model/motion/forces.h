@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The forces in a moving chain.  From the tail upwards, what each follower gets from gravity and does not
+ * need for its own acceleration is what its contact passes on; what a domino then still lacks, its hinge
+ * gives.
+ */
+#ifndef DOM_FORCES_H
+#define DOM_FORCES_H
+
+#include "motion/motion.h"
+
+/* How a chain moves: tau^2 omega^2 and tau^2 times the acceleration of its head; g.n dominoes at most. */
+struct pace {
+    real omegasq, acceleration;
+    size_t n; /* dominoes that matter */
+    /* Of a collision, at theta = 0: tau omega of the head behind it, and what is lost of it by followers. */
+    bool hit;
+    real omega, omega_lost;
+    bool floor;        /* are the forces of the floor asked for? */
+    struct room *room; /* for the list of dominoes, to be used again; or NULL */
+};
+
+/* Where forces are wanted to a few digits alone, half as many dominoes of a long train serve. */
+#define FORCES_TOL ((real)1e-6)
+
+/* Forces in m g of the head, impulses in m g tau of it; x forward, z up. */
+struct held {
+    const struct link *link;
+    real size;           /* height over that of the head */
+    bool leaned;         /* on by a follower, with: */
+    real force, impulse; /* normal to its back face */
+    real x, z;           /* from the floor, at the hinge */
+    real blow_x, blow_z; /* the same in the collision */
+};
+
+/* Visits at most `shown` dominoes from the head down; false ends it. */
+typedef bool held_visit(const struct held *held, void *context);
+KERNEL enum dom_status forces_walk(const struct lean *lean, struct tilt head, const struct pace *pace,
+                                   size_t shown, held_visit *visit, void *context);
+
+/* How a train moves at a tilt of its head. */
+KERNEL enum dom_status motion_pace(struct motion *motion, real theta, struct tilt head, struct pace *pace);
+
+/* |x| / z of the floor's force: the friction that a hinge needs; infinite where the domino is lifted. */
+KERNEL real forces_needed(real x, real z);
+
+#endif

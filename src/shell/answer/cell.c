@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "answer/cell.h"
+#include "language/decimal.h"
+#include "language/wide.h"
+#include <stdio.h>
+
+struct cell cell_real(dom_real value)
+{
+    return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
+}
+
+struct cell cell_bound(dom_real value, dom_real error)
+{
+    struct cell cell = cell_real(value);
+    cell.error = cell.kind == CELL_REAL ? error : 0;
+    cell.computed = true;
+    return cell;
+}
+
+struct cell cell_unbounded(dom_real value)
+{
+    struct cell cell = cell_real(value);
+    cell.error = DOM_NAN;
+    return cell;
+}
+
+struct cell cell_brief(double value)
+{
+    struct cell cell = cell_real((dom_real)value);
+    cell.digits = 3;
+    return cell;
+}
+
+struct cell cell_count(dom_real value)
+{
+    return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
+}
+
+struct cell cell_flag(bool value)
+{
+    return (struct cell){.kind = CELL_FLAG, .number = value};
+}
+
+struct cell cell_word(const char *word)
+{
+    return (struct cell){.kind = word ? CELL_WORD : CELL_NONE, .word = word};
+}
+
+/* ---- Text ---- */
+
+/* Two digits, rounded up so that it stays a bound. */
+static const char *bound_text(dom_real error, char text[WIDE_TEXT])
+{
+    if (!isfinite(error))
+        return "-"; /* none is known */
+    wide_text(error * (dom_real)1.06, 2, text);
+    return text;
+}
+
+/* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
+static int bound_digits(struct cell cell, int all)
+{
+    dom_real ratio = fabs(cell.number) / cell.error;
+    int digits = ratio > 1 ? (int)fmin(floor(log10(ratio)), 40) + 3 : 2;
+    return digits < all ? digits : all;
+}
+
+/* What the digits leave out is an error, too. */
+static dom_real printed_error(struct cell cell, const char *number)
+{
+    return cell.error + fabs(wide_read(number, NULL) - cell.number);
+}
+
+static const char *real_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT])
+{
+    char number[WIDE_TEXT], bound[WIDE_TEXT];
+    bool known = bounds && isfinite(cell.error) && cell.digits == 0;
+    if (!known)
+        return wide_text(cell.number, cell.digits ? cell.digits : digits, text);
+    if (cell.error != 0)
+        digits = bound_digits(cell, digits);
+    wide_text(cell.number, digits, number);
+    dom_real error = printed_error(cell, number);
+    if (error > 0)
+        snprintf(text, CELL_TEXT, "%s +/- %s", number, bound_text(error, bound));
+    else
+        snprintf(text, CELL_TEXT, "%s", number);
+    return text;
+}
+
+const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT])
+{
+    switch (cell.kind) {
+    case CELL_REAL:
+        return real_text(cell, digits, bounds, text);
+    case CELL_COUNT:
+        return wide_text(cell.number, WIDE_DIGITS, text);
+    case CELL_FLAG:
+        return cell.number != 0 ? "yes" : "no";
+    case CELL_WORD:
+        return cell.word;
+    case CELL_NONE:
+        break;
+    }
+    return "-";
+}
+
+/* As the session's precision has it. */
+static dom_real rounded(const struct output_style *style, dom_real value)
+{
+    return style->precision == DOM_FLOAT    ? (dom_real)(float)value
+           : style->precision == DOM_DOUBLE ? (dom_real)(double)value
+                                            : value;
+}
+
+/* What is brief is known in double at best, and a count is more than a float holds. */
+static const struct output_style *style_of(const struct output_style *style, struct cell cell)
+{
+    static const struct output_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
+    bool count = cell.kind == CELL_COUNT && style->precision == DOM_FLOAT;
+    return cell.digits || count ? &in_double : style;
+}
+
+bool cell_finite(const struct output_style *style, struct cell cell)
+{
+    bool number = cell.kind == CELL_REAL || cell.kind == CELL_COUNT;
+    return !number || isfinite(rounded(style_of(style, cell), cell.number));
+}
+
+const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT])
+{
+    style = style_of(style, cell);
+    const int all = style->all_digits, few = all < 15 ? all - 2 : 15;
+    cell.digits = 0;
+    cell.number = cell.kind == CELL_REAL ? rounded(style, cell.number) : cell.number;
+    if (cell.kind == CELL_REAL && style->precision != DOM_QUAD &&
+        decimal_shortest((double)cell.number, all - 2, style->precision == DOM_FLOAT ? 24 : 53, text))
+        return text;
+    const char *said = cell_text(cell, few, false, text);
+    for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
+        if (rounded(style, wide_read(text, NULL)) != cell.number)
+            said = cell_text(cell, n, false, text);
+    return said;
+}
+
+const char *cell_plain_bound(const struct output_style *style, struct cell cell, const char *none,
+                             char text[CELL_TEXT])
+{
+    char number[CELL_TEXT];
+    /* In bound_text it grows by 6 %. */
+    return cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2))
+               ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text)
+               : none;
+}

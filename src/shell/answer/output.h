@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Answers: a command names its columns once, then gives rows of cells; how they look is the session's
+ * output style.  Rows are written as they come, so a long curve streams.
+ */
+#ifndef SHELL_OUTPUT_H
+#define SHELL_OUTPUT_H
+
+#include "answer/answer.h"
+
+/* Makes a column of words, in a copy of an answer's columns, as wide as a word that it is to hold. */
+void column_fit(struct column *column, const char *word);
+
+/*
+ * One row; reason, unless NULL, says why something does not exist: a line for people, a last column or
+ * key "reason" for programs; csv has that column where its first row has a reason.
+ */
+void answer_row(struct answer *answer, const struct cell *cells, const char *reason);
+
+/*
+ * Finds out now what the first row would, if it were like this one (NULL: no column has bounds).  Then copies
+ * of the answer can write their rows elsewhere: answer_part gives one, whose next row is the first of all, or
+ * not.
+ */
+void answer_plan(struct answer *answer, const struct cell *like);
+struct answer answer_part(const struct answer *answer, FILE *out, bool first);
+
+/*
+ * Says or returns what answer_row had no place for: people read it below the answer, where NULL is returned;
+ * for programs the caller reports it.
+ */
+const char *answer_unsaid(struct answer *answer);
+
+/* The row as it is: what answer_row does where somebody reads it, and no point of a sweep is behind it. */
+void answer_write(struct answer *answer, const struct cell *cells, const char *reason);
+
+/* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
+bool answer_lost(const struct answer *answer);
+
+/* Is somebody there to read sentences? */
+bool answer_for_people(const struct answer *answer);
+
+/* A sentence that only people see. */
+void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Text whose lines begin at the column `left` and end before `right`, at blanks; right = 0 for no end.
+ * Nothing stands behind it, and no new line. */
+void output_wrapped(FILE *out, const char *text, int left, int right);
+
+/* Radians in the style's unit of angles, and the name of that. */
+dom_real style_angle(const struct output_style *style, dom_real radians);
+const char *style_angle_unit(const struct output_style *style);
+
+#endif

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Commands about the price of accuracy.  They run on one thread: what they answer is time, and others at work
+ * would share caches, memory and the clock of the processor with what is measured.  The quad reference alone
+ * could go beside, and takes a fiftieth of the whole.
+ */
+#include "commands/costs.h"
+#include "commands/tables.h"
+#include "interpreter/command.h"
+
+static const struct column cost_columns[] = {
+    {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
+    {"precision", "", "the arithmetic", 9},
+    {"tol", "", "the relative tolerance that was asked for", 7},
+    {"error", "", "relative error that was achieved, against quad at its floor", 9},
+    {"dominoes", "", "most that one pass down the train followed", 8},
+    {"passes", "", "evaluations: passes down the train", 9},
+    {"time", "us", "of one answer, the least of several", 10},
+    {"times", "", "as long as the cheapest", 9},
+    {NULL, NULL, NULL, 0},
+};
+
+static void cost_line(const struct call *call, const struct cost *cost, const struct cost_row *row)
+{
+    bool good = row->status == DOM_OK;
+    struct cell none = cell_real(DOM_NAN);
+    answer_row(call->answer,
+               ROW(cell_word(cost_method(row->method)), cell_word(dom_arithmetic(row->precision)->name),
+                   cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
+                   good ? cell_count((dom_real)row->work.longest) : none,
+                   good ? cell_count((dom_real)row->work.passes) : none,
+                   good ? cell_brief(1e6 * row->seconds) : none,
+                   good ? cell_brief(row->seconds / cost->cheapest) : none),
+               NULL);
+}
+
+/* How many times the time of another row; 0 where one of them is missing. */
+static double times_of(const struct cost_row *row, const struct cost_row *other)
+{
+    return row && other ? row->seconds / other->seconds : 0;
+}
+
+/* The lesson, in words: at the error that was reached, whatever tolerance was asked for. */
+static void cost_say(const struct call *call, const struct cost *cost, const struct costed *answer)
+{
+    const struct cost_row *few = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
+    const struct cost_row *six = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
+    const struct cost_row *many = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
+    double gsl = times_of(cost_reaching(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six);
+    double paper = times_of(cost_reaching(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six);
+    double quad = times_of(cost_reaching(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12), many);
+    answer_say(call->answer, "What is measured: %s.", answer->says);
+    if (paper > 0)
+        answer_say(call->answer, "To 6 digits the paper's recipe takes %.3g times our time.", paper);
+    if (gsl > 0)
+        answer_say(call->answer, "To 6 digits the solvers of GSL take %.3g times our time.", gsl);
+    if (few && many && quad > 0)
+        answer_say(call->answer,
+                   "12 digits cost %.3g times what 3 digits cost; quad costs %.3g times double.",
+                   times_of(many, few), quad);
+    else if (few && many)
+        answer_say(call->answer, "12 digits cost %.3g times what 3 digits cost.", times_of(many, few));
+    else
+        answer_say(call->answer,
+                   "Double precision has no 12 digits of it here: the parameters are too sensitive.");
+}
+
+bool cost_of(struct session *session, const struct costed *answer, struct cost *cost)
+{
+    enum dom_status status = cost_measure(answer, &session->train, cost);
+    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
+        return session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
+    return status == DOM_OK || session_status(session, status);
+}
+
+static bool run_cost(struct session *session, const struct call *call)
+{
+    struct cost cost;
+    const struct costed *answer = &cost_answers[(int)call->number[0]];
+    if (!cost_of(session, answer, &cost))
+        return false;
+    for (int k = 0; k < cost.rows; k++)
+        cost_line(call, &cost, &cost.row[k]);
+    cost_say(call, &cost, answer);
+    return true;
+}
+
+const struct command cost_commands[] = {
+    {.name = "cost",
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_CHOICE,
+                   .of = "command with a tolerance",
+                   .choices = cost_names}},
+     .summary = "what each digit of an answer costs in time",
+     .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, at the session's parameters. Each "
+             "method and precision is asked for more and more digits. The error is the true one, the "
+             "rounding of typed parameters included; times are measured in runs of their own.",
+     .see = "plot",
+     .columns = cost_columns,
+     .unswept = "it measures time, which points side by side would disturb",
+     .rows = true,
+     .run = run_cost},
+    {.name = NULL},
+};

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/costs.h"
+#include "io/terminal.h"
+#include "language/wide.h"
+
+/* ---- Answers that have a tolerance ---- */
+
+static enum dom_status ask_fuel(const struct dom_train *train, dom_real *value, dom_real *error)
+{
+    struct dom_fuels fuels, e = {0};
+    bool paper = train->fuel == DOM_FUEL_PAPER;
+    enum dom_status status = dom_fuel_find(train, &fuels, error ? &e : NULL);
+    *value = paper ? fuels.paper : fuels.exact;
+    if (error)
+        *error = paper ? e.paper : e.exact;
+    return status;
+}
+
+static enum dom_status ask_launch(const struct dom_train *train, dom_real *value, dom_real *error)
+{
+    struct dom_launch launch, e = {0};
+    enum dom_status status = dom_launch_find(train, &launch, error ? &e : NULL);
+    *value = launch.omegasq;
+    if (error)
+        *error = e.omegasq;
+    return status;
+}
+
+static enum dom_status ask_barrier(const struct dom_train *train, dom_real *value, dom_real *error)
+{
+    struct dom_barrier barrier, e = {0};
+    enum dom_status status = dom_barrier_find(train, &barrier, error ? &e : NULL);
+    *value = barrier.margin;
+    if (error)
+        *error = e.margin;
+    return status == DOM_STOPS ? DOM_OK : status;
+}
+
+static enum dom_status limit_value(enum dom_status status, const struct dom_limit *limit, dom_real *value)
+{
+    *value = limit->r_max;
+    return status == DOM_OK && limit->ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
+}
+
+static enum dom_status ask_rmax(const struct dom_train *train, dom_real *value, dom_real *error)
+{
+    struct dom_limit limit, e = {.r_max = 0};
+    enum dom_status status = dom_limit_rmax(train, &limit, error ? &e : NULL, NULL);
+    if (error)
+        *error = e.r_max;
+    return limit_value(status, &limit, value);
+}
+
+static enum dom_status ask_pair(const struct dom_train *train, dom_real *value, dom_real *error)
+{
+    struct dom_limit limit, e = {.r_max = 0};
+    enum dom_status status = dom_limit_pair(train, &limit, error ? &e : NULL);
+    if (error)
+        *error = e.r_max;
+    return limit_value(status, &limit, value);
+}
+
+const struct costed cost_answers[] = {
+    {"fuel", "the fuel P", ask_fuel},
+    {"launch", "tau^2 omega(0)^2", ask_launch},
+    {"barrier", "the margin, kinetic energy less barrier", ask_barrier},
+    {"duration", "t_f / tau", dom_cycle_duration},
+    {"rmax", "r_max", ask_rmax},
+    {"pair", "r_max of two dominoes", ask_pair},
+    {NULL, NULL, NULL},
+};
+
+const char *cost_names(const void *context, int k)
+{
+    (void)context;
+    return cost_answers[k].name;
+}
+
+const char *cost_method(enum dom_method method)
+{
+    return method == DOM_METHOD_PAPER ? "paper" : method == DOM_METHOD_GSL ? "GSL" : "ours";
+}
+
+/* ---- Measuring ---- */
+
+/* The clock ticks in nanoseconds: a batch of this length is known to a thousandth. */
+#define BATCH_SECONDS 1e-4
+#define BATCHES       7
+#define SLOW_SECONDS  0.05 /* runs that last longer are not repeated as often */
+#define MOST_SECONDS  2.0  /* no row of the paper's recipe is tried that would take longer */
+
+/* Answers a batch, so that the clock resolves it; then the least of several batches. */
+static double least_seconds(const struct costed *answer, const struct dom_train *train, double first)
+{
+    dom_real value;
+    double least = first;
+    long repeats = first < BATCH_SECONDS ? (long)(BATCH_SECONDS / (first + 1e-9)) + 1 : 1;
+    int batches = first > SLOW_SECONDS ? 1 : BATCHES;
+    for (int b = 0; b < batches; b++) {
+        double begun = terminal_clock();
+        for (long i = 0; i < repeats; i++)
+            if (answer->ask(train, &value, NULL) != DOM_OK)
+                return least;
+        double seconds = (terminal_clock() - begun) / (double)repeats;
+        least = seconds < least ? seconds : least;
+    }
+    return least;
+}
+
+static void row_measure(const struct costed *answer, struct dom_train train, const struct cost *cost,
+                        dom_real uncertain, struct cost_row *row)
+{
+    dom_real value = 0;
+    train.method = row->method;
+    train.precision = row->precision;
+    train.tol = (dom_real)row->tol;
+    train.work = &row->work;
+    double begun = terminal_clock();
+    row->status = answer->ask(&train, &value, NULL);
+    row->seconds = terminal_clock() - begun;
+    if (row->status != DOM_OK)
+        return;
+    dom_real size = cost->value == 0 ? 1 : fabs(cost->value);
+    row->error = fmax(fabs(value - cost->value), uncertain) / size;
+    train.work = NULL;
+    row->seconds = least_seconds(answer, &train, row->seconds);
+}
+
+static const struct {
+    enum dom_method method;
+    enum dom_precision precision;
+    double share; /* of the time of the whole table, about: for its progress */
+} contenders[] = {
+    {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
+    {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
+    {DOM_METHOD_OURS, DOM_QUAD, 0.8},
+};
+enum { CONTENDERS = sizeof contenders / sizeof *contenders };
+
+static const double tolerances[] = {1e-1,  1e-2,  1e-3,  1e-6,  1e-9,  1e-12, 1e-15,
+                                    1e-18, 1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
+
+_Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
+
+enum dom_status cost_measure(const struct costed *answer, const struct dom_train *train, struct cost *cost)
+{
+    struct dom_train finest = *train;
+    dom_real uncertain = 0;
+    struct progress progress = {0, 0};
+    double done = 0; /* shares of those before */
+    finest.method = DOM_METHOD_OURS;
+    finest.precision = dom_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
+    finest.tol = dom_arithmetic(finest.precision)->tol_floor;
+    *cost = (struct cost){.rows = 0, .cheapest = HUGE_VAL};
+    enum dom_status status = answer->ask(&finest, &cost->value, &uncertain);
+    for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
+        const struct dom_arithmetic *arithmetic = dom_arithmetic(contenders[c].precision);
+        double before = 0; /* seconds of the row before */
+        for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic->tol_floor; t++) {
+            struct cost_row *row = &cost->row[cost->rows];
+            *row = (struct cost_row){
+                .method = contenders[c].method, .precision = contenders[c].precision, .tol = tolerances[t]};
+            /* The paper's steps: each digit takes up to ten times as many. */
+            bool too_long = row->method == DOM_METHOD_PAPER && t > 0 &&
+                            before * tolerances[t - 1] / tolerances[t] > MOST_SECONDS;
+            if (too_long)
+                break;
+            row_measure(answer, *train, cost, uncertain, row);
+            if (row->status == DOM_INTERRUPTED)
+                status = DOM_INTERRUPTED;
+            if (row->status == DOM_NO_METHOD || row->status == DOM_NO_PRECISION || status != DOM_OK)
+                break;
+            before = row->seconds;
+            if (row->status == DOM_OK && row->seconds < cost->cheapest)
+                cost->cheapest = row->seconds;
+            cost->rows++;
+            progress_show(&progress, done + contenders[c].share * (t + 1) / TOLERANCES);
+        }
+        done += contenders[c].share;
+    }
+    progress_show(&progress, 1);
+    return status;
+}
+
+const struct cost_row *cost_reaching(const struct cost *cost, enum dom_method method,
+                                     enum dom_precision precision, double error)
+{
+    const struct cost_row *found = NULL;
+    for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
+        if (row->method == method && row->precision == precision && row->status == DOM_OK &&
+            row->error <= (dom_real)error && (!found || row->seconds < found->seconds))
+            found = row;
+    return found;
+}

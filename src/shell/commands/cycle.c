@@ -1,0 +1,376 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
+#include "commands/tables.h"
+#include "interpreter/command.h"
+#include "language/wide.h"
+
+/* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
+static const char *no_fuel(const struct session *session)
+{
+    struct dom_fuels fuels;
+    if (session->train.mu > 0)
+        return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
+               "'rmax' tells how "
+               "large r may be";
+    if (dom_fuel_find(&session->train, &fuels, NULL) == DOM_OK && fuels.paper > 0)
+        return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
+               "give "
+               "less than the head takes up; 'rmax' tells how large r may be";
+    return "no domino effect: the fuel P is not positive, a fallen domino lies no lower than it stood (s is "
+           "too "
+           "small for this d)";
+}
+
+static const struct column thetac_columns[] = {
+    {"theta_c", "rad", "the head hits the next: sin theta_c = r s (a2)", 0},
+    {"theta_u", "rad", "a single domino tips over: tan theta_u = d (b1)", 0},
+    {"theta_inf", "rad", "far followers rest: cos theta_inf = d/(s+d) (A16)", 0},
+    {"theta_f", "rad", "last angle that a follower reaches: (A18), or theta_inf", 0},
+    {"theta_leave", "rad", "a follower falls off when its leader is here", 0},
+    {"falls_off", "", "are followers too short to lean to the end? (A17)", 9},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_thetac(struct session *session, const struct call *call)
+{
+    struct dom_angles a, e = {0};
+    enum dom_status status = dom_angles_find(&session->train, &a, ERROR_OF(session, e));
+    if (status != DOM_OK)
+        return session_status(session, status);
+    answer_row(call->answer,
+               ROW(cell_bound(a.theta_c, e.theta_c), cell_bound(a.theta_u, e.theta_u),
+                   cell_bound(a.theta_inf, e.theta_inf), cell_bound(a.theta_f, e.theta_f),
+                   cell_bound(a.theta_leave, e.theta_leave), cell_flag(a.falls_off)),
+               NULL);
+    return true;
+}
+
+static const struct column theta1_columns[] = {
+    {"theta", "rad", "tilt of the head", 0},
+    {"theta_1", "rad", "tilt of its follower (b8)", 0},
+    {"slope", "", "d theta_1 / d theta = a / b (b10)", 0},
+    {"arm_a", "h", "arm of the contact force on the head", 0},
+    {"arm_b", "h", "arm of the contact force on the follower", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_theta1(struct session *session, const struct call *call)
+{
+    dom_real theta = call->number[0];
+    struct dom_contact c, e = {0};
+    enum dom_status status = dom_contact_find(&session->train, theta, &c, ERROR_OF(session, e));
+    if (status != DOM_OK)
+        return session_status(session, status);
+    const char *why = isnan(c.arm_a) ? "the follower has fallen off: it lies at theta_f" : NULL;
+    answer_row(call->answer,
+               ROW(cell_real(theta), cell_bound(c.theta_1, e.theta_1), cell_bound(c.slope, e.slope),
+                   cell_bound(c.arm_a, e.arm_a), cell_bound(c.arm_b, e.arm_b)),
+               why);
+    return true;
+}
+
+static const struct column chain_columns[] = {
+    {"i", "", "number of the domino, 0 is the head", 5},
+    {"theta_i", "rad", "its tilt (A2)", 0},
+    {"slope_i", "", "d theta_i / d theta (A9)", 0},
+    {"arm_a", "h", "arm of the force from its follower", 0},
+    {"arm_b", "h", "arm of that force on the follower", 0},
+    {"weight", "", "r^(-q i), its share in the energy (c1)", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool chain_row(const struct dom_link *k, const struct dom_link *error, void *context)
+{
+    const struct dom_link none = {0}, *e = error ? error : &none;
+    answer_row(context,
+               ROW(cell_count((dom_real)k->i), cell_bound(k->theta, e->theta), cell_bound(k->slope, e->slope),
+                   cell_bound(k->arm_a, e->arm_a), cell_bound(k->arm_b, e->arm_b),
+                   cell_bound(k->weight, e->weight)),
+               NULL);
+    return !answer_lost(context);
+}
+
+static bool run_chain(struct session *session, const struct call *call)
+{
+    dom_real theta = call->number[0];
+    enum dom_status status =
+        dom_chain_walk(&session->train, theta, session->style.errors, chain_row, call->answer);
+    return status == DOM_OK || session_status(session, status);
+}
+
+static const struct column energy_columns[] = {
+    {"theta", "rad", "tilt of the head", 0},
+    {"dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (c1)", 0},
+    {"J", "", "inertia: kinetic energy = J tau^2 omega^2 (c2)", 0},
+    {"J0", "", "the same at theta = 0 (d8, corrected)", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_energy(struct session *session, const struct call *call)
+{
+    dom_real theta = call->number[0];
+    struct dom_energy e, b = {0};
+    enum dom_status status = dom_energy_find(&session->train, theta, &e, ERROR_OF(session, b));
+    if (status != DOM_OK)
+        return session_status(session, status);
+    answer_row(call->answer,
+               ROW(cell_real(theta), cell_bound(e.dH, b.dH), cell_bound(e.J, b.J), cell_bound(e.J0, b.J0)),
+               NULL);
+    return true;
+}
+
+static const struct column fuel_columns[] = {
+    {"fuel", "mgh/2", "P, the one in use ('show fuel'), less what friction takes of it", 0},
+    {"fuel_exact", "mgh/2", "from the energy balance of one cycle", 0},
+    {"fuel_paper", "mgh/2", "closed form of (c7), 1 - cos theta_f - d sin theta_f", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_fuel(struct session *session, const struct call *call)
+{
+    struct dom_fuels f, e = {0};
+    enum dom_status status = dom_fuel_find(&session->train, &f, ERROR_OF(session, e));
+    if (status != DOM_OK)
+        return session_status(session, status);
+    struct cell exact = cell_bound(f.exact, e.exact), paper = cell_bound(f.paper, e.paper);
+    struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    struct dom_launch launch;
+    if (session->train.mu > 0) { /* what friction leaves of it */
+        status = dom_launch_find(&session->train, &launch, NULL);
+        if (status != DOM_OK && status != DOM_NO_FUEL)
+            return session_status(session, status);
+        used = cell_bound(launch.fuel, DOM_NAN);
+    }
+    answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
+    return true;
+}
+
+enum { REASON_SIZE = 160 };
+
+/* "the train stops at theta = ..., below the barrier", into reason. */
+static const char *stop_reason(const struct session *session, char *reason, size_t size)
+{
+    dom_real stop;
+    char text[WIDE_TEXT];
+    struct output_style style = session_style(session);
+    int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
+    if (dom_cycle_stop(&session->train, &stop, NULL) == DOM_OK && isfinite(stop))
+        snprintf(
+            reason, size,
+            "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %s %s",
+            wide_text(style_angle(&style, stop), digits, text), style_angle_unit(&style));
+    else
+        snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
+    return reason;
+}
+
+static const char locks[] =
+    "no domino effect: friction locks the collision, the force on the struck domino passes behind its "
+    "hinge and cannot turn it; a smaller r s or mu leaves it free";
+
+/* Why a cycle is not completed; NULL where it is. */
+static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])
+{
+    return status == DOM_NO_FUEL ? no_fuel(session)
+           : status == DOM_STOPS ? stop_reason(session, reason, REASON_SIZE)
+           : status == DOM_LOCKS ? locks
+                                 : NULL;
+}
+
+static const struct column launch_columns[] = {
+    {"omega0sq", "", "tau^2 omega(0)^2 after the collision (c6)", 0},
+    {"omega0", "rad/s", "omega(0), angular velocity of the head", 0},
+    {"kinetic", "mgh/2", "kinetic energy, J(0) tau^2 omega(0)^2", 0},
+    {"J0", "", "inertia of the train, J(0) (d8, corrected)", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_launch(struct session *session, const struct call *call)
+{
+    struct dom_launch l = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, e = {0};
+    char reason[REASON_SIZE];
+    enum dom_status status = dom_launch_find(&session->train, &l, ERROR_OF(session, e));
+    if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
+        return session_status(session, status);
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    answer_row(call->answer,
+               ROW(cell_bound(l.omegasq, e.omegasq), cell_omega(l.omegasq, e.omegasq, tau),
+                   cell_bound(l.kinetic, e.kinetic), cell_bound(l.J0, e.J0)),
+               no_cycle(session, status, reason));
+    return true;
+}
+
+static const struct column omega_columns[] = {
+    {"theta", "rad", "tilt of the head", 0},
+    {"omegasq", "", "tau^2 omega(theta)^2 (c3)", 0},
+    {"omega", "rad/s", "omega(theta), angular velocity of the head", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_omega(struct session *session, const struct call *call)
+{
+    dom_real theta = call->number[0], omegasq, e = 0;
+    char reason[REASON_SIZE];
+    enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq, ERROR_OF(session, e));
+    if (status != DOM_OK && !no_cycle(session, status, reason))
+        return session_status(session, status);
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    answer_row(call->answer, ROW(cell_real(theta), cell_bound(omegasq, e), cell_omega(omegasq, e, tau)),
+               no_cycle(session, status, reason));
+    return true;
+}
+
+static const struct column barrier_columns[] = {
+    {"theta_m", "rad", "where the train is highest", 0},
+    {"barrier", "mgh/2", "to climb: the maximum of H(theta) - H(0)", 0},
+    {"kinetic", "mgh/2", "what there is for it, J(0) tau^2 omega(0)^2", 0},
+    {"margin", "mgh/2", "kinetic - barrier, >= 0 to go on (c8, corrected)", 0},
+    {"verdict", "", "goes on, stops, locks (friction), or no fuel", 7},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_barrier(struct session *session, const struct call *call)
+{
+    struct dom_barrier b = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, e = {0};
+    char reason[REASON_SIZE];
+    enum dom_status status = dom_barrier_find(&session->train, &b, ERROR_OF(session, e));
+    if (status != DOM_OK && !no_cycle(session, status, reason))
+        return session_status(session, status);
+    const char *verdict = status == DOM_OK      ? "goes on"
+                          : status == DOM_STOPS ? "stops"
+                          : status == DOM_LOCKS ? "locks"
+                                                : "no fuel";
+    answer_row(call->answer,
+               ROW(cell_bound(b.theta_m, e.theta_m), cell_bound(b.barrier, e.barrier),
+                   cell_bound(b.kinetic, e.kinetic), cell_bound(b.margin, e.margin), cell_word(verdict)),
+               no_cycle(session, status, reason));
+    return true;
+}
+
+static const struct column duration_columns[] = {
+    {"duration", "tau", "t_f / tau, from one collision to the next", 0},
+    {"tau", "s", "unit of time (a1), of a solid block: sqrt((h^2+d^2)/(3gh))", 0},
+    {"seconds", "s", "t_f; the next cycle lasts sqrt(r) times as long", 0},
+    {"speed", "m/s", "of the front in this cycle, (s+d) r h / t_f", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_duration(struct session *session, const struct call *call)
+{
+    dom_real duration = DOM_NAN, e = 0, tau = dom_scale_tau(&session->scale, session->train.d);
+    char reason[REASON_SIZE];
+    enum dom_status status = dom_cycle_duration(&session->train, &duration, ERROR_OF(session, e));
+    const char *why = no_cycle(session, status, reason);
+    if (status != DOM_OK && !why)
+        return session_status(session, status);
+    dom_real speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);
+    answer_row(call->answer,
+               ROW(cell_bound(duration, e), cell_real(tau), cell_bound(duration * tau, e * tau),
+                   cell_bound(speed, speed * e / duration)),
+               why);
+    return true;
+}
+
+#define TILT                                                                                                 \
+    {                                                                                                        \
+        {                                                                                                    \
+            .name = "T", .kind = ARGUMENT_TILT                                                               \
+        }                                                                                                    \
+    }
+
+const struct command cycle_commands[] = {
+    {.name = "thetac",
+     .train = true,
+     .summary = "the angles that bound a cycle",
+     .equation = "(a2) (b1) (A16) (A17) (A18)",
+     .example = "thetac",
+     .see = "theta1 chain",
+     .columns = thetac_columns,
+     .principal = "theta_c",
+     .run = run_thetac},
+    {.name = "theta1",
+     .train = true,
+     .argument = TILT,
+     .summary = "the follower that leans on the head at tilt T",
+     .equation = "(b8) (b10)",
+     .example = "theta1 10 deg",
+     .see = "thetac chain",
+     .columns = theta1_columns,
+     .principal = "theta_1",
+     .run = run_theta1},
+    {.name = "chain",
+     .train = true,
+     .argument = TILT,
+     .summary = "every domino that matters behind the head at tilt T",
+     .equation = "(A2) (A6) (A9)",
+     .help = "How many matter depends on 'tol': see 'help tol'.",
+     .example = "set tol 1e-3; chain 0.1",
+     .see = "theta1 energy",
+     .columns = chain_columns,
+     .rows = true,
+     .run = run_chain},
+    {.name = "energy",
+     .train = true,
+     .argument = TILT,
+     .summary = "potential energy and inertia of the train at tilt T",
+     .equation = "(c1) (c2) (d8)",
+     .example = "energy 0.1",
+     .see = "barrier omega",
+     .columns = energy_columns,
+     .principal = "dH",
+     .run = run_energy},
+    {.name = "fuel",
+     .train = true,
+     .summary = "the energy that one cycle sets free",
+     .equation = "(c7)",
+     .help = "(c7) of the paper has two right-hand sides. The sum over the train is the energy balance; "
+             "the closed form that the paper computes with equals it only for r = 1, since the weights "
+             "r^(-q i) spoil the telescoping. 'set fuel paper' gives the paper's figures.",
+     .example = "fuel",
+     .see = "launch rmax",
+     .columns = fuel_columns,
+     .principal = "fuel",
+     .run = run_fuel},
+    {.name = "launch",
+     .train = true,
+     .summary = "the collision: with which speed a cycle begins",
+     .equation = "(c4) (c5) (c6)",
+     .example = "launch",
+     .see = "fuel barrier",
+     .columns = launch_columns,
+     .principal = "omega0sq",
+     .run = run_launch},
+    {.name = "omega",
+     .train = true,
+     .argument = TILT,
+     .summary = "angular velocity of the head at tilt T",
+     .equation = "(c3)",
+     .example = "omega 0.1",
+     .see = "launch duration",
+     .columns = omega_columns,
+     .principal = "omega",
+     .run = run_omega},
+    {.name = "barrier",
+     .train = true,
+     .summary = "what the train must climb, and whether it can",
+     .equation = "(c8)",
+     .help = "The barrier is the highest point of the whole cycle: near r s = 1 the train falls first, and "
+             "must climb when its pushing follower has left.",
+     .example = "barrier",
+     .see = "launch rmax",
+     .columns = barrier_columns,
+     .principal = "barrier",
+     .run = run_barrier},
+    {.name = "duration",
+     .train = true,
+     .summary = "how long a cycle lasts, and how fast the front runs",
+     .equation = "(a1) (c3)",
+     .help =
+         "The seconds are those of solid blocks; a hollow box has a larger moment of inertia, and is slower.",
+     .example = "duration",
+     .see = "omega",
+     .columns = duration_columns,
+     .principal = "duration",
+     .run = run_duration},
+    {.name = NULL},
+};

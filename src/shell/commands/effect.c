@@ -1,0 +1,328 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the scene asks for beyond the paper, what follows from it, and what it costs. */
+#include "commands/tables.h"
+#include "commands/walk.h"
+#include "interpreter/command.h"
+#include "io/terminal.h"
+#include "language/wide.h"
+#include "session/effects.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- effect ---- */
+
+/* People are told what 'on' took, since they did not say it. */
+static void effect_say(struct session *session, struct answer *a, enum dom_effect_name name, bool before)
+{
+    char setting[EFFECT_SETTING], usage[EFFECT_USAGE];
+    const struct dom_effect *e = dom_effect(name);
+    bool listed = name == DOM_EFFECT_row && session->listed.domino;
+    const struct dom_effect_argument *first = &e->argument[0];
+    answer_say(
+        a, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", e->name, before ? "on" : "on now",
+        listed ? "" : first->name, listed ? "" : " = ", effect_setting(session, name, setting),
+        listed ? first->or_file + strspn(first->or_file, "a ") : first->meaning, effect_usage(name, usage));
+    session->fresh = false;
+    session->answered = session->answered || answer_for_people(a);
+}
+
+static bool run_effect(struct session *session, const struct call *call)
+{
+    enum dom_effect_name name = (enum dom_effect_name)call->number[0];
+    const struct effect_state *now = &session->effect[name];
+    const char *word = call->count > 1 ? call->word[1] : NULL;
+    if (word && strcmp(word, "off") == 0)
+        return effect_turn_off(session, name);
+    if (word && strcmp(word, "on") == 0) {
+        dom_real usual[DOM_EFFECT_ARGUMENTS];
+        for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
+            usual[i] = dom_effect(name)->argument[i].usual;
+        bool before = now->on;
+        if (!before && !effect_turn_on(session, name, usual, DOM_EFFECT_ARGUMENTS, NULL))
+            return false;
+        effect_say(session, call->answer, name, before);
+        return true;
+    }
+    return effect_turn_on(session, name, &call->number[1], call->count - 1, word);
+}
+
+/* ---- effects: what each costs ---- */
+
+/* One answer of the scene: does it go on, or do all fall?  What effects are on decides what is computed. */
+static enum dom_status scene_answer(const struct session *scene, const struct scene_row *row,
+                                    struct dom_work *work)
+{
+    struct dom_floor floor;
+    struct dom_barrier barrier;
+    struct dom_verdict verdict;
+    struct dom_study study;
+    if (scene->effect[DOM_EFFECT_row].on) {
+        struct dom_row asked = row->row;
+        asked.work = work;
+        const struct effect_state *errors = &scene->effect[DOM_EFFECT_placement];
+        if (!errors->on)
+            return dom_row_run(&asked, false, NULL, NULL, &verdict);
+        struct dom_placement p = {
+            .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1, .threads = 1};
+        return dom_placement_study(&asked, &p, &study, NULL);
+    }
+    struct dom_train train = scene->train;
+    train.work = work;
+    enum dom_status status = dom_barrier_find(&train, &barrier, NULL);
+    if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
+        status = dom_cycle_floor(&train, &floor);
+    return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
+}
+
+/* Its work; what random rows enter is not counted, so that the row is asked without errors. */
+static enum dom_status scene_work(const struct session *session, const struct scene_row *row,
+                                  struct dom_work *work)
+{
+    struct session core = *session;
+    core.effect[DOM_EFFECT_placement].on = false;
+    return scene_answer(&core, row, work);
+}
+
+/* The clock ticks in nanoseconds: a batch of this length is known well. */
+#define PRICE_SECONDS 2e-4
+#define PRICE_BATCHES 5
+
+/* Seconds of one answer, the least of several batches; NaN where there is none. */
+static double scene_price(struct session *scene)
+{
+    struct scene_row row = {.domino = NULL};
+    double least = HUGE_VAL;
+    if (scene->effect[DOM_EFFECT_row].on && !scene_row_make(scene, &row))
+        return (double)NAN;
+    long repeats = 1;
+    for (int batch = 0; batch < PRICE_BATCHES;) {
+        double begun = terminal_clock();
+        for (long i = 0; i < repeats && least > 0; i++)
+            if (scene_answer(scene, &row, NULL) != DOM_OK)
+                least = -1;
+        double seconds = terminal_clock() - begun;
+        if (least < 0)
+            break;
+        if (seconds < PRICE_SECONDS)
+            repeats *= 2;
+        else {
+            least = seconds / (double)repeats < least ? seconds / (double)repeats : least;
+            batch += seconds > 0.1 ? PRICE_BATCHES : 1;
+        }
+    }
+    free(row.domino);
+    return least > 0 ? least : (double)NAN;
+}
+
+/*
+ * The scene with an effect, and what it says nothing without, on, or with it off; its price.  Random rows
+ * stop early, and have no floor: the price of the others is that of the row itself.
+ */
+static double price_with(const struct session *session, enum dom_effect_name name, bool on)
+{
+    struct session scene = *session; /* its row is shared: nothing in here changes it */
+    const struct dom_effect *e = dom_effect(name);
+    if (name != DOM_EFFECT_placement)
+        scene.effect[DOM_EFFECT_placement].on = false;
+    else
+        scene.effect[DOM_EFFECT_floor].on = false;
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+        const struct dom_effect *other = dom_effect((enum dom_effect_name)k);
+        bool wanted = k == (int)name ? on : (e->needs >> k & 1) != 0;
+        bool without = k == (int)name ? !on : !on && (other->needs >> name & 1) != 0;
+        if (wanted && !scene.effect[k].on) {
+            scene.effect[k].on = true;
+            for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
+                scene.effect[k].value[i] = other->argument[i].name ? other->argument[i].usual : 0;
+        } else if (without)
+            scene.effect[k].on = false;
+    }
+    effects_apply(&scene);
+    return scene_price(&scene);
+}
+
+#define PRICE_COLUMNS                                                                                        \
+    {"effect", "", "its name for 'effect' and 'help'", 9}, {"state", "", "off, or what it is set to", 12},   \
+        {"without", "us", "time of an answer of this scene without it", 9},                                  \
+        {"with", "us", "the same with it", 9}, {"times", "", "with over without", 7},                        \
+    {                                                                                                        \
+        "entered", "", "how often its code was entered in an answer of the scene", 8                         \
+    }
+
+static const struct column effects_columns[] = {
+    PRICE_COLUMNS,
+    {"adds", "", "what it adds", 26},
+    {"source", "", "where its mathematics is from", 20},
+    {NULL, NULL, NULL, 0},
+};
+
+/* People read the last two below. */
+static const struct column price_columns[] = {PRICE_COLUMNS, {NULL, NULL, NULL, 0}};
+
+static void effects_say(const struct session *session, struct answer *a)
+{
+    bool row = session->effect[DOM_EFFECT_row].on;
+    answer_say(a,
+               "The answer that is timed: %s. What is off is not computed: its code is entered 0 times. "
+               "placement is timed for one random row, which may stop early.\n",
+               row ? "does the whole row fall" : "does the train go on ('barrier')");
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
+    }
+}
+
+static bool run_effects(struct session *session, const struct call *call)
+{
+    struct dom_work work = {0};
+    struct scene_row row = {.domino = NULL};
+    struct answer *a = call->answer;
+    if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
+        return false;
+    enum dom_status status = scene_work(session, &row, &work);
+    if (status == DOM_OK && session->effect[DOM_EFFECT_placement].on)
+        status = scene_answer(session, &row, &work);
+    free(row.domino);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    struct column fitted[sizeof price_columns / sizeof *price_columns];
+    memcpy(fitted, price_columns, sizeof fitted);
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+        char setting[EFFECT_SETTING];
+        if (session->effect[k].on)
+            column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
+    }
+    if (answer_for_people(a))
+        a->columns = fitted;
+    for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
+        char setting[EFFECT_SETTING];
+        enum dom_effect_name name = (enum dom_effect_name)k;
+        const struct dom_effect *e = dom_effect(name);
+        double without = price_with(session, name, false), with = price_with(session, name, true);
+        if (dom_raised(session->train.interrupt))
+            return session_status(session, DOM_INTERRUPTED);
+        answer_row(a,
+                   ROW(cell_word(e->name),
+                       cell_word(session->effect[k].on ? effect_setting(session, name, setting) : "off"),
+                       cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
+                       cell_count((dom_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
+                   NULL);
+    }
+    a->columns = effects_columns;
+    effects_say(session, a);
+    return true;
+}
+
+/* ---- scene: the plan ---- */
+
+static const struct column scene_columns[] = {
+    {"part", "", "of the computation", 9},
+    {"dominoes", "", "followed at once, at most", 8},
+    {"why", "", "it is in the plan", 15},
+    {"solved", "", "which equations, by which method", 40},
+    {NULL, NULL, NULL, 0},
+};
+
+static void plan_row(struct answer *a, const char *part, const char *solved, size_t dominoes, const char *why)
+{
+    answer_row(a,
+               ROW(cell_word(part), dominoes ? cell_count((dom_real)dominoes) : cell_real(DOM_NAN),
+                   cell_word(why), cell_word(solved)),
+               NULL);
+}
+
+/* The plan of a train. */
+static void plan_train(const struct session *session, struct answer *a, size_t n)
+{
+    bool rubs = session->train.mu > 0;
+    plan_row(a, "geometry", "(b8) (b10) (A6) in closed form, no trigonometry", n, "always");
+    plan_row(a, "energy", "H (c1) and J (c2), ended by a bound of the tail", n, "always");
+    plan_row(a, "motion",
+             rubs ? dom_effect(DOM_EFFECT_friction)->plan : "(c3) (c4) (c6) in closed form, not integrated",
+             n, rubs ? "friction is on" : "no losses");
+    plan_row(a, "barrier", rubs ? "roots of C, and omega^2 there" : "roots of H', and H there (c8)", n,
+             "always");
+    plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
+}
+
+/* The plan of a row. */
+static void plan_of_row(const struct session *session, struct answer *a, size_t n)
+{
+    bool rubs = session->train.mu > 0, pushed = session->effect[DOM_EFFECT_push].on;
+    plan_row(a, "start", pushed ? dom_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
+             pushed ? "push is on" : "no push");
+    plan_row(a, "row", dom_effect(DOM_EFFECT_row)->plan, n, "row is on");
+    plan_row(a, "motion",
+             rubs ? dom_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated", n,
+             rubs ? "friction is on" : "no losses");
+    plan_row(a, "contact", "forces between dominoes, at four tilts each", n, "none may pull");
+    plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
+}
+
+static bool run_scene(struct session *session, const struct call *call)
+{
+    struct dom_work work = {0};
+    struct scene_row row = {.domino = NULL};
+    struct answer *a = call->answer;
+    bool is_row = session->effect[DOM_EFFECT_row].on;
+    char on[256] = "", setting[EFFECT_SETTING];
+    if (is_row && !scene_row_make(session, &row))
+        return false;
+    enum dom_status status = scene_work(session, &row, &work);
+    size_t count = row.row.count;
+    free(row.domino);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    for (int k = 0, n = 0; k < DOM_EFFECT_COUNT; k++)
+        if (session->effect[k].on && k != DOM_EFFECT_row)
+            n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ",
+                          dom_effect((enum dom_effect_name)k)->name,
+                          effect_setting(session, (enum dom_effect_name)k, setting));
+    const struct dom_train *t = &session->train;
+    if (is_row)
+        answer_say(a, "A row of %zu dominoes%s.", count, on);
+    else
+        answer_say(a, "An endless train, s = %.6g, r = %.6g, d = %.6g, q = %.6g%s.", (double)t->s,
+                   (double)t->r, (double)t->d, (double)t->q, on);
+    (is_row ? plan_of_row : plan_train)(session, a, work.longest);
+    for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
+        if (session->effect[k].on)
+            plan_row(a, dom_effect((enum dom_effect_name)k)->name, dom_effect((enum dom_effect_name)k)->plan,
+                     0, k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
+    answer_say(a, "%zu passes down the %s give its verdict at tol = %g in %s precision.", work.passes,
+               is_row ? "row" : "train", (double)t->tol, dom_arithmetic(t->precision)->name);
+    return true;
+}
+
+const struct command effect_commands[] = {
+    {.name = "effect",
+     .argument = {{.name = "NAME", .kind = ARGUMENT_CHOICE, .of = "effect", .choices = effect_names},
+                  {.name = "X", .kind = ARGUMENT_EFFECT, .optional = true},
+                  {.name = "Y", .kind = ARGUMENT_EFFECT, .optional = true}},
+     .summary = "turn an effect on with its values, or 'off'",
+     .help = "'effect friction 0.2', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect "
+             "placement 1 mm', "
+             "'effect floor 0.4'; 'effects' lists them, 'help friction' explains one. What is off is not "
+             "computed.",
+     .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
+     .see = "effects scene",
+     .run = run_effect},
+    {.name = "effects",
+     .summary = "all effects: on or off, what they add and cost here",
+     .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "
+             "value, or at "
+             "a usual one where it is off.",
+     .see = "effect scene",
+     .columns = effects_columns,
+     .unswept = "it measures time, which points side by side would disturb",
+     .rows = true,
+     .run = run_effects},
+    {.name = "scene",
+     .summary = "the scene, and the plan that follows from it",
+     .example = "scene; effect friction 0.2; scene; effect friction off",
+     .see = "effect effects",
+     .columns = scene_columns,
+     .rows = true,
+     .run = run_scene},
+    {.name = NULL},
+};

@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The cycles as they run in time, each r times larger than the one before. */
+#include "commands/film.h"
+#include "io/redirect.h"
+#include "io/terminal.h"
+#include "language/wide.h"
+#include "picture/picture.h"
+#include "picture/scene.h"
+#include <string.h>
+
+enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, FRAMES_WIDTH = 900, CYCLES_MOST = 30 };
+#define GROWN_MOST 40 /* of the first head over the last: a smaller one would be nothing but a dot */
+#define FILM_TOL   ((dom_real)1 / 1000000000)
+
+/* The cycles one after the other, lengths in heights of the first head, times in its tau. */
+struct film {
+    struct dom_train train;
+    int cycles, frames;
+    double r, d, pitch, duration, step; /* duration of the first cycle; step from frame to frame */
+    double left, right, top, tau;       /* tau of the first head in s */
+    bool stops;
+};
+
+/* The cycle that a time is in, when it began, and where its head stands. */
+struct moment {
+    int cycle; /* from 0 */
+    double begun, slower;
+    struct place place;
+};
+
+static struct moment moment_at(const struct film *film, double time)
+{
+    struct moment m = {.slower = 1, .place = {1, 0}};
+    double root = (double)sqrt((dom_real)film->r);
+    while (m.cycle + 1 < film->cycles && time >= m.begun + film->duration * m.slower) {
+        m.begun += film->duration * m.slower;
+        m.place.shift += film->pitch * film->r * m.place.scale;
+        m.place.scale *= film->r;
+        m.slower *= root;
+        m.cycle++;
+    }
+    return m;
+}
+
+/* As many cycles as show the growth, and no smaller first head than can be seen. */
+static int film_cycles(double r)
+{
+    double grown = r;
+    int n = 1;
+    while (n < 5 && grown * r <= 4) {
+        grown *= r;
+        n++;
+    }
+    return n;
+}
+
+int film_most(const struct session *session)
+{
+    double r = (double)session->train.r;
+    int n = 1;
+    for (double grown = r * r; grown <= GROWN_MOST && n < CYCLES_MOST; grown *= r)
+        n++;
+    return n;
+}
+
+static bool film_make(struct session *session, const struct call *call, struct film *film)
+{
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count = 0;
+    *film = (struct film){.train = session->train};
+    struct dom_train *t = &film->train;
+    /* More than that no eye sees. */
+    t->precision = DOM_DOUBLE;
+    t->tol = FILM_TOL;
+    film->r = (double)t->r;
+    film->d = (double)t->d;
+    film->pitch = (double)(t->s + t->d);
+    film->tau = (double)dom_scale_tau(&session->scale, t->d);
+    film->cycles = film_cycles(film->r);
+    if (call->count > 1)
+        film->cycles = (int)call->number[1];
+    enum dom_status status = dom_cycle_events(t, events, &count);
+    if (status == DOM_NO_MARGIN)
+        return session_error(session,
+                             "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "
+                             "has an end");
+    if (status == DOM_NO_FUEL)
+        return picture_comes_to(session, 0);
+    if (status != DOM_OK && status != DOM_STOPS)
+        return session_status(session, status);
+    film->stops = status == DOM_STOPS;
+    film->cycles = film->stops ? 1 : film->cycles;
+    film->duration = (double)events[count - 1].time;
+    film->top = 1.04 * (double)pow(t->r, (dom_real)film->cycles);
+    struct moment last = moment_at(film, (double)INFINITY);
+    film->right = last.place.shift + last.place.scale * film->r * film->pitch + 0.1 * film->top;
+    double behind = film->pitch * film->r / (film->r - 1); /* all that stood behind the first head */
+    film->left = behind < 1.8 ? -1.05 * behind : -1.8;
+    double whole = last.begun + film->duration * last.slower;
+    film->frames = (int)ceil((dom_real)(FRAMES_FIRST * whole / film->duration));
+    film->step = whole / film->frames;
+    return true;
+}
+
+/* The tilt of the head in a frame, and the moment. */
+static enum dom_status frame_tilt(const struct film *film, int frame, struct moment *m, dom_real *theta)
+{
+    double time = film->step * frame;
+    *m = moment_at(film, time);
+    double own = (time - m->begun) / m->slower;
+    return dom_cycle_tilt(&film->train, (dom_real)(own < film->duration ? own : film->duration), theta);
+}
+
+/* The dominoes beyond the next one, which wait. */
+static void script_waiting(FILE *script, const struct film *film, struct place at, int cycle)
+{
+    double height = film->r, foot = film->pitch * film->r;
+    for (int k = cycle + 2; k <= film->cycles; k++) {
+        height *= film->r;
+        foot += film->pitch * height;
+        struct drawn waits = drawn_at(-1, height, foot, 0, film->d);
+        script_domino(script, &waits, at, (double)INFINITY);
+    }
+}
+
+static void script_frame(FILE *script, const struct film *film, const struct moment *m, int frame,
+                         const struct scene *scene)
+{
+    double slower = FRAMES_DELAY / 100.0 / (film->step * film->tau);
+    bool ends = frame == film->frames;
+    fprintf(script, "unset object\nunset label\nset title \"t = %.1f ms, slowed down %.3g times: ",
+            1e3 * film->step * film->tau * frame, slower);
+    if (film->stops)
+        fprintf(script, ends ? "the train stops\"\n" : "the train does not get over its barrier\"\n");
+    else
+        fprintf(script, "cycle %d of %d\"\n", m->cycle + 1, film->cycles);
+    for (int k = scene->count - 1; k >= 0; k--)
+        script_domino(script, &scene->domino[k], m->place,
+                      scene->domino[k].number == 0 ? -HUGE_VAL : HUGE_VAL);
+    script_waiting(script, film, m->place, m->cycle);
+    fprintf(script, "plot NaN\n");
+}
+
+static bool film_script(struct session *session, const struct film *film, FILE *script)
+{
+    static struct scene scene;
+    struct progress progress = {0, 0};
+    script_axes(script, film->left, film->right, film->top);
+    fprintf(script, "set xlabel 'x [h]; h = %.4g mm, the height of the first head; 0: the head'\n",
+            (double)(1000 * session->scale.h));
+    for (int frame = 0; frame <= film->frames; frame++) {
+        struct moment m;
+        dom_real theta;
+        enum dom_status status = frame_tilt(film, frame, &m, &theta);
+        double behind = (m.place.shift - film->left) / m.place.scale + 0.1;
+        if (status == DOM_OK)
+            status = scene_make(&film->train, theta, behind, &scene);
+        progress_show(&progress, status == DOM_OK ? (frame + 1.0) / (film->frames + 1) : 1);
+        if (status != DOM_OK)
+            return session_status(session, status);
+        script_frame(script, film, &m, frame, &scene);
+    }
+    return true;
+}
+
+static bool film_write(struct session *session, const struct film *film, FILE *out)
+{
+    struct picture picture;
+    int height = (int)(FRAMES_WIDTH * film->top / (film->right - film->left)) + 100;
+    height = height < 260 ? 260 : height > 700 ? 700 : height;
+    return picture_animation(session, &picture, out, FRAMES_WIDTH, height, FRAMES_DELAY) &&
+           (film_script(session, film, picture.script) || picture_drop(&picture)) &&
+           picture_end(session, &picture);
+}
+
+static bool film_file(struct session *session, const struct film *film, const char *path)
+{
+    char shown[NAMES_SHOWN];
+    struct redirect redirect;
+    const char *ending = strrchr(path, '.');
+    if (session->redirected)
+        return session_error(session,
+                             "an animation goes into FILE, and nothing is left for the file behind '>'");
+    if (!ending || strcasecmp(ending, ".gif") != 0)
+        return session_error(session, "'%s' is no name of an animation: its ending is .gif",
+                             names_shown(path, shown));
+    const char *wrong = redirect_open(&redirect, path, false, session->train.interrupt);
+    if (wrong)
+        return session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    bool drawn = film_write(session, film, redirect.file);
+    wrong = redirect_close(&redirect, drawn);
+    return drawn &&
+           (!wrong || session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong));
+}
+
+const struct column film_columns[] = {
+    {"time", "s", "of the frame, since the first head was hit", 0},
+    {"cycle", "", "from 1; each is r times larger", 0},
+    {"theta", "rad", "tilt of its head", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool film_rows(struct session *session, const struct film *film, struct answer *answer)
+{
+    answer->style.errors = 0;
+    for (int frame = 0; frame <= film->frames; frame++) {
+        struct moment m;
+        dom_real theta;
+        enum dom_status status = frame_tilt(film, frame, &m, &theta);
+        if (status != DOM_OK)
+            return session_status(session, status);
+        answer_row(answer,
+                   ROW(cell_real((dom_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
+                       cell_real(theta)),
+                   NULL);
+    }
+    return true;
+}
+
+bool film_run(struct session *session, const struct call *call)
+{
+    struct film film;
+    return film_make(session, call, &film) &&
+           (answer_for_people(call->answer) ? film_file(session, &film, call->word[0])
+                                            : film_rows(session, &film, call->answer));
+}

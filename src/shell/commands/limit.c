@@ -1,0 +1,396 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
+#include "commands/tables.h"
+#include "interpreter/command.h"
+#include "language/wide.h"
+#include "parallel/points.h"
+
+/* The i-th argument, or what stands for it where it is missing. */
+static dom_real argument_or(const struct call *call, int i, dom_real fallback)
+{
+    return i < call->count ? call->number[i] : fallback;
+}
+
+static const char no_growth_fuel[] =
+    "no growth possible: at this s and d even equal dominoes (r = 1) have no "
+    "fuel, a fallen one lies no lower than it stood";
+static const char no_growth_stops[] =
+    "no growth possible: at this s and d even equal dominoes (r = 1) do not get over their barrier";
+
+static const char no_growth_locks[] = "no growth possible: friction locks already equal dominoes (r = 1)";
+
+static const char *no_growth(struct dom_limit limit, enum dom_status why)
+{
+    if (limit.ends != DOM_END_NONE)
+        return NULL;
+    return why == DOM_NO_FUEL ? no_growth_fuel : why == DOM_LOCKS ? no_growth_locks : no_growth_stops;
+}
+
+/* A limit with the bound of its error. */
+struct bounded {
+    struct dom_limit is, error;
+};
+
+static struct cell cell_limit(const struct bounded *limit)
+{
+    return cell_bound(limit->is.r_max, limit->error.r_max);
+}
+
+static enum dom_status limit_with(bool errors, struct dom_train train, enum dom_fuel fuel,
+                                  struct bounded *limit, enum dom_status *why)
+{
+    train.fuel = fuel;
+    limit->error.r_max = 0;
+    return dom_limit_rmax(&train, &limit->is, errors ? &limit->error : NULL, why);
+}
+
+/* With the paper's fuel, which knows no friction. */
+static enum dom_status limit_paper(bool errors, struct dom_train train, struct bounded *limit,
+                                   enum dom_status *why)
+{
+    *limit = (struct bounded){.is = {.r_max = DOM_NAN, .ends = DOM_END_NONE}};
+    return train.mu > 0 ? DOM_OK : limit_with(errors, train, DOM_FUEL_PAPER, limit, why);
+}
+
+static const struct column rmax_columns[] = {
+    {"s", "h", "separation", 0},
+    {"r_max", "", "largest growth at which the train goes on", 0},
+    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 7},
+    {"r_max_exact", "", "with the fuel from the energy balance", 0},
+    {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_rmax(struct session *session, const struct call *call)
+{
+    struct dom_train train = session->train;
+    struct bounded exact, paper;
+    enum dom_status why = DOM_OK;
+    train.s = argument_or(call, 0, train.s);
+    enum dom_status status = limit_with(session->style.errors, train, DOM_FUEL_EXACT, &exact, &why);
+    if (status == DOM_OK)
+        status = limit_paper(session->style.errors, train, &paper, &why);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    struct bounded used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    answer_row(call->answer,
+               ROW(cell_real(train.s), cell_limit(&used), cell_word(dom_end_text(used.is.ends)),
+                   cell_limit(&exact), cell_limit(&paper)),
+               no_growth(used.is, why));
+    if (train.mu > 0)
+        answer_say(call->answer,
+                   "with friction %.6g between dominoes; the paper's closed form of the fuel knows none",
+                   (double)train.mu);
+    else if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
+        answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
+    else if (used.is.ends != DOM_END_NONE)
+        answer_say(call->answer,
+                   "they differ since (c7)'s closed form of the fuel leaves out the weights r^(-q i)");
+    return true;
+}
+
+static const struct column pair_columns[] = {
+    {"s", "h", "separation", 0},
+    {"r_max", "", "largest growth at which the first topples the next", 0},
+    {"ends_by", "", "barrier, reach or none", 7},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_pair(struct session *session, const struct call *call)
+{
+    struct dom_train train = session->train;
+    struct bounded limit = {.error = {.r_max = 0}};
+    train.s = argument_or(call, 0, train.s);
+    enum dom_status status = dom_limit_pair(&train, &limit.is, ERROR_OF(session, limit.error));
+    if (status != DOM_OK)
+        return session_status(session, status);
+    answer_row(
+        call->answer, ROW(cell_real(train.s), cell_limit(&limit), cell_word(dom_end_text(limit.is.ends))),
+        limit.is.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
+                                        "the next one at this s and d"
+                                      : NULL);
+    return true;
+}
+
+static const struct column best_columns[] = {
+    {"s", "h", "the separation that allows the largest growth", 0},
+    {"r_max", "", "that growth", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_best(struct session *session, const struct call *call)
+{
+    struct dom_best best = {DOM_NAN, DOM_NAN}, e = {0};
+    enum dom_status status = dom_limit_best(&session->train, &best, ERROR_OF(session, e));
+    if (status != DOM_OK && status != DOM_NO_GROWTH)
+        return session_status(session, status);
+    answer_row(call->answer, ROW(cell_bound(best.s, e.s), cell_bound(best.r_max, e.r_max)),
+               status == DOM_OK
+                   ? NULL
+                   : "no growth possible: dominoes this thick do not topple larger ones at any s");
+    return true;
+}
+
+static const struct column curve_columns[] = {
+    {"s", "h", "separation", 0},
+    {"exact", "", "r_max with the fuel from the energy balance", 0},
+    {"paper", "", "r_max with the paper's closed form of the fuel", 0},
+    {"pair", "", "r_max of the two-domino model", 0},
+    {"reach", "", "1/s", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* A worker's; the first four are the same for all. */
+struct curve {
+    dom_real from, to, n;
+    bool errors;
+    struct dom_train train;
+    struct answer answer;
+    bool gaps;
+    enum dom_status status; /* of the point that ended it */
+};
+
+static bool curve_point(void *own, size_t k, FILE *out)
+{
+    struct curve *c = own;
+    struct bounded exact, paper, pair = {.error = {.r_max = 0}};
+    struct answer a = answer_part(&c->answer, out, k == 0);
+    dom_real f = c->n > 1 ? (dom_real)k / (c->n - 1) : 0;
+    c->train.s = (1 - f) * c->from + f * c->to;
+    c->status = limit_with(c->errors, c->train, DOM_FUEL_EXACT, &exact, NULL);
+    if (c->status == DOM_OK)
+        c->status = limit_paper(c->errors, c->train, &paper, NULL);
+    if (c->status == DOM_OK)
+        c->status = dom_limit_pair(&c->train, &pair.is, c->errors ? &pair.error : NULL);
+    if (c->status != DOM_OK)
+        return false;
+    answer_row(&a,
+               ROW(cell_real(c->train.s), cell_limit(&exact), cell_limit(&paper), cell_limit(&pair),
+                   cell_real(1 / c->train.s)),
+               NULL);
+    c->gaps = c->gaps || exact.is.ends == DOM_END_NONE || pair.is.ends == DOM_END_NONE;
+    return true;
+}
+
+static void curve_gather(void *own, const void *worker)
+{
+    struct curve *c = own;
+    c->gaps = c->gaps || ((const struct curve *)worker)->gaps;
+}
+
+static bool run_curve(struct session *session, const struct call *call)
+{
+    struct curve c = {.from = call->number[0],
+                      .to = call->number[1],
+                      .n = call->number[2],
+                      .errors = session->style.errors,
+                      .train = session->train};
+    struct answer *a = call->answer;
+    struct cell number = cell_real(0);
+    bool by_point;
+    if (c.n == 1 && c.from != c.to)
+        return session_error(session, "one row cannot cover %g to %g; N is at least 2", (double)c.from,
+                             (double)c.to);
+    answer_plan(a, ROW(number, number, number, number, number));
+    c.answer = *a;
+    const struct points points = {
+        .total = (size_t)c.n, .point = curve_point, .own = &c, .size = sizeof c, .gather = curve_gather};
+    if (!points_answer(session, a, &points, &by_point))
+        return by_point ? session_status(session, c.status) : false;
+    if (c.gaps)
+        answer_say(a, "-: no growth possible; 'rmax S' and 'pair S' say why");
+    return true;
+}
+
+static const struct column count_columns[] = {
+    {"height", "m", "the domino to topple is at least this tall", 0},
+    {"r", "", "growth from domino to domino", 0},
+    {"dominoes", "", "n, the smallest with first_height r^n >= height", 0},
+    {"exact", "", "ln(height / first_height) / ln r", 0},
+    {"first_height", "m", "height of the first domino", 0},
+    {"last_height", "m", "height of the toppled one, first_height r^n", 0},
+    {"feasible", "", "does a train with these s, d, q and r go on?", 8},
+    {NULL, NULL, NULL, 0},
+};
+
+/* "hollow", "massive", or "q = 3.5". */
+static const char *mass_name(dom_real q, char name[32])
+{
+    const char *word = parameter_word(parameter_find("q"), q);
+    if (word)
+        snprintf(name, 32, "%s", word);
+    else
+        snprintf(name, 32, "q = %g", (double)q);
+    return name;
+}
+
+/* Whether a train goes on; why is the reason where it does not. */
+static enum dom_status count_feasible(const struct dom_train *train, bool *feasible, const char **why)
+{
+    struct dom_barrier barrier;
+    enum dom_status status = dom_barrier_find(train, &barrier, NULL);
+    *feasible = status == DOM_OK;
+    *why = status == DOM_OUT_OF_REACH ? "r s > 1, each domino falls past the next one without touching it"
+           : status == DOM_STOPS      ? "the train stops below its barrier"
+           : status == DOM_NO_FUEL    ? "there is no fuel, a cycle sets no energy free"
+           : status == DOM_LOCKS      ? "friction locks the train"
+           : status == DOM_UNDERFLOW  ? "r is so large that nothing is left of the energy"
+                                      : NULL;
+    return *feasible || *why ? DOM_OK : status;
+}
+
+/* For one kind of domino: is this growth possible, and what would the largest one make of the count? */
+static bool count_kind(struct session *session, const struct call *call, struct dom_train train,
+                       dom_real height)
+{
+    struct dom_limit limit;
+    struct dom_count count = {DOM_NAN, DOM_NAN, DOM_NAN};
+    char name[32], number[WIDE_TEXT], said[96] = "no number of them gets there";
+    bool feasible;
+    const char *why;
+    enum dom_status status = count_feasible(&train, &feasible, &why);
+    if (status == DOM_OK)
+        status = dom_limit_rmax(&train, &limit, NULL, NULL);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    if (limit.ends == DOM_END_NONE) {
+        answer_say(call->answer, "  %-8s no; not even equal ones keep falling", mass_name(train.q, name));
+        return true;
+    }
+    if (dom_count_find(train.precision, session->scale.h, height, limit.r_max, &count, NULL) == DOM_OK &&
+        isfinite(count.dominoes))
+        snprintf(said, sizeof said, "%s domino%s", wide_text(count.dominoes, WIDE_DIGITS, number),
+                 count.dominoes == 1 ? "" : "es");
+    answer_say(call->answer, "  %-8s %-4s the largest is %.6g (ends by %s): %s", mass_name(train.q, name),
+               feasible ? "yes;" : "no;", (double)limit.r_max, dom_end_text(limit.ends), said);
+    return true;
+}
+
+/* The quiz as a person asks it: what the rows do not say. */
+static bool count_explain(struct session *session, const struct call *call, const struct dom_train *train,
+                          dom_real height)
+{
+    bool named = false;
+    answer_say(call->answer, "\nIs a growth of %.10g possible at s = %.6g?", (double)train->r,
+               (double)train->s);
+    for (const struct word *w = parameter_find("q")->words; w->name; w++) {
+        struct dom_train kind = *train;
+        kind.q = w->value;
+        named = named || kind.q == train->q;
+        if (!count_kind(session, call, kind, height))
+            return false;
+    }
+    return named || count_kind(session, call, *train, height);
+}
+
+static bool run_count(struct session *session, const struct call *call)
+{
+    dom_real height = call->number[0], first = session->scale.h;
+    struct dom_train train = session->train;
+    struct dom_count count, e = {0};
+    bool feasible;
+    const char *why;
+    char number[WIDE_TEXT], growth[WIDE_TEXT], tall[WIDE_TEXT];
+    train.r = argument_or(call, 1, train.r);
+    if (dom_count_find(train.precision, first, height, train.r, &count, ERROR_OF(session, e)) != DOM_OK)
+        return session_no_answer(session,
+                                 "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
+                                 "in %s precision",
+                                 wide_shown(height).text, wide_shown(first).text, wide_shown(train.r).text,
+                                 dom_arithmetic(train.precision)->name);
+    enum dom_status status = count_feasible(&train, &feasible, &why);
+    if (status != DOM_OK)
+        return session_status(session, status);
+
+    struct answer *a = call->answer;
+    if (count.dominoes == 0)
+        answer_say(a, "No domino is needed: the first is %s m tall already.\n", wide_text(first, 6, tall));
+    else if (isfinite(count.dominoes))
+        answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s m.\n",
+                   wide_text(count.dominoes, WIDE_DIGITS, number), count.dominoes == 1 ? "" : "es",
+                   wide_text(train.r, (int)a->style.digits, growth),
+                   !feasible             ? "would be needed to topple"
+                   : count.dominoes == 1 ? "topples"
+                                         : "topple",
+                   wide_text(height, 6, tall));
+    else
+        why = "r = 1: the dominoes do not grow, no number of them is enough";
+    char reason[160], name[32];
+    if (!feasible)
+        snprintf(reason, sizeof reason, "not possible at s = %.6g with %s dominoes: %s", (double)train.s,
+                 mass_name(train.q, name), why);
+    else if (why)
+        snprintf(reason, sizeof reason, "%s", why);
+    answer_row(a,
+               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes),
+                   cell_bound(count.exact, e.exact), cell_real(first), cell_bound(count.last, e.last),
+                   cell_flag(feasible)),
+               why ? reason : NULL);
+    return !answer_for_people(a) || count_explain(session, call, &train, height);
+}
+
+#define SEPARATION                                                                                           \
+    {                                                                                                        \
+        {                                                                                                    \
+            .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true                                    \
+        }                                                                                                    \
+    }
+
+const struct command limit_commands[] = {
+    {.name = "rmax",
+     .train = true,
+     .argument = SEPARATION,
+     .summary = "the largest growth r at separation S (or s)",
+     .equation = "(c8), section 'A general domino train'",
+     .help = "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s, "
+             "beyond which a domino falls past the next one.",
+     .example = "set q hollow; rmax 0.3",
+     .see = "best curve pair count",
+     .columns = rmax_columns,
+     .echo = "s",
+     .principal = "r_max",
+     .run = run_rmax},
+    {.name = "pair",
+     .train = true,
+     .argument = SEPARATION,
+     .summary = "the largest growth for two: the first just tips over",
+     .equation = "(b5) (b11) (b13)",
+     .example = "pair 0.3",
+     .see = "rmax curve",
+     .columns = pair_columns,
+     .echo = "s",
+     .principal = "r_max",
+     .run = run_pair},
+    {.name = "best",
+     .train = true,
+     .summary = "the separation that allows the largest growth",
+     .example = "best",
+     .see = "rmax curve",
+     .columns = best_columns,
+     .principal = "s",
+     .run = run_best},
+    {.name = "curve",
+     .train = true,
+     .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
+                  {.name = "TO", .kind = ARGUMENT_OF, .of = "s"},
+                  {.name = "N", .kind = ARGUMENT_COUNT}},
+     .summary = "the largest growth at N separations: the paper's figures",
+     .example = "set q hollow; curve 0.1 0.9 5",
+     .see = "rmax pair best",
+     .columns = curve_columns,
+     .rows = true,
+     .run = run_curve},
+    {.name = "count",
+     .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
+                  {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
+     .summary = "how many dominoes topple one H tall, at growth R (or r)",
+     .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is "
+             "at least H tall.",
+     .example = "count 112 m 2",
+     .see = "rmax best",
+     .columns = count_columns,
+     .echo = "r",
+     .principal = "dominoes",
+     .run = run_count},
+    {.name = NULL},
+};

@@ -1,0 +1,334 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/plot_cycle.h"
+#include "io/terminal.h"
+#include "language/wide.h"
+#include "picture/picture.h"
+#include <string.h>
+
+enum { STEPS = 160, SAMPLES = STEPS + 1 + DOM_EVENTS_MAX, ROWS_MAX = 3 };
+
+#define BEYOND_STOP 4
+
+/* The cycle at one tilt. */
+struct sample {
+    dom_real theta, dH, J, omegasq; /* omegasq: NaN where the train does not come */
+    const char *event;              /* that happens here, or NULL */
+};
+
+struct cycle_samples {
+    struct sample at[SAMPLES];
+    int count;
+    struct dom_event events[DOM_EVENTS_MAX];
+    int event_count;
+    dom_real theta_c, end; /* end: of the picture */
+};
+
+/* ---- The data ---- */
+
+static bool events_find(struct session *session, struct cycle_samples *c)
+{
+    struct dom_angles angles;
+    enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
+    if (status == DOM_OK)
+        status = dom_cycle_events(&session->train, c->events, &c->event_count);
+    if (status == DOM_NO_FUEL)
+        return picture_comes_to(session, 0);
+    if (status == DOM_NO_MARGIN)
+        return session_error(session,
+                             "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller "
+                             "r has one");
+    c->theta_c = c->end = angles.theta_c;
+    /* Of a train that stops, the barrier is what there is to see. */
+    if (status == DOM_STOPS)
+        c->end = fmin(c->theta_c, BEYOND_STOP * c->events[c->event_count - 1].theta);
+    return status == DOM_OK || status == DOM_STOPS || session_status(session, status);
+}
+
+/* Tilts equally far apart, and those of the events among them. */
+static void tilts_make(struct cycle_samples *c)
+{
+    int event = 0;
+    c->count = 0;
+    for (int k = 0; k <= STEPS; k++) {
+        dom_real theta = k == STEPS ? c->end : c->end * k / STEPS;
+        bool taken = false;
+        for (; event < c->event_count && c->events[event].theta <= theta; event++) {
+            taken = c->events[event].theta == theta;
+            c->at[c->count++] = (struct sample){.theta = c->events[event].theta,
+                                                .event = dom_event_text(c->events[event].kind)};
+        }
+        if (!taken)
+            c->at[c->count++] = (struct sample){.theta = theta};
+    }
+}
+
+static enum dom_status sample_find(const struct dom_train *train, bool beyond, struct sample *k)
+{
+    struct dom_energy energy;
+    enum dom_status status = dom_energy_find(train, k->theta, &energy, NULL);
+    if (status != DOM_OK)
+        return status;
+    k->dH = energy.dH;
+    k->J = energy.J;
+    k->omegasq = DOM_NAN;
+    if (k->event && strcmp(k->event, "stop") == 0)
+        k->omegasq = 0;
+    else if (!beyond)
+        status = dom_cycle_omegasq(train, k->theta, &k->omegasq, NULL);
+    return status == DOM_STOPS ? DOM_OK : status;
+}
+
+static bool samples_find(struct session *session, struct cycle_samples *c)
+{
+    struct progress progress = {0, 0};
+    if (!events_find(session, c))
+        return false;
+    tilts_make(c);
+    dom_real end = c->events[c->event_count - 1].theta;
+    for (int k = 0; k < c->count; k++) {
+        enum dom_status status = sample_find(&session->train, c->at[k].theta > end, &c->at[k]);
+        progress_show(&progress, status == DOM_OK ? (k + 1.0) / c->count : 1);
+        if (status != DOM_OK)
+            return session_status(session, status);
+    }
+    return true;
+}
+
+/* ---- What these pictures have in common ---- */
+
+static double shown_angle(const struct session *session, dom_real theta)
+{
+    return (double)style_angle(&session->style, theta);
+}
+
+/* A line and a name for each event; names that would meet stand above each other. */
+static void script_events(FILE *out, const struct session *session, const struct cycle_samples *c, bool text)
+{
+    double end = shown_angle(session, c->end);
+    dom_real last[ROWS_MAX] = {-1, -1, -1}, room = c->end / 7;
+    for (int k = 0; k < c->event_count; k++) {
+        const struct dom_event *e = &c->events[k];
+        double at = shown_angle(session, e->theta);
+        int row = 0;
+        while (row + 1 < ROWS_MAX && e->theta - last[row] < room && last[row] >= 0)
+            row++;
+        last[row] = e->theta;
+        fprintf(out, "set arrow from %.8g, graph 0 to %.8g, graph %g nohead lc rgb '#555555' lw 1 dt 3\n", at,
+                at, text ? 0.94 : 1.0);
+        const char *side = k == 0 ? "left" : k + 1 == c->event_count && at > 0.9 * end ? "right" : "center";
+        fprintf(out, "set label '%s' at %.8g, graph 1 %s offset 0,%g\n", dom_event_text(e->kind), at, side,
+                (text ? 1 : 0.7) + row);
+    }
+}
+
+static void script_cycle(const struct picture *picture, const struct session *session,
+                         const struct cycle_samples *c, const char *what)
+{
+    FILE *out = picture->script;
+    const struct dom_train *t = &session->train;
+    fprintf(out, "set title \"%s over a cycle: s = %.4g, r = %.4g, d = %.4g, q = %.4g\" offset 0,%d\n", what,
+            (double)t->s, (double)t->r, (double)t->d, (double)t->q, ROWS_MAX);
+    fprintf(out, "set xlabel 'tilt of the head, %s [%s]'\nset xrange [0:%.8g]\nset tmargin %d\n",
+            picture->theta, style_angle_unit(&session->style), shown_angle(session, c->end), ROWS_MAX + 3);
+    script_events(out, session, c, picture->text);
+}
+
+/* A picture of the samples of a cycle; for programs, a row of each. */
+static bool plot_samples(struct session *session, const struct call *call,
+                         void (*row)(const struct session *, const struct sample *, struct answer *),
+                         void (*script)(const struct picture *, const struct session *,
+                                        const struct cycle_samples *))
+{
+    static struct cycle_samples c;
+    struct picture picture;
+    bool people = answer_for_people(call->answer);
+    if (people && !picture_begin(session, &picture))
+        return false;
+    if (!samples_find(session, &c))
+        return people && picture_drop(&picture);
+    for (int k = 0; k < c.count && !people; k++)
+        row(session, &c.at[k], call->answer);
+    if (!people)
+        return true;
+    script(&picture, session, &c);
+    return picture_end(session, &picture);
+}
+
+/* ---- Energy ---- */
+
+static void energy_script(const struct picture *picture, const struct session *session,
+                          const struct cycle_samples *c)
+{
+    FILE *out = picture->script;
+    /* Text has no room beside an axis. */
+    script_cycle(picture, session, c, picture->text ? "Energy [m g h / 2]" : "Energy");
+    fprintf(out,
+            "set ylabel 'energy [m g h / 2]'\nset border 11\nset y2tics\nset xzeroaxis lt 6 lw 1 dt 1\n");
+    if (!picture->text) /* where it would hide the numbers; the legend says it, too */
+        fprintf(out, "set y2label 'inertia J'\n");
+    fprintf(out, "$cycle << END\n");
+    for (int k = 0; k < c->count; k++)
+        fprintf(out, "%.8g %.8g %.8g %.8g\n", shown_angle(session, c->at[k].theta), (double)c->at[k].dH,
+                (double)(c->at[k].J * c->at[k].omegasq), (double)c->at[k].J);
+    fprintf(out, "END\nplot $cycle using 1:2 with lines lt 1 lw 3 title ' potential energy, dH', "
+                 "$cycle using 1:3 with lines lt 2 lw 3 title ' kinetic energy', "
+                 "$cycle using 1:4 axes x1y2 with linespoints lt 3 pi 20 title ' J (right)'\n");
+}
+
+static void energy_row(const struct session *session, const struct sample *at, struct answer *answer)
+{
+    (void)session;
+    answer_row(answer,
+               ROW(cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq), cell_real(at->J),
+                   cell_word(at->event)),
+               NULL);
+}
+
+bool plot_energy(struct session *session, const struct call *call)
+{
+    return plot_samples(session, call, energy_row, energy_script);
+}
+
+/* ---- Angular velocity ---- */
+
+static void omega_script(const struct picture *picture, const struct session *session,
+                         const struct cycle_samples *c)
+{
+    FILE *out = picture->script;
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    script_cycle(picture, session, c, picture->text ? "Angular velocity [1/s]" : "Angular velocity");
+    fprintf(out, "set ylabel '%s [%s/s]'\nset yrange [0:*]\n$cycle << END\n", picture->omega,
+            style_angle_unit(&session->style));
+    for (int k = 0; k < c->count; k++)
+        fprintf(out, "%.8g %.8g\n", shown_angle(session, c->at[k].theta),
+                shown_angle(session, sqrt(c->at[k].omegasq) / tau));
+    fprintf(out,
+            "END\nplot $cycle using 1:2 with lines lt 1 lw 3 "
+            "title ' of the head, h = %.4g mm; the next is sqrt(r) times slower'\n",
+            (double)(1000 * session->scale.h));
+}
+
+static void omega_row(const struct session *session, const struct sample *at, struct answer *answer)
+{
+    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    answer_row(answer,
+               ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(sqrt(at->omegasq) / tau),
+                   cell_word(at->event)),
+               NULL);
+}
+
+bool plot_omega(struct session *session, const struct call *call)
+{
+    return plot_samples(session, call, omega_row, omega_script);
+}
+
+/* ---- Angles ---- */
+
+enum { LINES = 5 };
+#define LINES_APART ((dom_real)2 / 100) /* of theta_f: closer to that, lines are not told apart */
+
+/* The tilts of the first dominoes at one tilt of the head. */
+struct angles {
+    dom_real theta[LINES];
+    int count;
+};
+
+static bool angles_link(const struct dom_link *link, const struct dom_link *error, void *context)
+{
+    struct angles *a = context;
+    (void)error;
+    a->theta[a->count++] = link->theta;
+    return a->count < LINES;
+}
+
+/* One that is too light to matter, or has fallen off, is at theta_f. */
+static enum dom_status angles_find(const struct dom_train *train, dom_real theta, dom_real theta_f,
+                                   struct angles *a)
+{
+    a->count = 0;
+    enum dom_status status = dom_chain_walk(train, theta, false, angles_link, a);
+    while (a->count < LINES)
+        a->theta[a->count++] = theta_f;
+    return status;
+}
+
+/* As many as begin apart from theta_f. */
+static enum dom_status lines_count(const struct dom_train *train, const struct dom_angles *angles, int *lines)
+{
+    struct angles a;
+    enum dom_status status = angles_find(train, 0, angles->theta_f, &a);
+    *lines = 1;
+    while (*lines < LINES && angles->theta_f - a.theta[*lines] > LINES_APART * angles->theta_f)
+        ++*lines;
+    return status;
+}
+
+static bool chain_rows(struct session *session, struct answer *answer, const struct cycle_samples *c,
+                       const struct dom_angles *angles, int lines)
+{
+    for (int k = 0; k < c->count; k++) {
+        struct angles a;
+        enum dom_status status = angles_find(&session->train, c->at[k].theta, angles->theta_f, &a);
+        if (status != DOM_OK)
+            return session_status(session, status);
+        for (int i = 0; i < lines; i++)
+            answer_row(answer,
+                       ROW(cell_count(i), cell_real(c->at[k].theta), cell_real(a.theta[i]),
+                           cell_word(c->at[k].event)),
+                       NULL);
+    }
+    return true;
+}
+
+static bool chain_script(const struct picture *picture, struct session *session,
+                         const struct cycle_samples *c, const struct dom_angles *angles, int lines)
+{
+    FILE *out = picture->script;
+    struct angles a = {.count = 0};
+    script_cycle(picture, session, c, picture->text ? "Tilts theta_i" : "Tilts");
+    fprintf(out,
+            "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain "
+            "<< END\n",
+            picture->theta, style_angle_unit(&session->style), 1.02 * shown_angle(session, angles->theta_f));
+    for (int k = 0; k < c->count; k++) {
+        enum dom_status status = angles_find(&session->train, c->at[k].theta, angles->theta_f, &a);
+        if (status != DOM_OK)
+            return session_status(session, status);
+        fprintf(out, "%.8g", shown_angle(session, c->at[k].theta));
+        for (int i = 0; i < lines; i++)
+            fprintf(out, " %.8g", shown_angle(session, a.theta[i]));
+        fprintf(out, "\n");
+    }
+    fprintf(out, "END\n");
+    fprintf(out, "plot ");
+    for (int i = 0; i < lines; i++)
+        fprintf(out, "$chain using 1:%d with lines lt %d lw 2.5 title ' i = %d%s', ", i + 2, i + 1, i,
+                i == 0 ? ", the head" : "");
+    fprintf(out, "%.8g with lines lt 6 lw 1 dt 3 title ' %s_f, the last'\n",
+            shown_angle(session, angles->theta_f), picture->theta);
+    return true;
+}
+
+bool plot_chain(struct session *session, const struct call *call)
+{
+    static struct cycle_samples c;
+    struct picture picture;
+    struct dom_angles angles;
+    int lines;
+    bool people = answer_for_people(call->answer);
+    if (people && !picture_begin(session, &picture))
+        return false;
+    if (!samples_find(session, &c))
+        return people && picture_drop(&picture);
+    enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
+    if (status == DOM_OK)
+        status = lines_count(&session->train, &angles, &lines);
+    if (status != DOM_OK) {
+        session_status(session, status);
+        return people && picture_drop(&picture);
+    }
+    if (!people)
+        return chain_rows(session, call->answer, &c, &angles, lines);
+    return chain_script(&picture, session, &c, &angles, lines) ? picture_end(session, &picture)
+                                                               : picture_drop(&picture);
+}

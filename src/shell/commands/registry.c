@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/registry.h"
+#include "commands/tables.h"
+
+const struct command_group all_commands[] = {
+    {"One cycle of the train", cycle_commands},
+    {"The cycle, step by step", walk_commands},
+    {"How far it can grow", limit_commands},
+    {"The train in pictures", draw_commands},
+    {"Curves", plot_commands},
+    {"Any answer over a grid", sweep_commands},
+    {"Effects beyond the paper", effect_commands},
+    {"A row of dominoes", row_commands},
+    {"Rows with random errors", study_commands},
+    {"What accuracy costs", cost_commands},
+    {"The session", session_commands},
+    {"Help", help_commands},
+    {NULL, NULL},
+};

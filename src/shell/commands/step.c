@@ -1,0 +1,276 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Commands that go through one cycle: as a table, and event by event. */
+#include "commands/tables.h"
+#include "commands/walk.h"
+#include "interpreter/command.h"
+#include "language/wide.h"
+#include <string.h>
+
+enum { CYCLES_MAX = 1000 };
+
+#define WALK_COLUMNS                                                                                         \
+    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 6},                \
+        {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
+        {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
+        {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \
+        {"lost", "mgh/2", "of that in the collision (c4)", 0},                                               \
+        {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},                   \
+        {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},                        \
+        {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},                               \
+    {                                                                                                        \
+        "potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0                                     \
+    }
+
+static const struct column walk_columns[] = {WALK_COLUMNS, {NULL, NULL, NULL, 0}};
+
+/* Where dominoes rub. */
+static const struct column rubbing_columns[] = {
+    WALK_COLUMNS,
+    {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* The walk of the session's train, begun if there is none; *begun tells.  False: an error was reported. */
+static bool walk_ready(struct session *session, struct answer *answer, bool *begun)
+{
+    struct walk *w = &session->walk;
+    *begun = false;
+    if (walk_now(session))
+        return true;
+    if (w->count > 0)
+        answer_say(answer, "The parameters have changed: the walk begins anew.");
+    *w = (struct walk){.train = session->train, .asked = session->train, .cycle = 1};
+    /* Its sentences have six digits: they are to be right at any tolerance. */
+    w->train.tol = fmin(w->train.tol, fmax(dom_arithmetic(w->train.precision)->tol_floor, (dom_real)1e-9));
+    w->verdict = dom_cycle_events(&w->train, w->events, &w->count);
+    *begun = true;
+    return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
+           session_status(session, w->verdict);
+}
+
+static bool walk_answer(struct session *session, const struct call *call, bool words)
+{
+    const struct walk *w = &session->walk;
+    struct column room[COLUMNS_ROOM];
+    struct answer *a = call->answer;
+    struct dom_state s, e = {0};
+    a->columns = w->train.mu > 0 ? rubbing_columns : walk_columns;
+    if (w->verdict == DOM_NO_FUEL) {
+        struct cell none = cell_real(DOM_NAN);
+        answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none, none),
+                   walk_no_start);
+        return true;
+    }
+    enum dom_status status = dom_cycle_state(&w->train, w->theta, &s, ERROR_OF(session, e));
+    if (status != DOM_OK)
+        return session_status(session, status);
+    struct walk_units u = walk_units(session, w->cycle);
+    if (words)
+        walk_say(session, w, &s, a);
+    walk_columns_in(session, a, room);
+    struct cell energies[] = {
+        cell_bound(s.before * u.energy, e.before * u.energy),
+        cell_bound(s.lost * u.energy, e.lost * u.energy),
+        cell_bound((0 - s.climbed) * u.energy, e.climbed * u.energy),
+        cell_bound((0 - s.fallen) * u.energy, e.fallen * u.energy),
+        cell_bound(s.kinetic * u.energy, e.kinetic * u.energy),
+        cell_bound(s.climbed * u.energy, e.climbed * u.energy),
+        cell_bound(s.rubbed * u.energy, DOM_NAN),
+    };
+    answer_row(a,
+               ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
+                   cell_real(s.theta), cell_bound(s.time * u.tau, e.time * u.tau),
+                   cell_omega(s.omegasq, e.omegasq, u.tau), energies[0], energies[1], energies[2],
+                   energies[3], energies[4], energies[5], energies[6]),
+               NULL);
+    a->columns = rubbing_columns;
+    if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
+        answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
+    dom_real open = s.before - s.lost - s.climbed - s.rubbed - s.kinetic;
+    if (fabs(open) > 100 * w->train.tol * (s.before + fabs(s.climbed)))
+        answer_say(a, "The ledger is open by %.4g %s: the paper's fuel is no balance of energy.",
+                   (double)(open * u.energy), u.energy_unit);
+    return true;
+}
+
+/* One event on; false, with *done, where there is none. */
+static bool walk_forward(struct walk *w)
+{
+    if (w->event + 1 < w->count) {
+        w->event++;
+    } else if (w->verdict == DOM_OK && w->cycle < CYCLES_MAX) {
+        w->cycle++;
+        w->event = 0;
+    } else {
+        return false;
+    }
+    w->theta = w->events[w->event].theta;
+    return true;
+}
+
+static bool walk_backward(struct walk *w)
+{
+    if (w->theta > w->events[w->event].theta) {
+        /* from between two events to the one before */
+    } else if (w->event > 0) {
+        w->event--;
+    } else if (w->cycle > 1) {
+        w->cycle--;
+        w->event = w->count - 1;
+    } else {
+        return false;
+    }
+    w->theta = w->events[w->event].theta;
+    return true;
+}
+
+static bool walk_end(struct session *session, bool forward)
+{
+    const struct walk *w = &session->walk;
+    if (!forward)
+        return session_no_answer(session, "this is the launch of the first cycle; 'step' goes on");
+    return w->verdict == DOM_STOPS
+               ? session_no_answer(
+                     session, "the train has stopped, it comes no further; 'why' says more, 'goto launch' "
+                              "begins again")
+               : session_no_answer(session,
+                                   "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
+                                   CYCLES_MAX);
+}
+
+/* Where the walk ends before the steps do, it answers for those that it could make, then says why. */
+static bool walk_by(struct session *session, const struct call *call, bool forward)
+{
+    bool moved; /* a walk that has just begun stands at its first launch */
+    struct walk *w = &session->walk;
+    long steps = call->count > 0 ? (long)call->number[0] : 1;
+    if (!walk_ready(session, call->answer, &moved))
+        return false;
+    steps -= moved && forward;
+    bool open = w->verdict != DOM_NO_FUEL;
+    for (; open && steps > 0; steps--) {
+        open = forward ? walk_forward(w) : walk_backward(w);
+        moved = moved || open;
+    }
+    bool short_of = !open && w->verdict != DOM_NO_FUEL;
+    if (moved || !short_of)
+        if (!walk_answer(session, call, true))
+            return false;
+    return !short_of || walk_end(session, forward);
+}
+
+static bool run_step(struct session *session, const struct call *call)
+{
+    return walk_by(session, call, true);
+}
+
+static bool run_back(struct session *session, const struct call *call)
+{
+    return walk_by(session, call, false);
+}
+
+static bool run_where(struct session *session, const struct call *call)
+{
+    bool begun;
+    return walk_ready(session, call->answer, &begun) && walk_answer(session, call, true);
+}
+
+static const char *event_names(const void *context, int k)
+{
+    (void)context;
+    return k <= DOM_EVENT_HIT ? dom_event_text((enum dom_event_kind)k) : NULL;
+}
+
+static bool run_goto(struct session *session, const struct call *call)
+{
+    bool begun;
+    struct walk *w = &session->walk;
+    dom_real place = call->number[0];
+    if (!walk_ready(session, call->answer, &begun))
+        return false;
+    if (w->verdict == DOM_NO_FUEL)
+        return walk_answer(session, call, true);
+    int found = -1;
+    for (int k = 0; k < w->count; k++)
+        if (place < 0 ? w->events[k].kind == (enum dom_event_kind)(-1 - (int)place)
+                      : w->events[k].theta <= place)
+            found = k;
+    if (found < 0)
+        return session_no_answer(session, "there is no '%s' in this cycle; 'cycle' lists its events",
+                                 dom_event_text((enum dom_event_kind)(-1 - (int)place)));
+    if (place > w->events[w->count - 1].theta)
+        return session_no_answer(
+            session, "the train stops at theta = %.10g %s, it does not come as far; 'goto stop' does",
+            (double)style_angle(&session->style, w->events[w->count - 1].theta),
+            style_angle_unit(&session->style));
+    w->event = found;
+    w->theta = place < 0 ? w->events[found].theta : place;
+    return walk_answer(session, call, true);
+}
+
+const struct command walk_commands[] = {
+    {.name = "cycle",
+     .train = true,
+     .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true},
+                  {.name = "BY",
+                   .kind = ARGUMENT_CHOICE,
+                   .of = "way to space rows",
+                   .choices = cycle_by,
+                   .optional = true}},
+     .summary = "one cycle in N rows, even in time or in tilt",
+     .equation = "(b8) (c3)",
+     .help = "12 rows, even in time, unless N and BY say otherwise; the events have rows of their own. "
+             "Energies are "
+             "in J where 'mass' or 'density' is set.",
+     .example = "cycle 5 tilt",
+     .see = "step omega duration",
+     .columns = cycle_columns,
+     .rows = true,
+     .run = cycle_run},
+    {.name = "step",
+     .train = true,
+     .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
+     .summary = "to the next event: what happens, and its ledger of energy",
+     .equation = "(a2) (c3) (c4) (c6) (c7) (c8) (A17)",
+     .help = "The first step is to the launch of the first cycle; behind the hit the next, larger and slower "
+             "cycle "
+             "begins. The ledger: before - lost + gained = kinetic.",
+     .example = "step; step",
+     .see = "back goto where why",
+     .columns = rubbing_columns,
+     .run = run_step},
+    {.name = "back",
+     .train = true,
+     .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
+     .summary = "back to the event before",
+     .example = "step 3; back",
+     .see = "step goto",
+     .columns = rubbing_columns,
+     .run = run_back},
+    {.name = "goto",
+     .train = true,
+     .argument = {{.name = "PLACE", .kind = ARGUMENT_PLACE, .of = "event", .choices = event_names}},
+     .summary = "to a tilt, or to the launch, top, fall, stop or hit",
+     .example = "goto 0.3",
+     .see = "step where",
+     .columns = rubbing_columns,
+     .run = run_goto},
+    {.name = "where",
+     .train = true,
+     .summary = "where the walk stands",
+     .example = "goto top; where",
+     .see = "step goto",
+     .columns = rubbing_columns,
+     .principal = "theta",
+     .run = run_where},
+    {.name = "why",
+     .train = true,
+     .summary = "why the train goes on or stops: the term that decides",
+     .equation = "(c6) (c7) (c8)",
+     .example = "why",
+     .see = "barrier rmax step",
+     .columns = why_columns,
+     .principal = "margin",
+     .run = why_run},
+    {.name = NULL},
+};

@@ -1,0 +1,371 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A study of placement in parts.  Of random rows only counts are wanted, and those add up: each part writes
+ * them for blocks of fixed row numbers, which are the same into however many parts the study is cut, and
+ * 'pool' reads them all and answers as 'placement' itself would.
+ */
+#include "commands/study_parts.h"
+#include "commands/falling.h"
+#include "interpreter/line.h"
+#include "io/io.h"
+#include "language/text.h"
+#include "language/wide.h"
+#include "parallel/points.h"
+#include <errno.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BLOCK_ROWS = 100 };
+
+static const struct column block_columns[] = {
+    {"sigma", "m", "standard deviation of every gap", 0},
+    {"heights", "", "relative one of every height", 0},
+    {"seed", "", "of the random rows", 0},
+    {"scene", "", "a checksum of the row and what else decides how it falls", 8},
+    {"dominoes", "", "in it", 8},
+    {"of", "", "rows in the whole study", 8},
+    {"first", "", "number of the first row of this block, from 1", 8},
+    {"rows", "", "in this block", 4},
+    {"fall", "", "of them fall to the last domino", 4},
+    {"unknown", "", "this model does not tell", 7},
+    {"stops", "", "the others: at which domino, how many", 20},
+    {NULL, NULL, NULL, 0},
+};
+
+/* ---- The answer ---- */
+
+const struct column placement_columns[] = {
+    {"sigma", "m", "standard deviation of every gap", 0},
+    {"heights", "", "relative one of every height", 0},
+    {"rows", "", "that were set up", 0},
+    {"fall", "", "of them fall to the last domino", 0},
+    {"probability", "", "fall / rows", 0},
+    {"low", "", "95 % interval of the probability", 0},
+    {"high", "", "", 0},
+    {"unknown", "", "rows that this model does not tell: they widen the interval", 0},
+    {"stops_most", "", "the domino at which most of the others end", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Where rows stop, the most frequent first. */
+static size_t stops_say(struct answer *a, const size_t *stops, size_t count, size_t others)
+{
+    enum { SHOWN = 5 };
+    size_t first = 0;
+    char text[200];
+    int n = 0;
+    bool *said = calloc(count, sizeof *said);
+    for (int i = 0; said && i < SHOWN; i++) {
+        size_t most = count;
+        for (size_t k = 0; k < count; k++)
+            if (!said[k] && stops[k] > 0 && (most == count || stops[k] > stops[most]))
+                most = k;
+        if (most == count)
+            break;
+        said[most] = true;
+        first = first ? first : most + 1;
+        n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", most + 1,
+                      100 * (double)stops[most] / (double)others);
+    }
+    if (n > 0)
+        answer_say(a, "The others end at domino %s.", text);
+    free(said);
+    return first;
+}
+
+void study_answer(const struct call *call, dom_real sigma, dom_real heights, const struct dom_study *study,
+                  const size_t *stops, size_t count, const char *reason)
+{
+    size_t others = study->rows - study->fall - study->unknown;
+    size_t most = stops_say(call->answer, stops, count, others);
+    answer_row(call->answer,
+               ROW(cell_real(sigma), cell_real(heights), cell_count((dom_real)study->rows),
+                   cell_count((dom_real)study->fall),
+                   cell_bound((dom_real)study->fall / (dom_real)study->rows, DOM_NAN),
+                   cell_bound((dom_real)study->low, DOM_NAN), cell_bound((dom_real)study->high, DOM_NAN),
+                   cell_count((dom_real)study->unknown),
+                   most ? cell_count((dom_real)most) : cell_real(DOM_NAN)),
+               reason);
+}
+
+/* ---- Blocks ---- */
+
+/* FNV-1a (Fowler, Noll, Vo): tells studies of different rows apart, whose counts do not add up. */
+static void checksum_add(uint32_t *sum, dom_real value)
+{
+    unsigned char bytes[sizeof(double)];
+    double near = (double)value;
+    memcpy(bytes, &near, sizeof bytes);
+    for (size_t i = 0; i < sizeof bytes; i++)
+        *sum = (*sum ^ bytes[i]) * 16777619u;
+}
+
+static uint32_t scene_checksum(const struct dom_row *row)
+{
+    uint32_t sum = 2166136261u;
+    const dom_real all[] = {row->g, isnan(row->push) ? -1 : row->push, row->mu, row->tol,
+                            (dom_real)row->precision};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        checksum_add(&sum, all[i]);
+    for (size_t k = 0; k < row->count; k++) {
+        checksum_add(&sum, row->domino[k].height);
+        checksum_add(&sum, row->domino[k].thickness);
+        checksum_add(&sum, row->domino[k].gap);
+        checksum_add(&sum, row->domino[k].mass);
+    }
+    return sum;
+}
+
+/* A worker's; the first five are the same for all. */
+struct blocks {
+    const struct dom_row *row;
+    const struct dom_placement *placement; /* of all rows */
+    char scene[16];
+    const struct column *columns;
+    struct answer answer;
+    enum dom_status status;
+};
+
+/* "5:12 6:3" */
+static void stops_text(const size_t *stops, size_t count, char text[BLOCK_ROWS * 16])
+{
+    int n = 0;
+    text[0] = '\0';
+    for (size_t k = 0; k < count; k++)
+        if (stops[k] > 0)
+            n +=
+                snprintf(text + n, (size_t)(BLOCK_ROWS * 16 - n), "%s%zu:%zu", n ? " " : "", k + 1, stops[k]);
+}
+
+static bool block_point(void *own, size_t block, FILE *out)
+{
+    struct blocks *b = own;
+    struct dom_study study;
+    struct dom_placement p = *b->placement;
+    char text[BLOCK_ROWS * 16];
+    size_t *stops = calloc(b->row->count, sizeof *stops), all = p.rows;
+    p.first = block * BLOCK_ROWS;
+    p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
+    p.threads = 1; /* the blocks are side by side already */
+    p.progress = NULL;
+    b->status = stops ? dom_placement_study(b->row, &p, &study, stops) : DOM_NO_MEMORY;
+    if (b->status == DOM_OK) {
+        struct answer a = answer_part(&b->answer, out, block == 0);
+        stops_text(stops, b->row->count, text);
+        answer_row(&a,
+                   ROW(cell_real(p.sigma), cell_real(p.heights), cell_count((dom_real)p.seed),
+                       cell_word(b->scene), cell_count((dom_real)b->row->count), cell_count((dom_real)all),
+                       cell_count((dom_real)p.first + 1), cell_count((dom_real)p.rows),
+                       cell_count((dom_real)study.fall), cell_count((dom_real)study.unknown),
+                       cell_word(text)),
+                   NULL);
+    }
+    free(stops);
+    return b->status == DOM_OK;
+}
+
+bool study_blocks(struct session *session, const struct call *call, const struct scene_row *scene,
+                  const struct dom_placement *placement)
+{
+    struct answer *a = call->answer;
+    struct blocks b = {.row = &scene->row, .placement = placement};
+    bool by_point;
+    const struct column *own = a->columns;
+    snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row));
+    a->columns = block_columns;
+    a->rows = true;
+    a->style.errors = false; /* counts have none */
+    answer_plan(a, NULL);
+    b.answer = *a;
+    const struct points points = {.total = (placement->rows + BLOCK_ROWS - 1) / BLOCK_ROWS,
+                                  .point = block_point,
+                                  .own = &b,
+                                  .size = sizeof b};
+    bool done = points_answer(session, a, &points, &by_point);
+    a->columns = own;
+    return done || (by_point && row_status(session, b.status));
+}
+
+/* ---- Pooling ---- */
+
+enum { SIGMA, HEIGHTS, SEED, SCENE, DOMINOES, OF, FIRST, ROWS, FALL, UNKNOWN, STOPS, FIELDS };
+enum { COMMON = FIRST, SAME_SIZE = 256 }; /* fields that all blocks of a study share */
+
+struct part {
+    size_t first, rows;
+};
+
+struct pool {
+    struct session *session;
+    const char *path; /* as it is shown */
+    long line;
+    char same[SAME_SIZE]; /* the common fields, as the first block has them; "" before it */
+    dom_real sigma, heights;
+    struct dom_study study;
+    size_t of, dominoes, *stops;
+    struct part *part;
+    size_t parts, room;
+};
+
+static bool wrong(const struct pool *p, const char *why)
+{
+    return session_error(p->session, "%s:%ld: %s", p->path, p->line, why);
+}
+
+/* A count, all of the text. */
+static bool count_read(const char *text, size_t most, size_t *count)
+{
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    *count = (size_t)value;
+    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0 && value <= most;
+}
+
+static bool study_begin(struct pool *p, char *const *field, const char *same)
+{
+    char *ends[2];
+    p->sigma = wide_read(field[SIGMA], &ends[0]);
+    p->heights = wide_read(field[HEIGHTS], &ends[1]);
+    if (*ends[0] || *ends[1] || !count_read(field[DOMINOES], COUNT_MAX, &p->dominoes) || p->dominoes == 0 ||
+        !count_read(field[OF], COUNT_MAX, &p->of))
+        return wrong(p, "this is no block of a study");
+    snprintf(p->same, sizeof p->same, "%s", same);
+    p->stops = calloc(p->dominoes, sizeof *p->stops);
+    return p->stops || session_status(p->session, DOM_NO_MEMORY);
+}
+
+/* "5:12 6:3": how many that are. */
+static bool stops_add(struct pool *p, char *text, size_t *sum)
+{
+    *sum = 0;
+    for (char *rest = text, *word; (word = strsep(&rest, " ")) != NULL;) {
+        size_t domino, count;
+        char *colon = strchr(word, ':');
+        if (*word == '\0')
+            continue;
+        if (colon)
+            *colon = '\0';
+        if (!colon || !count_read(word, p->dominoes, &domino) || domino == 0 ||
+            !count_read(colon + 1, COUNT_MAX, &count))
+            return false;
+        p->stops[domino - 1] += count;
+        *sum += count;
+    }
+    return true;
+}
+
+static bool part_add(struct pool *p, size_t first, size_t rows)
+{
+    if (p->parts == p->room) {
+        p->room = 2 * p->room + 64;
+        struct part *more = realloc(p->part, p->room * sizeof *more);
+        if (!more)
+            return session_status(p->session, DOM_NO_MEMORY);
+        p->part = more;
+    }
+    p->part[p->parts++] = (struct part){first, rows};
+    return true;
+}
+
+static bool block_add(struct pool *p, char *line)
+{
+    char *field[FIELDS], *rest = line, same[SAME_SIZE];
+    int n = 0;
+    while (n < FIELDS && rest)
+        field[n++] = strsep(&rest, ",");
+    if (n < FIELDS || rest)
+        return wrong(p, "a block of a study has other fields: 'placement' in csv, with --shard, writes them");
+    snprintf(same, sizeof same, "%s,%s,%s,%s,%s,%s", field[0], field[1], field[2], field[3], field[4],
+             field[5]);
+    if (!*p->same && !study_begin(p, field, same))
+        return false;
+    if (strcmp(same, p->same) != 0)
+        return wrong(p, "this block is of another study: sigma, heights, seed, row or number of rows differ");
+    size_t first, rows, fall, unknown, stopped;
+    if (!count_read(field[FIRST], p->of, &first) || !count_read(field[ROWS], BLOCK_ROWS, &rows) ||
+        first == 0 || rows > p->of - first + 1 || !count_read(field[FALL], rows, &fall) ||
+        !count_read(field[UNKNOWN], rows, &unknown) || !stops_add(p, field[STOPS], &stopped) ||
+        fall + unknown + stopped != rows)
+        return wrong(p, "this is no block of a study: its counts do not fit");
+    p->study.rows += rows;
+    p->study.fall += fall;
+    p->study.unknown += unknown;
+    return part_add(p, first, rows);
+}
+
+static bool pool_read(struct pool *p, FILE *in)
+{
+    char head[SAME_SIZE] = "", *text = NULL;
+    size_t size = 0;
+    ssize_t length;
+    bool good = true;
+    for (const struct column *c = block_columns; c->key; c++) {
+        size_t used = strlen(head);
+        snprintf(head + used, sizeof head - used, "%s%s", used ? "," : "", c->key);
+    }
+    while (good && (length = text_read(&text, &size, in)) != -1) {
+        p->line++;
+        if (length > TEXT_MOST)
+            good = wrong(p, "the line is too long for a block of a study");
+        text[strcspn(text, "\r\n")] = '\0';
+        /* Parts stand one behind the other, in any order. */
+        if (good && *text && strcmp(text, head) != 0)
+            good = block_add(p, text);
+    }
+    free(text);
+    if (!good)
+        return false;
+    if (ferror(in))
+        return session_error(p->session, "cannot read on in '%s': %s", p->path, strerror(errno));
+    return p->parts > 0 || session_error(p->session, "there are no blocks of a study in '%s'", p->path);
+}
+
+static int by_first(const void *a, const void *b)
+{
+    const struct part *x = a, *y = b;
+    return x->first < y->first ? -1 : x->first > y->first;
+}
+
+/* Into missing, which rows; "" for none.  False: some are there twice, which was reported. */
+static bool parts_check(struct pool *p, char *missing, size_t size)
+{
+    size_t next = 1;
+    missing[0] = '\0';
+    qsort(p->part, p->parts, sizeof *p->part, by_first);
+    for (size_t i = 0; i <= p->parts; i++) {
+        size_t first = i < p->parts ? p->part[i].first : p->of + 1;
+        if (first < next)
+            return session_error(p->session, "row %zu of the study stands twice in '%s'", first, p->path);
+        if (first > next && !*missing)
+            snprintf(missing, size, "%zu of the %zu rows are missing, the first is number %zu",
+                     p->of - p->study.rows, p->of, next);
+        next = i < p->parts ? first + p->part[i].rows : next;
+    }
+    return true;
+}
+
+bool pool_run(struct session *session, const struct call *call)
+{
+    char missing[128], shown[NAMES_SHOWN];
+    struct pool p = {.session = session, .path = call->word[0]};
+    bool standard = strcmp(p.path, "-") == 0;
+    const volatile sig_atomic_t *interrupt = session->train.interrupt;
+    FILE *in = standard ? io_stdin(interrupt) : io_read(p.path, interrupt);
+    if (!in)
+        return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
+    p.path = names_shown(p.path, shown); /* from here on for messages */
+    bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
+    if (good) {
+        enum dom_status status = dom_study_interval(&p.study);
+        if (status == DOM_OK)
+            study_answer(call, p.sigma, p.heights, &p.study, p.stops, p.dominoes, *missing ? missing : NULL);
+        good = status == DOM_OK || session_status(session, status);
+    }
+    if (!standard)
+        fclose(in);
+    free(p.stops);
+    free(p.part);
+    return good;
+}

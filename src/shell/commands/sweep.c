@@ -1,0 +1,401 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep: what a command answers, over a grid of parameters and effects. */
+#include "commands/grid.h"
+#include "commands/swept.h"
+#include "commands/tables.h"
+#include "language/wide.h"
+#include "parallel/points.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The arguments of the command. */
+struct sweep {
+    struct grid grid;
+    const struct command *command; /* that is asked at each point */
+    const struct text *text;
+    const char *arguments; /* in the text */
+};
+
+/* ---- Reading ---- */
+
+static void sweep_free(void *own)
+{
+    struct sweep *s = own;
+    if (s)
+        grid_free(&s->grid);
+    free(s);
+}
+
+static bool sweep_read_grid(struct reader *r, struct call *call)
+{
+    struct sweep *s = calloc(1, sizeof *s);
+    if (!s)
+        return session_status(r->session, DOM_NO_MEMORY);
+    call->own = s;
+    call->own_free = sweep_free;
+    r->stops = ":,";
+    bool good = grid_read(r, &s->grid);
+    r->stops = NULL;
+    return good &&
+           (*r->at == ':' || session_error(r->session, "':' and a command are missing behind the grid, "
+                                                       "such as ': rmax'"));
+}
+
+/* Where the command ends: at ';', at a comment, or at the file behind '>'. */
+static const char *command_end(const char *c)
+{
+    for (bool quote = false, blank = true; *c; c++) {
+        quote = quote != (*c == '"');
+        if (!quote && (*c == ';' || *c == '>' || (*c == '#' && blank)))
+            break;
+        blank = isspace((unsigned char)*c);
+    }
+    return c;
+}
+
+static bool sweep_read_command(struct reader *r, struct call *call)
+{
+    struct session *session = r->session;
+    struct sweep *s = call->own;
+    r->at = skip_blanks(r->at + 1);
+    session->column = reader_column(r, r->at);
+    if (command_ends(r->at) || *r->at == '>')
+        return session_error(session, "the command behind ':' is missing, such as 'rmax' or 'count 112 m'");
+    const struct command *c = s->command = read_command(r);
+    if (!c)
+        return false;
+    if (c->unswept)
+        return session_error(session, "'%s' is not swept: %s", c->name, c->unswept);
+    if (!c->columns)
+        return session_error(session, "'%s' has no answer; a sweep asks a command that has, such as 'rmax'",
+                             c->name);
+    s->text = r->text;
+    s->arguments = r->at;
+    r->at = command_end(r->at);
+    return true;
+}
+
+/* ---- One point ---- */
+
+/* What each worker has to itself; sweep and base are the same for all, and nobody changes them. */
+struct sweeper {
+    const struct sweep *sweep;
+    const struct session *base; /* each point begins with it, and leaves no trace in it */
+    bool styled;                /* the grid changes what is to be known of numbers */
+    struct answer answer;
+    struct session point;
+    struct swept swept;
+    struct heard heard;
+    size_t index[AXES_MAX]; /* of the values below */
+    dom_real value[AXES_MAX];
+    size_t reasons; /* points that have one; the first of them, and what it is */
+    size_t first;
+    char reason[SWEPT_REASON];
+};
+
+/* The first-named parameter is the slowest. */
+static void point_values(struct sweeper *w, size_t k)
+{
+    const struct grid *grid = &w->sweep->grid;
+    for (int i = grid->axes - 1; i >= 0; i--) {
+        const struct axis *axis = &grid->axis[i];
+        size_t index = k % axis->count;
+        k /= axis->count;
+        if (index == w->index[i])
+            continue;
+        w->index[i] = index;
+        w->value[i] = axis_value(axis, index);
+        w->swept.value[i] = axis_cell(axis, w->value[i]);
+    }
+}
+
+static void point_session(struct sweeper *w, FILE *out)
+{
+    w->point = *w->base;
+    w->point.out = out;
+    w->point.heard = &w->heard;
+    w->point.threads = 1; /* the points are side by side already */
+    w->point.shard.parts = 0;
+    w->heard.text[0] = '\0';
+    grid_put(&w->sweep->grid, w->value, &w->point);
+}
+
+/* Asks the command.  False: it has no answer, see heard. */
+static bool point_ask(struct sweeper *w, struct answer *a)
+{
+    const struct sweep *s = w->sweep;
+    struct call call = {.answer = a};
+    struct reader r = {.session = &w->point, .text = s->text, .at = s->arguments};
+    bool done = grid_check(&s->grid, &w->point);
+    w->point.command = s->command->name;
+    done = done && read_arguments(&r, s->command, &call);
+    if (done) {
+        w->point.column = 0;
+        done = s->command->run(&w->point, &call);
+    }
+    call_free(&call);
+    return done;
+}
+
+static bool point_answer(struct sweeper *w, size_t k, struct answer *a);
+
+/* So many points are tried for one with an answer, which shows what kinds of cells there are. */
+enum { TRIED = 256 };
+
+/* Is there one among the first?  Its first row is then in swept.first. */
+static bool point_like(struct sweeper *w)
+{
+    struct answer unread = w->answer;
+    unread.out = NULL;
+    size_t points = w->sweep->grid.points;
+    w->swept.answered = false;
+    for (size_t k = 0; k < points && k < TRIED && !w->swept.answered; k++)
+        if (!point_answer(w, k, &unread))
+            return false;
+    return w->swept.answered;
+}
+
+/* Point k has no answer.  Where it stands below the head of a table, others show units and kinds. */
+static void point_none(struct sweeper *w, size_t k, struct answer *a, const char *why)
+{
+    struct cell like[ANSWER_COLUMNS];
+    char reason[SWEPT_REASON];
+    snprintf(reason, sizeof reason, "%s", why);
+    bool head = a->out && !a->begun && a->style.output == OUTPUT_TABLE;
+    if (head && point_like(w)) {
+        memcpy(like, w->swept.first, sizeof like);
+        a->like = like;
+    }
+    point_values(w, k);
+    swept_begin(&w->swept);
+    swept_none(a, reason);
+    a->like = NULL;
+}
+
+/* The rows of point k; false: something is wrong with the line, see heard. */
+static bool point_answer(struct sweeper *w, size_t k, struct answer *a)
+{
+    point_values(w, k);
+    point_session(w, a->out);
+    swept_begin(&w->swept);
+    a->point = swept_row;
+    a->swept = &w->swept;
+    if (w->styled) {
+        dom_real digits = a->style.digits; /* columns are as wide in all rows */
+        a->style = session_style(&w->point);
+        a->style.digits = digits;
+    }
+    bool done = point_ask(w, a);
+    if (!done && !w->heard.no_answer)
+        return false;
+    if (!done)
+        point_none(w, k, a, w->heard.text);
+    else if (!w->swept.answered)
+        point_none(w, k, a, "nothing is answered here");
+    return true;
+}
+
+static bool sweep_point(void *own, size_t k, FILE *out)
+{
+    struct sweeper *w = own;
+    struct answer a = answer_part(&w->answer, out, k == 0);
+    bool good = point_answer(w, k, &a);
+    if (good && w->swept.reasoned && w->reasons++ == 0) {
+        w->first = k;
+        memcpy(w->reason, w->swept.reason, sizeof w->reason);
+    }
+    return good;
+}
+
+static void sweep_gather(void *own, const void *worker)
+{
+    struct sweeper *all = own;
+    const struct sweeper *w = worker;
+    if (w->reasons > 0 && (all->reasons == 0 || w->first < all->first)) {
+        all->first = w->first;
+        memcpy(all->reason, w->reason, sizeof all->reason);
+    }
+    all->reasons += w->reasons;
+}
+
+/* ---- All of them ---- */
+
+/* Room for names of columns that would stand twice: 'rmax.s' beside 's'. */
+enum { RENAMED = 40 };
+
+static bool column_add(struct swept *s, int *n, struct column column, const char *key)
+{
+    if (*n + 1 >= ANSWER_COLUMNS)
+        return false;
+    s->column[*n] = column;
+    s->key[(*n)++] = key;
+    s->column[*n].key = NULL;
+    return true;
+}
+
+/* Is the command called with an argument in the place of the parameter that one of its columns repeats? */
+static bool echo_called(const struct session *session, const struct sweep *sweep)
+{
+    const struct command *c = sweep->command;
+    struct session scratch = *session;
+    struct heard heard = {.text = ""};
+    struct call call = {.count = 0};
+    struct reader r = {.session = &scratch, .text = sweep->text, .at = sweep->arguments};
+    scratch.heard = &heard;
+    int given = read_arguments(&r, c, &call) ? call.count : call.count + 1; /* it failed at the one behind */
+    call_free(&call);
+    for (int i = 0; i < given && i < ARGUMENTS_MAX && c->argument[i].kind; i++)
+        if (c->argument[i].of && strcmp(c->argument[i].of, c->echo) == 0)
+            return true;
+    return false;
+}
+
+/* Parameters, then what the command answers, without the column that only repeats one of them. */
+static bool sweep_columns(const struct session *session, const struct sweep *sweep, struct swept *s,
+                          char renamed[AXES_MAX][RENAMED])
+{
+    const struct command *c = sweep->command;
+    const struct grid *grid = &sweep->grid;
+    bool room = true;
+    int n = 0, twice = 0;
+    for (int i = 0; i < grid->axes; i++) {
+        struct column column = {axis_name(&grid->axis[i]), axis_unit(&grid->axis[i]), "", 0};
+        room = room && column_add(s, &n, column, NULL);
+    }
+    s->values = n;
+    for (const struct column *from = c->columns; from->key; from++) {
+        struct column column = *from;
+        bool same = false;
+        for (int i = 0; i < grid->axes; i++)
+            same = same || strcmp(from->key, s->column[i].key) == 0;
+        if (same && c->echo && strcmp(c->echo, from->key) == 0 && !echo_called(session, sweep))
+            continue;
+        if (same) {
+            snprintf(renamed[twice], RENAMED, "%s.%s", c->name, from->key);
+            column.key = renamed[twice++];
+        }
+        room = room && column_add(s, &n, column, from->key);
+    }
+    return room;
+}
+
+/* "s = 0.7, d = 0.1" */
+static void point_text(const struct sweep *sweep, size_t k, char *text, size_t size)
+{
+    const struct grid *grid = &sweep->grid;
+    size_t after = grid->points, used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < grid->axes && used < size; i++) {
+        char number[CELL_TEXT];
+        const struct axis *axis = &grid->axis[i];
+        after /= axis->count;
+        struct cell cell = axis_cell(axis, axis_value(axis, k / after % axis->count));
+        used += (size_t)snprintf(text + used, size - used, "%s%s = %s", i ? ", " : "", axis_name(axis),
+                                 cell_text(cell, 6, false, number));
+    }
+}
+
+/* What a point heard, as the session says it. */
+static bool sweep_error(struct session *session, const struct sweeper *w)
+{
+    if (dom_raised(session->train.interrupt))
+        return session_status(session, DOM_INTERRUPTED);
+    const char *command = session->command;
+    session->column = w->heard.column;
+    session->command = w->heard.command;
+    session_error(session, "%s", w->heard.text);
+    session->command = command;
+    return false;
+}
+
+static struct sweeper *sweeper_make(struct session *session, const struct sweep *s, const struct answer *a,
+                                    char renamed[AXES_MAX][RENAMED])
+{
+    struct sweeper *w = calloc(1, sizeof *w);
+    if (!w)
+        return NULL;
+    w->sweep = s;
+    w->base = session;
+    w->answer = *a;
+    w->answer.columns = s->command->columns;
+    for (int i = 0; i < s->grid.axes; i++) {
+        const struct parameter *p = s->grid.axis[i].parameter;
+        w->index[i] = SIZE_MAX; /* none yet */
+        w->styled = w->styled || (p && (p->fallback_of || strcmp(p->name, "precision") == 0));
+    }
+    if (!sweep_columns(session, s, &w->swept, renamed)) {
+        session_error(session, "a row of it would have more than %d columns", ANSWER_COLUMNS - 1);
+        free(w);
+        return NULL;
+    }
+    return w;
+}
+
+/* Rows of all points; what the head is to know, before the first of them, and the same in each part. */
+static bool sweep_rows(struct session *session, struct answer *a, struct sweeper *w)
+{
+    bool by_point = true, bounds = a->style.errors && a->style.output != OUTPUT_TABLE;
+    if (bounds && !point_like(w) && *w->heard.text && !w->heard.no_answer)
+        return sweep_error(session, w);
+    const struct column *own = a->columns;
+    a->columns = w->swept.column;
+    answer_plan(a, w->swept.first);
+    a->columns = own;
+    own = w->answer.columns;
+    w->answer = *a;
+    w->answer.columns = own;
+    const struct points points = {.total = w->sweep->grid.points,
+                                  .point = sweep_point,
+                                  .own = w,
+                                  .size = sizeof *w,
+                                  .gather = sweep_gather};
+    return points_answer(session, a, &points, &by_point) || (by_point && sweep_error(session, w));
+}
+
+static bool run_sweep(struct session *session, const struct call *call)
+{
+    char renamed[AXES_MAX][RENAMED], where[256];
+    long errors = session->errors;
+    struct answer *a = call->answer;
+    struct sweeper *w = sweeper_make(session, call->own, a, renamed);
+    if (!w)
+        return session->errors == errors ? session_status(session, DOM_NO_MEMORY) : false;
+    bool done = sweep_rows(session, a, w);
+    if (done && w->reasons > 0) {
+        point_text(w->sweep, w->first, where, sizeof where);
+        answer_say(a, "%zu of %zu points %s a reason, which csv and json give; the first is %s: %s.",
+                   w->reasons, session_part(session, w->sweep->grid.points).count,
+                   w->reasons == 1 ? "has" : "have", where, w->reason);
+    }
+    free(w);
+    return done;
+}
+
+/* Its columns are those of its arguments. */
+static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
+
+const struct command sweep_commands[] = {
+    {.name = "sweep",
+     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID, .read = sweep_read_grid, .choices = grid_names},
+                  {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = sweep_read_command}},
+     .summary = "what a command answers, over a grid of any parameters",
+     .help =
+         "GRID is NAME FROM TO N for each parameter or effect: N values, evenly spaced, or with 'log' behind "
+         "N by equal ratios; or NAME VALUE, VALUE, ... in a list. The first of them is the slowest. ANSWER "
+         "is "
+         "any command that answers, its arguments being evaluated at each point: 'sweep s 0.1 0.9 9 : count "
+         "112 0.9*rmax'. A row is the values of the point, then the answer, which may be several rows. A "
+         "point "
+         "without an answer has a row with its reason, in csv and json. The session stays as it is. Points "
+         "are "
+         "computed on all cores ('set threads'), and the rows are the same bytes on any number of them; "
+         "'domino --shard 2/7' gives the second of seven parts.",
+     .example = "sweep s 0.1 0.5 3 q hollow, massive : rmax",
+     .see = "curve set effect",
+     .columns = sweep_answers,
+     .unswept = "its grid takes all parameters at once",
+     .rows = true,
+     .run = run_sweep},
+    {.name = NULL},
+};

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/walk.h"
+#include "language/wide.h"
+#include "session/session.h"
+#include <string.h>
+
+struct walk_units walk_units(const struct session *session, int cycle)
+{
+    const struct dom_train *t = &session->train;
+    dom_real mass = session_mass(session), grown = pow(t->r, (dom_real)(cycle - 1)),
+             heavier = pow(grown, t->q);
+    struct dom_scale scale = session->scale;
+    scale.h *= grown;
+    bool known = mass > 0;
+    return (struct walk_units){
+        .height = scale.h,
+        .tau = dom_scale_tau(&scale, t->d),
+        .energy = known ? heavier * mass * scale.g * session->scale.h / 2 : heavier,
+        .energy_unit = known       ? "J"
+                       : cycle > 1 ? "mgh/2 of the first head"
+                                   : "mgh/2",
+        .weight = (known ? mass * scale.g : 1) * heavier / grown,
+        .weight_unit = known       ? "N"
+                       : cycle > 1 ? "(mg of the first head)"
+                                   : "mg",
+    };
+}
+
+/* Compares everything that an answer depends on. */
+static bool same_train(const struct dom_train *a, const struct dom_train *b)
+{
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->tol == b->tol &&
+           a->precision == b->precision && a->fuel == b->fuel && a->method == b->method && a->mu == b->mu;
+}
+
+const struct walk *walk_now(const struct session *session)
+{
+    const struct walk *walk = &session->walk;
+    return walk->count > 0 && same_train(&walk->asked, &session->train) ? walk : NULL;
+}
+
+const char walk_no_start[] =
+    "no domino effect: the fuel P is not positive (c7), no cycle begins; 'why' says more";
+
+/* The same columns in joules. */
+void columns_in_joules(const struct column *from, struct column to[COLUMNS_ROOM])
+{
+    for (;; from++, to++) {
+        *to = *from;
+        if (!from->key)
+            return;
+        if (strcmp(from->unit, "mgh/2") == 0)
+            to->unit = "J";
+    }
+}
+
+void walk_columns_in(const struct session *session, struct answer *a, struct column room[COLUMNS_ROOM])
+{
+    if (strcmp(walk_units(session, 1).energy_unit, "J") != 0)
+        return;
+    columns_in_joules(a->columns, room);
+    a->columns = room;
+}
+
+/* ---- In words ---- */
+
+static double percent(dom_real part, dom_real whole)
+{
+    return (double)(100 * part / whole);
+}
+
+/* The first impulses of the collision, in text. */
+struct impulses {
+    const struct walk_units *units;
+    char text[160];
+    int seen;
+    bool bounded;
+};
+
+static bool impulse_seen(const struct dom_force *f, void *context)
+{
+    struct impulses *i = context;
+    size_t used = strlen(i->text);
+    if (f->i > 0 && isnan(f->impulse)) /* nobody leans on the last */
+        return false;
+    i->bounded = i->bounded && isfinite(f->impulse);
+    snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->seen ? ", " : "",
+             (double)(f->impulse * i->units->weight * i->units->tau));
+    return ++i->seen < 4;
+}
+
+/* omega in the session's unit of angles, with that. */
+struct spoken {
+    char text[WIDE_TEXT + 8];
+};
+
+static struct spoken spoken_omega(const struct session *session, dom_real omega)
+{
+    struct spoken s;
+    snprintf(s.text, sizeof s.text, "%.6g %s/s", (double)style_angle(&session->style, omega),
+             style_angle_unit(&session->style));
+    return s;
+}
+
+static void say_launch(const struct session *session, const struct walk *w, const struct dom_state *s,
+                       struct answer *a)
+{
+    struct walk_units u = walk_units(session, w->cycle);
+    struct dom_launch l;
+    struct dom_barrier b;
+    struct impulses impulses = {.units = &u, .bounded = true};
+    enum dom_status found = dom_barrier_find(&w->train, &b, NULL);
+    if (dom_launch_find(&w->train, &l, NULL) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
+        dom_cycle_forces(&w->train, 0, impulse_seen, &impulses) != DOM_OK)
+        return;
+    dom_real omega = sqrt(l.omegasq) / u.tau;
+    bool rubs = w->train.mu > 0;
+    const char *inertia = rubs ? "A(0)" : "J(0)";
+    answer_say(
+        a,
+        "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %s and hits the head, "
+        "domino 0, %.6g m tall. All move on as one train: %s omega(0) = (%s - 1) omega_1(theta_c) (c4) "
+        "with %s = %.6g, so omega(0) = %s (c6).",
+        spoken_omega(session, omega / l.keeps).text, (double)u.height, inertia, inertia, inertia,
+        (double)(1 / (1 - l.keeps)), spoken_omega(session, omega).text);
+    if (rubs)
+        answer_say(a,
+                   "A(0) = sum r^-(q+1)i S_i theta_i' is J(0) with friction: S_i is what the arms pass on.");
+    if (impulses.bounded)
+        answer_say(a, "The impulse runs down the train, from contact to contact: %s%s %s s; all push (> 0).",
+                   impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit);
+    else
+        answer_say(a,
+                   "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0 (b10), and its "
+                   "impulse has no bound in this model.");
+    answer_say(a, "The collision takes %s%.4g %% of the kinetic energy; %.6g %s are left.",
+               rubs ? "" : "the share 1/J(0) = ", percent(s->lost, s->before), (double)(l.kinetic * u.energy),
+               u.energy_unit);
+    if (b.theta_m == 0)
+        answer_say(a, "Nothing is left to climb: H falls from the first moment on, theta_m = 0 (c8).");
+    else
+        answer_say(
+            a,
+            "To climb: %.6g %s up to theta_m = %.6g %s (c8)%s. What is left is %.4g times that: it %s by "
+            "%.6g %s.",
+            (double)(b.barrier * u.energy), u.energy_unit, (double)style_angle(&session->style, b.theta_m),
+            style_angle_unit(&session->style), rubs ? ", friction on the way included" : "",
+            (double)(b.kinetic / b.barrier), b.margin >= 0 ? "clears the barrier" : "misses the top",
+            (double)(fabs(b.margin) * u.energy), u.energy_unit);
+}
+
+static void say_top(const struct session *session, const struct walk *w, const struct dom_state *s,
+                    struct answer *a)
+{
+    struct walk_units u = walk_units(session, w->cycle);
+    if (w->train.mu > 0) {
+        answer_say(a,
+                   "The hardest tilt, theta_m = %.6g %s (c8): the train has climbed %.6g %s, friction has "
+                   "taken %.6g, and "
+                   "%.6g %s of motion are left. From now on it gains more than it rubs away.",
+                   (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
+                   (double)(s->climbed * u.energy), u.energy_unit, (double)(s->rubbed * u.energy),
+                   (double)(s->kinetic * u.energy), u.energy_unit);
+        return;
+    }
+    answer_say(
+        a,
+        "Top of the barrier, theta_m = %.6g %s (c8). The train stands highest: it has climbed %.6g %s, and "
+        "%.6g %s of motion are left, the margin. It is smallest here. From now on it runs downhill.",
+        (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
+        (double)(s->climbed * u.energy), u.energy_unit, (double)(s->kinetic * u.energy), u.energy_unit);
+}
+
+static void say_fall(const struct session *session, const struct walk *w, const struct dom_state *s,
+                     struct answer *a)
+{
+    struct walk_units u = walk_units(session, w->cycle);
+    struct dom_angles angles;
+    size_t domino = w->events[w->event].domino;
+    if (dom_angles_find(&w->train, &angles, NULL) != DOM_OK)
+        return;
+    double cosine = (double)cos(angles.theta_f), sine = (double)sin(angles.theta_f);
+    double keeps = (double)(pow(w->train.r, -w->train.q * (dom_real)domino) * u.energy) *
+                   (cosine + (double)w->train.d * sine);
+    answer_say(
+        a,
+        "Domino %zu falls off domino %zu, which has come to theta_leave = %.6g %s (A17): the arm of its "
+        "force is 0. It comes to rest at theta_f = %.6g %s (A18) with all behind it, and pushes no more. "
+        "Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
+        domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
+        style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
+        style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit, keeps);
+}
+
+static void say_stop(const struct session *session, const struct walk *w, const struct dom_state *s,
+                     struct answer *a)
+{
+    struct walk_units u = walk_units(session, w->cycle);
+    struct dom_barrier b;
+    if (dom_barrier_find(&w->train, &b, NULL) != DOM_STOPS)
+        return;
+    answer_say(
+        a,
+        "The train stops at theta = %.6g %s: all its kinetic energy, %.6g %s, has gone into %s. The "
+        "barrier stands at theta_m = %.6g %s, %.6g %s higher (c8). There is no next hit; 'why' says more.",
+        (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
+        (double)(b.kinetic * u.energy), u.energy_unit,
+        w->train.mu > 0 ? "the climb and friction" : "the climb (c3)",
+        (double)style_angle(&session->style, b.theta_m), style_angle_unit(&session->style),
+        (double)(-b.margin * u.energy), u.energy_unit);
+}
+
+static void say_hit(const struct session *session, const struct walk *w, const struct dom_state *s,
+                    struct answer *a)
+{
+    struct walk_units u = walk_units(session, w->cycle), next = walk_units(session, w->cycle + 1);
+    answer_say(
+        a,
+        "The head reaches the next domino, %.6g m tall, at theta_c = %.6g %s: sin theta_c = r s (a2). It "
+        "comes "
+        "with omega = %s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
+        (double)next.height, (double)style_angle(&session->style, s->theta),
+        style_angle_unit(&session->style), spoken_omega(session, sqrt(s->omegasq) / u.tau).text,
+        (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
+    if (w->train.mu > 0)
+        answer_say(a, "Friction between dominoes has taken %.6g %s of it.", (double)(s->rubbed * u.energy),
+                   u.energy_unit);
+    answer_say(
+        a,
+        "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r) (c5): "
+        "%.6g s.",
+        (double)(s->time * next.tau));
+}
+
+static void say_between(const struct session *session, const struct walk *w, const struct dom_state *s,
+                        struct answer *a)
+{
+    struct walk_units u = walk_units(session, w->cycle);
+    bool climbs = s->acceleration < 0;
+    answer_say(a, "On the way, theta = %.6g %s: the train %s, at omega = %s (c3).",
+               (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
+               climbs ? "slows down" : "gathers speed", spoken_omega(session, sqrt(s->omegasq) / u.tau).text);
+}
+
+void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
+              struct answer *answer)
+{
+    static void (*const say[])(const struct session *, const struct walk *, const struct dom_state *,
+                               struct answer *) = {
+        [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_FALL] = say_fall, [DOM_EVENT_TOP] = say_top,
+        [DOM_EVENT_STOP] = say_stop,     [DOM_EVENT_HIT] = say_hit,
+    };
+    const struct dom_event *e = &walk->events[walk->event];
+    answer_say(answer, "Cycle %d, event %d of %d", walk->cycle, walk->event + 1, walk->count);
+    (walk->theta == e->theta ? say[e->kind] : say_between)(session, walk, state, answer);
+}

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A walk through the cycles, event by event: where it stands, and what is said there. */
+#ifndef SHELL_WALK_H
+#define SHELL_WALK_H
+
+#include "answer/output.h"
+#include "session/place.h"
+
+/* What a length, a time and an energy of the model are in the cycle of a walk. */
+struct walk_units {
+    dom_real height; /* of the head, in m */
+    dom_real tau;    /* in s */
+    dom_real energy; /* m g h / 2 of the head: in J, or in that of the first head where no mass is known */
+    const char *energy_unit;
+    dom_real weight; /* m g of the head, in N or in that of the first head */
+    const char *weight_unit;
+};
+
+struct session;
+struct walk_units walk_units(const struct session *session, int cycle);
+
+/* Returns the session's walk, or NULL where none has begun in the train that the session has now. */
+const struct walk *walk_now(const struct session *session);
+
+/* Energies in J where a mass is known: the answer gets its columns, in J, in the room. */
+enum { COLUMNS_ROOM = 16 };
+void walk_columns_in(const struct session *session, struct answer *answer, struct column room[COLUMNS_ROOM]);
+
+/* The same columns with energies in J. */
+void columns_in_joules(const struct column *from, struct column to[COLUMNS_ROOM]);
+
+/* Why no cycle begins. */
+extern const char walk_no_start[];
+
+/* The commands 'cycle' and 'why'. */
+struct call;
+extern const struct column cycle_columns[], why_columns[];
+const char *cycle_by(const void *context, int k);
+bool cycle_run(struct session *session, const struct call *call);
+bool why_run(struct session *session, const struct call *call);
+
+/* The event in words, with the paper's symbols and the numbers of its equations. */
+void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
+              struct answer *answer);
+
+#endif

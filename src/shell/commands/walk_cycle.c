@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* cycle: one cycle as a table. */
+#include "commands/walk.h"
+#include "interpreter/command.h"
+#include "language/wide.h"
+#include <string.h>
+
+const struct column cycle_columns[] = {
+    {"event", "", "launch, fall, top, stop, hit: see 'step'", 6},
+    {"t", "s", "time since the launch", 0},
+    {"theta", "rad", "tilt of the head", 7},
+    {"theta_1", "rad", "of the first follower (b8)", 7},
+    {"theta_2", "rad", "of the second", 7},
+    {"omega", "rad/s", "angular velocity of the head (c3)", 0},
+    {"kinetic", "mgh/2", "kinetic energy of the train, in J where a mass is known", 0},
+    {"potential", "mgh/2", "H(theta) - H(0), in J where a mass is known", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* The first followers of the head. */
+struct followers {
+    dom_real theta[3];
+};
+
+static bool follower_seen(const struct dom_link *k, const struct dom_link *error, void *context)
+{
+    (void)error;
+    struct followers *f = context;
+    f->theta[k->i] = k->theta;
+    return k->i < 2;
+}
+
+/* An angle that a narrow column shows with four digits. */
+static struct cell cell_angle(dom_real theta)
+{
+    struct cell cell = cell_real(theta);
+    cell.digits = 4;
+    return cell;
+}
+
+/* What cycle_row needs to write a row, and what it has seen. */
+struct cycle_table {
+    const struct session *session;
+    struct answer *answer;
+    struct dom_angles angles;
+    struct dom_state last;
+    enum dom_status status;
+};
+
+static bool cycle_row(const struct dom_state *s, const struct dom_state *error, const struct dom_event *event,
+                      void *context)
+{
+    struct cycle_table *table = context;
+    const struct session *session = table->session;
+    struct walk_units u = walk_units(session, 1);
+    const struct dom_state none = {0}, *e = error ? error : &none;
+    /* Whoever is not leaned on any more lies at theta_f. */
+    struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
+    table->status = dom_chain_walk(&session->train, s->theta, false, follower_seen, &f);
+    if (table->status != DOM_OK)
+        return false;
+    answer_row(table->answer,
+               ROW(cell_word(event ? dom_event_text(event->kind) : ""),
+                   cell_bound(s->time * u.tau, e->time * u.tau), cell_angle(s->theta), cell_angle(f.theta[1]),
+                   cell_angle(f.theta[2]), cell_omega(s->omegasq, e->omegasq, u.tau),
+                   cell_bound(s->kinetic * u.energy, e->kinetic * u.energy),
+                   cell_bound(s->climbed * u.energy, e->climbed * u.energy)),
+               NULL);
+    table->last = *s;
+    return !answer_lost(table->answer);
+}
+
+const char *cycle_by(const void *context, int k)
+{
+    static const char *const names[] = {[DOM_BY_TIME] = "time", [DOM_BY_TILT] = "tilt", NULL};
+    (void)context;
+    return names[k];
+}
+
+bool cycle_run(struct session *session, const struct call *call)
+{
+    struct column room[COLUMNS_ROOM];
+    struct answer *a = call->answer;
+    struct cycle_table table = {.session = session, .answer = a};
+    size_t rows = call->count > 0 ? (size_t)call->number[0] : 12;
+    enum dom_spacing by = call->count > 1 ? (enum dom_spacing)call->number[1] : DOM_BY_TIME;
+    walk_columns_in(session, a, room);
+    enum dom_status verdict = dom_angles_find(&session->train, &table.angles, NULL);
+    if (verdict == DOM_OK)
+        verdict = dom_cycle_walk(&session->train, rows, by, session->style.errors, cycle_row, &table);
+    if (verdict == DOM_NO_FUEL) {
+        struct cell none = cell_real(DOM_NAN);
+        answer_row(a, ROW(cell_word(""), none, none, none, none, none, none, none), walk_no_start);
+        a->columns = cycle_columns;
+        return true;
+    }
+    a->columns = cycle_columns;
+    if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
+        return session_status(session, table.status != DOM_OK ? table.status : verdict);
+    if (session->train.mu > 0)
+        answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
+                   (double)(table.last.rubbed * walk_units(session, 1).energy),
+                   walk_units(session, 1).energy_unit);
+    struct dom_least_force contact;
+    if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK &&
+        isfinite(contact.force))
+        answer_say(
+            a, "Dominoes stay in contact: the smallest contact force is %.4g times the weight of its domino.",
+            (double)contact.force);
+    if (verdict == DOM_STOPS)
+        answer_say(a, "The train stops below its barrier; 'why' says more.");
+    return true;
+}

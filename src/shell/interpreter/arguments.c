@@ -1,0 +1,379 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/arguments.h"
+#include "interpreter/lookup.h"
+#include "language/wide.h"
+#include "session/effects.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <readline/tilde.h>
+
+int reader_column(const struct reader *r, const char *place)
+{
+    return text_column(r->text, place);
+}
+
+const char *skip_blanks(const char *c)
+{
+    return c + strspn(c, " \t\r\f\v");
+}
+
+bool command_ends(const char *c)
+{
+    return *c == '\0' || *c == ';' || *c == '#';
+}
+
+const char unclosed[] = "this '\"' is never closed";
+
+/* What stands in a message until names_find writes one: there was no word to find. */
+#define NO_MEMORY "out of memory"
+
+/* Where a word stands in the line, without its quotes. */
+struct place {
+    const char *begin, *end;
+    bool quoted;
+};
+
+/* Passes a word.  False where a '"' is never closed. */
+static bool pass_word(struct reader *r, bool quotes, struct place *word)
+{
+    char ends[16];
+    snprintf(ends, sizeof ends, " \t\r\f\v;%s", r->stops ? r->stops : "");
+    *word = (struct place){.begin = r->at, .quoted = quotes && *r->at == '"'};
+    if (!word->quoted) {
+        r->at = word->end = word->begin + strcspn(word->begin, ends);
+        return true;
+    }
+    const char *c = ++word->begin;
+    for (; *c != '"' || c[1] == '"'; c++) {
+        if (*c == '\0')
+            return false;
+        c += *c == '"'; /* the second of two */
+    }
+    word->end = c;
+    r->at = c + 1;
+    return true;
+}
+
+/* A copy of the text, where between quotes '""' is one '"'. */
+static char *copy_word(const char *begin, const char *end, bool quoted)
+{
+    char *copy = strndup(begin, (size_t)(end - begin)), *to = copy;
+    for (const char *c = copy; c && *c; c++) {
+        *to++ = *c;
+        c += quoted && *c == '"' && c[1] == '"';
+    }
+    if (copy)
+        *to = '\0';
+    return copy;
+}
+
+char *read_word(struct reader *r, bool quotes)
+{
+    struct place word;
+    return pass_word(r, quotes, &word) ? copy_word(word.begin, word.end, word.quoted) : NULL;
+}
+
+/* A name keeps its bytes: what the field's letters are in commands, they are not there. */
+char *read_file(struct reader *r)
+{
+    struct place word;
+    if (!pass_word(r, true, &word))
+        return NULL;
+    const struct text *t = r->text;
+    char *name = copy_word(t->typed + t->from[word.begin - t->line], t->typed + t->from[word.end - t->line],
+                           word.quoted);
+    if (!name || *name != '~')
+        return name;
+    char *path = tilde_expand_word(name);
+    free(name);
+    return path;
+}
+
+static const char *unit_names(const void *context, int k)
+{
+    (void)context;
+    return expression_unit_name(k);
+}
+
+/* Is the word behind a value a value itself?  If not, it was meant as a unit. */
+static bool known_word(struct session *session, struct reader *r, const char *at)
+{
+    struct reader behind = {.session = session, .text = r->text, .at = at};
+    char *word = read_word(&behind, false), shown[NAMES_SHOWN];
+    size_t name = word ? strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
+    if (word)
+        word[name] = '\0';
+    bool known = word && names_exact(value_names, NULL, word) >= 0;
+    if (!known && word) {
+        const char *close = names_closest(unit_names, NULL, word);
+        session->column = reader_column(r, at);
+        names_shown(word, shown);
+        if (close && strcmp(close, word) == 0)
+            session_error(session, "the unit '%s' stands behind a number or a ')'", shown);
+        else if (close)
+            session_error(session, "'%s' is no unit; did you mean '%s'?", shown, close);
+        else
+            session_error(session, "'%s' is no unit and has no value", shown);
+    }
+    free(word);
+    return known;
+}
+
+bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, dom_real *number)
+{
+    struct session *session = r->session;
+    struct expression e = {.text = r->at,
+                           .lookup = session_lookup,
+                           .context = session,
+                           .angle = session->style.angle == ANGLE_DEG ? PI / 180 : 1,
+                           .no_unit = r->stops ? "s" : NULL}; /* a grid goes on with this parameter */
+    int begin = session->column;
+    long errors = session->errors;
+    if (!expression_evaluate(&e, q)) {
+        session->column = reader_column(r, e.end);
+        if (session->errors > errors && e.message[0] == '\0')
+            return false;
+        char shown[NAMES_SHOWN], word[NAMES_SHOWN];
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(e.end, " \t;"), e.end);
+        bool (*tell)(struct session *, const char *, ...) = e.of_value ? session_no_answer : session_error;
+        if (*word == '\0')
+            return tell(session, "%s: %s", a->name, e.message);
+        return tell(session, "%s at '%s': %s", a->name, names_shown(word, shown), e.message);
+    }
+    bool ended = isspace((unsigned char)*e.end) || (command_ends(e.end) && *e.end != '#') || *e.end == '>' ||
+                 (r->stops && strchr(r->stops, *e.end));
+    if (!ended) {
+        char shown[NAMES_SHOWN];
+        session->column = reader_column(r, e.end);
+        return session_error(session, "%s ends before '%s'; here an operator or a blank is missing", a->name,
+                             names_shown(e.end, shown));
+    }
+    const char *next = skip_blanks(e.end);
+    if (r->last && isalpha((unsigned char)*next) && next > e.end && !known_word(session, r, next))
+        return false;
+    r->at = e.end;
+    session->column = begin;
+    return argument_check(session, a, *q, number);
+}
+
+/* Is the word a name that expressions know? */
+static bool is_value_name(const char *word)
+{
+    return names_exact(value_names, NULL, word) >= 0;
+}
+
+bool read_value(struct reader *r, const struct parameter *p, const char *name, dom_real *number)
+{
+    const char *begin = r->at;
+    char message[NAMES_MESSAGE] = "", what[32];
+    char *word = read_word(r, false);
+    int k = -1;
+    /* A word for a number may not hide a name: 'set q h' is the parameter h. */
+    bool wordlike = word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' && *word;
+    if (word && p->words) {
+        snprintf(what, sizeof what, "value of %s", p->name);
+        k = p->words_only || (wordlike && !is_value_name(word))
+                ? names_find(parameter_words, p, what, word, message)
+                : names_exact(parameter_words, p, word);
+    }
+    free(word);
+    if (k >= 0) {
+        *number = p->words[k].value;
+        return true;
+    }
+    if (*message) {
+        char range[64];
+        parameter_range(r->session, p, range, sizeof range);
+        return session_error(r->session, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
+                             message, p->name, range);
+    }
+    r->at = begin;
+    struct quantity q = {0, 0, 0, 0};
+    return read_quantity(r, &(struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name}, &q, number);
+}
+
+/* 'help sin', 'help cm', 'help units' are about expressions. */
+static bool is_expression_topic(const char *word)
+{
+    static const char *const topics[] = {"ans",         "unit",     "units",    "expression",
+                                         "expressions", "function", "functions"};
+    for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
+        if (strcmp(topics[i], word) == 0)
+            return true;
+    return is_value_name(word) || names_exact(unit_names, NULL, word) >= 0;
+}
+
+/* One of the argument's names; what is none of them hears which there are. */
+static bool read_choice(struct reader *r, const struct argument *a, char **word, dom_real *number)
+{
+    char message[NAMES_MESSAGE] = NO_MEMORY, shown[NAMES_SHOWN], all[128] = "";
+    *word = read_word(r, false);
+    int k = *word ? names_find(a->choices, NULL, a->of, *word, message) : -1;
+    *number = k;
+    if (k >= 0)
+        return true;
+    const char *name;
+    for (int n = 0; (name = a->choices(NULL, n)) != NULL; n++) {
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", n ? ", " : "", name);
+    }
+    if (*word && k != NAMES_CLOSE)
+        return session_error(r->session, "'%s' is no %s; those are: %s", names_shown(*word, shown), a->of,
+                             all);
+    return session_error(r->session, "%s", message);
+}
+
+/* One of the names, as -1 - its number; or an angle. */
+static bool read_place(struct reader *r, const struct argument *a, struct call *call, int i)
+{
+    char message[NAMES_MESSAGE] = NO_MEMORY;
+    const char *begin = r->at;
+    char *name = read_word(r, false);
+    bool letters =
+        name && *name && name[strspn(name, "abcdefghijklmnopqrstuvwxyz")] == '\0' && !is_value_name(name);
+    int place = !name     ? -1
+                : letters ? names_find(a->choices, NULL, a->of, name, message)
+                          : names_exact(a->choices, NULL, name);
+    r->at = place >= 0 ? r->at : begin;
+    free(name);
+    if (place >= 0) {
+        call->number[i] = -1 - place;
+        return true;
+    }
+    if (letters && read_choice(r, a, &call->word[i], &call->number[i]))
+        return true;
+    return !letters && read_quantity(r, a, &call->quantity[i], &call->number[i]);
+}
+
+/* 'on', 'off', a value of the effect before it, or the file in its place. */
+static bool read_effect(struct reader *r, struct call *call, int i)
+{
+    enum dom_effect_name effect = (enum dom_effect_name)call->number[0];
+    const struct dom_effect_argument *of = &dom_effect(effect)->argument[i - 1];
+    char usage[EFFECT_USAGE], shown[NAMES_SHOWN], word[NAMES_SHOWN];
+    size_t length = strcspn(r->at, " \t;>#");
+    snprintf(word, sizeof word, "%.*s", (int)length, r->at);
+    bool turned = strcmp(word, "on") == 0 || strcmp(word, "off") == 0;
+    if (i > DOM_EFFECT_ARGUMENTS || (!of->name && !turned) || call->word[1])
+        return session_error(r->session, "'%s' is one argument too many; usage: effect %s",
+                             names_shown(word, shown), effect_usage(effect, usage));
+    bool named = (isalpha((unsigned char)*word) && !is_value_name(word) && !strchr(word, '(')) ||
+                 (length > 4 && memcmp(r->at + length - 4, ".csv", 4) == 0);
+    if ((turned && i == 1) || (of->or_file && (named || strchr("\"./~", *word)))) {
+        call->word[i] = read_file(r);
+        return call->word[i] || session_error(r->session, "%s", unclosed);
+    }
+    struct argument a = {.name = of->name, .kind = ARGUMENT_EFFECT, .effect = of};
+    return read_quantity(r, &a, &call->quantity[i], &call->number[i]);
+}
+
+static bool read_argument(struct reader *r, const struct command *c, struct call *call)
+{
+    struct session *session = r->session;
+    int i = call->count;
+    const struct argument *a = &c->argument[i];
+    session->column = call->column[i] = reader_column(r, r->at);
+    r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind;
+    char message[NAMES_MESSAGE] = NO_MEMORY;
+    switch (a->kind) {
+    case ARGUMENT_OF:
+        return read_value(r, parameter_find(a->of), a->name, &call->number[i]);
+    case ARGUMENT_VALUE: {
+        const struct parameter *p = &session_parameters[(int)call->number[i - 1]];
+        return read_value(r, p, p->name, &call->number[i]);
+    }
+    case ARGUMENT_PARAMETER:
+    case ARGUMENT_TOPIC:
+        call->word[i] = read_word(r, false);
+        names_list *list = a->kind == ARGUMENT_TOPIC ? topic_names : parameter_names;
+        int k = call->word[i] ? names_find(list, NULL, a->kind == ARGUMENT_TOPIC ? "topic" : "parameter",
+                                           call->word[i], message)
+                              : -1;
+        if (k < 0 && a->kind == ARGUMENT_TOPIC && call->word[i] && is_expression_topic(call->word[i]))
+            k = names_exact(topic_names, NULL, "print");
+        call->number[i] = k;
+        char *equals = k < 0 && call->word[i] ? strchr(call->word[i], '=') : NULL;
+        if (equals)
+            return session_error(session, "a blank stands between a name and its value, and no '='");
+        if (k < 0 && call->word[i])
+            effect_hint(call->word[i], message);
+        return k >= 0 || session_error(session, "%s", message);
+    case ARGUMENT_CHOICE:
+        return read_choice(r, a, &call->word[i], &call->number[i]);
+    case ARGUMENT_PLACE:
+        return read_place(r, a, call, i);
+    case ARGUMENT_EFFECT:
+        return read_effect(r, call, i);
+    case ARGUMENT_WORD:
+    case ARGUMENT_FILE:
+        call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);
+        return call->word[i] ? *call->word[i] || session_error(session, "%s is missing", a->name)
+                             : session_error(session, "%s", unclosed);
+    case ARGUMENT_GRID:
+    case ARGUMENT_COMMAND:
+        return a->read(r, call);
+    case ARGUMENT_REST:
+        call->word[i] = strdup(r->at);
+        r->at += strlen(r->at);
+        return call->word[i] != NULL;
+    default:
+        return read_quantity(r, a, &call->quantity[i], &call->number[i]);
+    }
+}
+
+bool read_arguments(struct reader *r, const struct command *c, struct call *call)
+{
+    char usage[USAGE_SIZE], shown[NAMES_SHOWN];
+    struct session *session = r->session;
+    for (call->count = 0; call->count < ARGUMENTS_MAX && c->argument[call->count].kind; call->count++) {
+        const struct argument *a = &c->argument[call->count];
+        r->at = skip_blanks(r->at);
+        if (a->kind != ARGUMENT_REST && (command_ends(r->at) || *r->at == '>'))
+            break;
+        if (!read_argument(r, c, call))
+            return false;
+    }
+    r->at = skip_blanks(r->at);
+    session->column = reader_column(r, r->at);
+    if (call->count < ARGUMENTS_MAX && c->argument[call->count].kind && !c->argument[call->count].optional)
+        return session_error(session, "%s is missing; usage: %s", c->argument[call->count].name,
+                             command_usage(c, usage));
+    if (!command_ends(r->at) && *r->at != '>') {
+        char *word = read_word(r, false);
+        session_error(session, "'%s' is one argument too many; usage: %s",
+                      names_shown(word ? word : "", shown), command_usage(c, usage));
+        free(word);
+        return false;
+    }
+    return true;
+}
+
+void call_free(struct call *call)
+{
+    for (int i = 0; i < ARGUMENTS_MAX; i++)
+        free(call->word[i]);
+    if (call->own_free)
+        call->own_free(call->own);
+}
+
+const struct command *read_command(struct reader *r)
+{
+    struct session *session = r->session;
+    char message[NAMES_MESSAGE] = NO_MEMORY;
+    session->column = reader_column(r, r->at);
+    size_t length = strcspn(r->at, " \t\r\f\v;>");
+    char *name = strndup(r->at, length);
+    r->at += length;
+    int k = name ? names_find(command_names, NULL, "command", name, message) : -1;
+    if (k < 0) {
+        bool expression = name && strcspn(name, "0123456789(+-*/^=") == 0;
+        if (expression)
+            snprintf(message, sizeof message, "an expression is no command; 'print' evaluates it");
+        bool said = !name || effect_hint(name, message) || expression || k != NAMES_UNKNOWN;
+        session_error(session, said ? "%s" : "%s; 'help' lists the commands", message);
+    }
+    free(name);
+    return k < 0 ? NULL : command_find(command_names(NULL, k));
+}

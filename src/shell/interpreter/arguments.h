@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A command's arguments, from the text of a line: words, names, expressions in the session's own names. */
+#ifndef SHELL_ARGUMENTS_H
+#define SHELL_ARGUMENTS_H
+
+#include "interpreter/command.h"
+#include "language/text.h"
+
+/* Where reading stands in a line that is being run. */
+struct reader {
+    struct session *session;
+    const struct text *text;
+    const char *at;
+    const char *stops; /* in a grid: characters that also end a word or value; else NULL */
+    bool last;         /* the argument that is read is the command's last */
+};
+
+int reader_column(const struct reader *reader, const char *place);
+
+const char *skip_blanks(const char *c);
+
+/* Does the command end here?  Comments begin at a blank. */
+bool command_ends(const char *c);
+
+/*
+ * A run of characters without blanks, or what stands between "...", where '""' is one '"'; NULL where a '"'
+ * is never closed, or without memory.
+ */
+char *read_word(struct reader *reader, bool quotes);
+extern const char unclosed[];
+
+/* A file name, '~' being the home folder. */
+char *read_file(struct reader *reader);
+
+/* A value for a parameter: one of its words, or an expression; name stands in the messages. */
+bool read_value(struct reader *reader, const struct parameter *parameter, const char *name, dom_real *number);
+
+/* An expression for an argument. */
+bool read_quantity(struct reader *reader, const struct argument *argument, struct quantity *quantity,
+                   dom_real *number);
+
+/* All of a command, up to the end of the command or a '>'; what is wrong is an error of the session. */
+bool read_arguments(struct reader *reader, const struct command *command, struct call *call);
+
+/* A command's name; NULL where there is none of it, which was reported. */
+const struct command *read_command(struct reader *reader);
+
+/* Gives back what reading has taken. */
+void call_free(struct call *call);
+
+#endif

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/command.h"
+#include "language/wide.h"
+#include "session/effects.h"
+#include <string.h>
+
+static const struct command_group *groups;
+
+void command_registry(const struct command_group *all)
+{
+    groups = all;
+}
+
+const struct command_group *command_groups(void)
+{
+    return groups;
+}
+
+static const struct command *command_at(int k)
+{
+    for (const struct command_group *g = groups; g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (k-- == 0)
+                return c;
+    return NULL;
+}
+
+const char *command_names(const void *context, int k)
+{
+    (void)context;
+    const struct command *c = command_at(k);
+    return c ? c->name : NULL;
+}
+
+const char *topic_names(const void *context, int k)
+{
+    int commands = 0;
+    while (command_at(commands))
+        commands++;
+    if (k < commands)
+        return command_names(context, k);
+    /* 'fuel' is a command and a parameter: once is enough. */
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!command_find(p->name) && k-- == commands)
+            return p->name;
+    for (int e = 0; e < DOM_EFFECT_COUNT; e++)
+        if (!command_find(effect_names(NULL, e)) && k-- == commands)
+            return effect_names(NULL, e);
+    return NULL;
+}
+
+const char *command_keys(const void *command, int k)
+{
+    const struct column *columns = ((const struct command *)command)->columns;
+    return columns ? columns[k].key : NULL;
+}
+
+const struct command *command_find(const char *name)
+{
+    for (const struct command_group *g = groups; g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (strcmp(c->name, name) == 0)
+                return c;
+    return NULL;
+}
+
+int command_principal(const struct command *c)
+{
+    return names_exact(command_keys, c, c->principal);
+}
+
+const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
+{
+    int n = snprintf(usage, USAGE_SIZE, "%s", c->name);
+    for (const struct argument *a = c->argument; a < c->argument + ARGUMENTS_MAX && a->kind; a++)
+        n += snprintf(usage + n, (size_t)(USAGE_SIZE - n), a->optional ? " [%s]" : " %s", a->name);
+    return usage;
+}
+
+static bool tilt_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
+{
+    struct dom_angles angles;
+    /* A number without a unit is in the session's unit of angles. */
+    dom_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (PI / 180);
+    enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    /* Its end as it was answered, in degrees and with all digits, may have been rounded up. */
+    dom_real slack = 2 * (dom_real)dom_arithmetic(session->train.precision)->epsilon * angles.theta_c;
+    if (!(theta >= 0 && theta <= angles.theta_c + slack))
+        return session_no_answer(session,
+                                 "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
+                                 "%.17g], 'thetac' is its end",
+                                 a->name, wide_shown(style_angle(&session->style, theta)).text,
+                                 style_angle_unit(&session->style), a->name,
+                                 (double)style_angle(&session->style, angles.theta_c));
+    *number = fmin(fabs(theta), angles.theta_c); /* no -0 */
+    return true;
+}
+
+static bool is_tilt(const struct argument *a)
+{
+    return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
+}
+
+static bool effect_check(struct session *session, const struct dom_effect_argument *a, dom_real value)
+{
+    if (!(value >= a->lowest && value <= a->highest))
+        return session_no_answer(session, "%s = %s is out of range; %s, the %s, is in %g .. %g%s%s", a->name,
+                                 wide_shown(value).text, a->name, a->meaning, (double)a->lowest,
+                                 (double)a->highest, *a->unit ? " " : "", a->unit);
+    if (a->whole && value != floor(value))
+        return session_no_answer(session, "%s = %s is no whole number; %s is one in %g .. %g", a->name,
+                                 wide_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
+    return true;
+}
+
+bool argument_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
+{
+    char kind[64], wanted[64];
+    const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
+    struct quantity unit = p ? expression_unit(p->unit)
+                           : a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH
+                               ? (struct quantity){1, 1, 0, 0}
+                           : a->effect  ? expression_unit(a->effect->unit)
+                           : is_tilt(a) ? (struct quantity){1, 0, 0, 1}
+                                        : (struct quantity){1, 0, 0, 0};
+    bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
+    if (!bare && a->kind != ARGUMENT_ANY &&
+        (q.length != unit.length || q.time != unit.time || q.angle != unit.angle))
+        return session_error(session, "%s is %s, not %s", a->name,
+                             expression_kind(unit, wanted, sizeof wanted),
+                             expression_kind(q, kind, sizeof kind));
+    *number = q.value;
+    if (a->kind == ARGUMENT_ANY)
+        return true;
+    if (is_tilt(a))
+        return tilt_check(session, a, q, number);
+    if (a->effect && !effect_check(session, a->effect, q.value))
+        return false;
+    if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
+        return session_no_answer(session, "%s = %s is no height; %s is a length in metres, larger than 0",
+                                 a->name, wide_shown(q.value).text, a->name);
+    if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (dom_real)1e9))
+        return session_no_answer(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
+                                 wide_shown(q.value).text, a->name);
+    int most = a->most ? a->most(session) : COUNT_MAX;
+    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == floor(q.value)))
+        return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d%s%s", a->name,
+                                 wide_shown(q.value).text, a->name, most, a->most ? ", " : "",
+                                 a->most ? a->most_of : "");
+    if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
+        return session_no_answer(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
+                                 wide_shown(q.value).text, a->name, p->name, (double)p->lowest,
+                                 (double)p->highest);
+    return !p || parameter_check(session, p, q.value);
+}
+
+/* What an expression can stand for; all else is a name, a word, a file or a line. */
+static bool is_value(enum argument_kind kind)
+{
+    return kind == ARGUMENT_TILT || kind == ARGUMENT_OF || kind == ARGUMENT_HEIGHT ||
+           kind == ARGUMENT_LENGTH || kind == ARGUMENT_COUNT || kind == ARGUMENT_ANY ||
+           kind == ARGUMENT_PLACE;
+}
+
+int command_values(const struct command *c, int *fewest)
+{
+    int most = 0;
+    *fewest = 0;
+    for (int i = 0; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
+        const struct argument *a = &c->argument[i];
+        bool value = is_value(a->kind) && most == i;
+        if (!value && !a->optional)
+            return -1;
+        most += value;
+        *fewest += value && !a->optional;
+    }
+    return c->columns && c->principal ? most : -1;
+}
+
+bool command_allowed(struct session *session, const struct command *c)
+{
+    return !(c->files && session->safe) || session_error(session, "files are off in a safe session");
+}
+
+bool command_keep(struct session *session, const struct command *c, struct call *call, struct cell *kept)
+{
+    struct answer answer = {
+        .style = session_style(session), .columns = c->columns, .rows = c->rows, .kept = kept};
+    call->answer = &answer;
+    for (int i = 0; i < ANSWER_CELLS; i++)
+        kept[i] = (struct cell){.kind = CELL_NONE};
+    bool done = c->run(session, call);
+    call->answer = NULL;
+    return done;
+}
+
+struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau)
+{
+    return cell_bound(sqrt(omegasq) / tau,
+                      (omegasq > error ? error / (2 * sqrt(omegasq - error)) : sqrt(error)) / tau);
+}

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The commands.  A row of a command table drives dispatch, arguments and their errors, help, completion
+ * and the use of a command as a name in expressions.
+ */
+#ifndef SHELL_COMMAND_H
+#define SHELL_COMMAND_H
+
+#include "language/names.h"
+#include "session/session.h"
+
+/* What an argument is; it decides how it is read, what is wrong with it, and what completion offers. */
+enum argument_kind {
+    ARGUMENT_NONE,
+    ARGUMENT_TILT,      /* an angle in [0, theta_c] */
+    ARGUMENT_OF,        /* a value for the parameter argument.of */
+    ARGUMENT_HEIGHT,    /* a length > 0 */
+    ARGUMENT_LENGTH,    /* a length >= 0 */
+    ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
+    ARGUMENT_ANY,       /* any value */
+    ARGUMENT_PARAMETER, /* the name of a parameter */
+    ARGUMENT_VALUE,     /* a value for the parameter before it */
+    ARGUMENT_TOPIC,     /* a command or a parameter */
+    ARGUMENT_CHOICE,    /* one of the names in argument.choices; its number */
+    ARGUMENT_PLACE,     /* the same, as -1 - its number, or an angle in [0, theta_c] */
+    ARGUMENT_WORD,      /* any word, or several between "..." */
+    ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
+    ARGUMENT_EFFECT,    /* a value for the effect before it, or on, off, or a file where it takes one */
+    ARGUMENT_GRID,      /* values of parameters and effects, up to a ':' */
+    ARGUMENT_COMMAND,   /* ':' and a command that answers */
+    ARGUMENT_REST,      /* the rest of the line as it is */
+};
+
+#define COUNT_MAX 10000000
+
+struct reader;
+struct call;
+
+struct argument {
+    const char *name;
+    enum argument_kind kind;
+    const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
+    bool optional;
+    names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE; for completion, of a grid */
+    bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
+    /* Unless NULL, tells whether it may stand behind the argument before it, given as its choice or place. */
+    bool (*follows)(dom_real before);
+    int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
+    const char *most_of;                        /* what that is the largest number of */
+    const struct dom_effect_argument *effect;   /* of ARGUMENT_EFFECT, once the effect is known */
+};
+
+enum { ARGUMENTS_MAX = 3 };
+
+/* The arguments of one call, read. */
+struct call {
+    int count; /* of those that were given */
+    dom_real number[ARGUMENTS_MAX];
+    struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
+    char *word[ARGUMENTS_MAX];
+    int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
+    void *own;                 /* what argument.read keeps for its command; call_free calls own_free */
+    void (*own_free)(void *own);
+    struct answer *answer;
+};
+
+struct command {
+    const char *name;
+    struct argument argument[ARGUMENTS_MAX];
+    const char *summary;          /* one line */
+    const char *equation;         /* of the paper, or NULL */
+    const char *help;             /* more, or NULL */
+    const char *example;          /* commands that show it, or NULL */
+    const char *see;              /* other commands, or NULL */
+    const struct column *columns; /* of the answer, or NULL */
+    const char *principal;        /* the key of the column that it stands for in an expression; NULL: none */
+    bool rows;
+    const char *echo;    /* the column that repeats this parameter, unless an argument takes its place */
+    const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
+    bool train;          /* is about the endless train */
+    bool draws;          /* gives a picture where people read */
+    bool files;          /* touches files: not in a safe session */
+    bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
+};
+
+struct command_group {
+    const char *title;
+    const struct command *commands; /* ends with a NULL name */
+};
+
+/*
+ * Sets the groups that all functions below look in, which end with a NULL title: once, before the first
+ * command runs.  The list itself is at the top of the house, in commands/registry.c, since only there every
+ * command is known.
+ */
+void command_registry(const struct command_group *groups);
+const struct command_group *command_groups(void);
+
+/* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */
+const char *command_names(const void *context, int k);
+const char *topic_names(const void *context, int k);
+const char *command_keys(const void *command, int k);
+
+/* The command with this very name, or NULL. */
+const struct command *command_find(const char *name);
+
+enum { USAGE_SIZE = 96 };
+
+/* Returns the index of the principal column of a command that has one. */
+int command_principal(const struct command *command);
+
+/* "rmax [S]". */
+const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
+
+/* A value for an argument of this kind; what is wrong with it is an error of the session. */
+bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
+                    dom_real *number);
+
+/*
+ * The most arguments that a command may have as a name in expressions, those before the first that is no
+ * value (a file, a word); *fewest must be given.  -1: the command has no value there.
+ */
+int command_values(const struct command *command, int *fewest);
+
+/* Reports an error where a safe session may not run the command, since it touches files. */
+bool command_allowed(struct session *session, const struct command *command);
+
+/* Runs a command whose arguments are read, as expressions do: the answer is kept, not written. */
+bool command_keep(struct session *session, const struct command *command, struct call *call,
+                  struct cell *kept);
+
+/*
+ * Runs every command of a text: lines, and ';' between commands; '#' begins a comment; '> FILE' and
+ * '>> FILE' send an answer to a file.
+ */
+void command_run_text(struct session *session, const char *text);
+
+/* omega from tau^2 omega^2 and the bound of that; at rest the bound is that of a root near 0. */
+struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau);
+
+/* Where a function is to put the bounds of its errors: nowhere, unless the session asks for them. */
+#define ERROR_OF(session, error) ((session)->style.errors ? &(error) : NULL)
+
+#define ROW(...) ((const struct cell[]){__VA_ARGS__})
+
+#endif

@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Runs lines: the commands in them, with their answers in files behind '>'. */
+#include "interpreter/arguments.h"
+#include "io/redirect.h"
+#include "io/terminal.h"
+#include "picture/picture.h"
+#include <ctype.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+/*
+ * Tells a person that the answer is not about the row: below the answer, or on standard error where a picture
+ * takes the answer's file, whose format has no room for sentences.
+ */
+static void say_train(const struct session *session, struct answer *answer)
+{
+    static const char note[] =
+        "(This is the endless train at these parameters, not the row: 'fall' runs that.)";
+    if (!answer_for_people(answer))
+        return;
+    if (session->redirected && picture_named(session->redirected))
+        fprintf(stderr, "%s\n", note);
+    else
+        answer_say(answer, "%s", note);
+}
+
+/* The command has been read, and nothing was wrong with it. */
+static bool run_call(struct session *session, const struct command *c, struct call *call)
+{
+    struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
+    struct answer answer = {
+        .out = session->out,
+        .style = session_style(session),
+        .columns = c->columns,
+        .rows = c->rows,
+        .gap = session->answered && session->source,
+        .kept = c->principal ? kept : NULL,
+    };
+    call->answer = &answer;
+    session->column = 0;
+    double begun = terminal_clock();
+    ticker_start();
+    bool done = c->run(session, call);
+    ticker_stop();
+    call->answer = NULL;
+    double seconds = terminal_clock() - begun;
+    session->fresh = session->fresh && done && !c->columns;
+    if (done && c->train && session->effect[DOM_EFFECT_row].on)
+        say_train(session, &answer);
+    const char *unsaid = done ? answer_unsaid(&answer) : NULL;
+    if (unsaid)
+        session_note(session, "%s", unsaid);
+    session->answered = session->answered || (done && c->columns);
+    session->write_error = answer.lost ? answer.lost : session->write_error;
+    if (done && c->principal) {
+        session->ans.command = c;
+        memcpy(session->ans.cells, kept, sizeof kept);
+    }
+    if (done && session->timing && c->columns) {
+        /* Programs that read csv or json find it where it does not disturb. */
+        bool people = session->style.output == OUTPUT_TABLE && !session->redirected;
+        fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * seconds);
+    }
+    return done;
+}
+
+/* What stands behind '>' or '>>' is a file that takes the answer. */
+static bool run_redirected(struct reader *r, const struct command *c, struct call *call)
+{
+    struct session *session = r->session;
+    struct redirect redirect;
+    bool append = r->at[1] == '>';
+    r->at = skip_blanks(r->at + (append ? 2 : 1));
+    session->column = reader_column(r, r->at);
+    char *path = read_file(r), shown[NAMES_SHOWN];
+    r->at = skip_blanks(r->at);
+    const char *wrong = NULL;
+    bool done = false;
+    if (!path)
+        session_error(session, "%s", unclosed);
+    else if (!*path)
+        session_error(session, "the file behind '>' is missing");
+    else if (!command_ends(r->at))
+        session_error(session,
+                      "only one word may stand behind '>'; a file name with blanks stands between \"...\"");
+    else if (session->safe)
+        session_error(session, "files are off in a safe session");
+    else if (!c->draws && picture_named(path))
+        session_error(session, "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
+                      names_shown(path, shown), c->name);
+    else if ((wrong = redirect_open(&redirect, path, append, session->train.interrupt)) != NULL)
+        session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    else {
+        FILE *out = session->out;
+        bool answered = session->answered;
+        int write_error = session->write_error; /* of standard output */
+        session->write_error = 0;
+        session->out = redirect.file;
+        session->redirected = path;
+        session->appended = append;
+        session->answered = false;
+        done = run_call(session, c, call);
+        session->out = out;
+        session->redirected = NULL;
+        session->answered = answered;
+        wrong = redirect_close(&redirect, done);
+        if (wrong && session->write_error)
+            wrong = strerror(session->write_error);
+        session->write_error = write_error;
+        if (done && wrong)
+            done = session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    }
+    free(path);
+    return done;
+}
+
+/* Runs the command at the reader. */
+static void run_command(struct reader *r)
+{
+    struct session *session = r->session;
+    const struct command *c = read_command(r);
+    if (c) {
+        session->command = c->name;
+        struct call call = {.count = 0};
+        if (command_allowed(session, c) && read_arguments(r, c, &call))
+            (void)(*r->at == '>' ? run_redirected(r, c, &call) : run_call(session, c, &call));
+        call_free(&call);
+    }
+    session->command = NULL;
+    session->column = 0;
+}
+
+/* Behind the command that begins at c: the ';' or comment that ends it, not looking into "...". */
+static const char *command_end(const char *c)
+{
+    bool blank = true, quote = false;
+    for (; *c; c++) {
+        quote = quote != (*c == '"');
+        if (!quote && (*c == ';' || (*c == '#' && blank)))
+            break;
+        blank = isspace((unsigned char)*c);
+    }
+    return c;
+}
+
+static void run_line(struct session *session, const char *line, size_t length)
+{
+    struct text text;
+    if (length > TEXT_MOST) {
+        session_error(session, "the line is longer than %d MB; put its commands on lines of their own",
+                      TEXT_MOST >> 20);
+        return;
+    }
+    if (!text_make(&text, line, length)) {
+        session_error(session, "out of memory");
+        return;
+    }
+    struct reader r = {.session = session, .text = &text, .at = text.line};
+    session->typed = line;
+    session->typed_length = (int)(length < INT_MAX ? length : INT_MAX);
+    session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
+    for (;;) {
+        long errors = session->errors;
+        const char *begin = skip_blanks(r.at), *end = command_end(begin);
+        if (begin < end) {
+            r.at = begin;
+            run_command(&r);
+            /* Where reading came to the end of the command, that is it: 'complete LINE' takes the rest, and
+             * in the middle of a word a '"' is a letter. */
+            end = r.at > end || command_ends(r.at) ? r.at : end;
+        }
+        if (*end != ';' || session_stops(session, errors))
+            break;
+        r.at = end + 1;
+    }
+    session->typed = NULL;
+    text_free(&text);
+}
+
+void command_run_text(struct session *session, const char *text)
+{
+    for (;;) {
+        long errors = session->errors;
+        size_t length = strcspn(text, "\n");
+        run_line(session, text, length);
+        if (text[length] == '\0' || session_stops(session, errors))
+            return;
+        text += length + 1;
+        session->line++;
+    }
+}

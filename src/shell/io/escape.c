@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/escape.h"
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- UTF-8 ---- */
+
+enum { NO_CHARACTER = 0xfffd, PLANE = 0x10000 };
+
+/* One character of a text that has not ended; its bytes, or 0 where a byte begins none (RFC 3629). */
+static size_t utf8_next(const char *text, uint32_t *code)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    /* The least code that needs so many bytes: what is written longer is no UTF-8. */
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
+    *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;
+    for (size_t i = 1; i < length; i++) {
+        if (c[i] >> 6 != 2) /* the NUL at the end, too */
+            return 0;
+        *code = *code << 6 | (c[i] & 0x3fu);
+    }
+    bool surrogate = *code >= 0xd800 && *code <= 0xdfff;
+    return length && *code >= least[length] && *code <= 0x10ffff && !surrogate ? length : 0;
+}
+
+/* What is not shown as it is, in order; the classes Cc, Zl and Zp of Unicode, and of Cf and Cn all but the
+ * joiners U+200C and U+200D, which some scripts need. */
+static const struct {
+    uint32_t first, last;
+} hidden[] = {
+    {0x00, 0x1f},     {0x7f, 0x9f},       {0xad, 0xad},       {0x61c, 0x61c},
+    {0x180e, 0x180e}, {0x200b, 0x200b},   {0x200e, 0x200f},   {0x2028, 0x202e},
+    {0x2060, 0x206f}, {0xfdd0, 0xfdef},   {0xfeff, 0xfeff},   {0xfff0, 0xfffb},
+    {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
+};
+
+static bool is_hidden(uint32_t code)
+{
+    bool within = (code & 0xfffe) == 0xfffe; /* the last two of every plane are no characters */
+    for (size_t i = 0; i < sizeof hidden / sizeof *hidden && !within; i++)
+        within = code >= hidden[i].first && code <= hidden[i].last;
+    return within;
+}
+
+/* ---- For people ---- */
+
+size_t escape_next(const char *text, char piece[ESCAPE_PIECE])
+{
+    uint32_t code;
+    size_t length = utf8_next(text, &code);
+    if (length == 0)
+        snprintf(piece, ESCAPE_PIECE, "\\x%02x", (unsigned)(unsigned char)*text);
+    else if (!is_hidden(code))
+        snprintf(piece, ESCAPE_PIECE, "%.*s", (int)length, text);
+    else
+        snprintf(piece, ESCAPE_PIECE,
+                 code < 0x80    ? "\\x%02x"
+                 : code < PLANE ? "\\u%04x"
+                                : "\\u{%x}",
+                 (unsigned)code);
+    return length ? length : 1;
+}
+
+bool escape_needed(const char *text)
+{
+    uint32_t code;
+    for (size_t length; *text; text += length)
+        if ((length = utf8_next(text, &code)) == 0 || is_hidden(code))
+            return true;
+    return false;
+}
+
+const char *escape_text(const char *text, char *shown, size_t size)
+{
+    static const char more[] = "...";
+    char piece[ESCAPE_PIECE];
+    size_t n = 0, fits = 0; /* fits: up to where "..." still finds room */
+    while (*text) {
+        text += escape_next(text, piece);
+        size_t length = strlen(piece);
+        if (n + length >= size) {
+            memcpy(shown + fits, more, sizeof more);
+            return shown;
+        }
+        memcpy(shown + n, piece, length);
+        n += length;
+        fits = n + sizeof more <= size ? n : fits;
+    }
+    shown[n] = '\0';
+    return shown;
+}
+
+char *escape_copy(const char *text)
+{
+    size_t size = strlen(text) * ESCAPE_PIECE + 16;
+    char *copy = malloc(size);
+    if (copy)
+        escape_text(text, copy, size);
+    return copy;
+}
+
+/* ---- For programs ---- */
+
+void escape_json(FILE *out, const char *text)
+{
+    uint32_t code;
+    putc('"', out);
+    while (*text) {
+        size_t length = utf8_next(text, &code);
+        if (length == 0)
+            fprintf(out, "\\u%04x", (unsigned)NO_CHARACTER);
+        else if (*text == '"' || *text == '\\')
+            fprintf(out, "\\%c", *text);
+        else if (!is_hidden(code))
+            fwrite(text, 1, length, out);
+        else if (code < PLANE)
+            fprintf(out, "\\u%04x", (unsigned)code);
+        else /* two surrogates */
+            fprintf(out, "\\u%04x\\u%04x", (unsigned)(0xd800 + ((code - PLANE) >> 10)),
+                    (unsigned)(0xdc00 + (code & 0x3ff)));
+        text += length ? length : 1;
+    }
+    putc('"', out);
+}

@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/io.h"
+#include "domino.h"
+#include "io/terminal.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+/* Between two looks at what cannot be waited for: short for a person, long for the processor. */
+static const struct timespec moment = {.tv_nsec = 10000000};
+
+/* ---- Waits ---- */
+
+/*
+ * Waits until the file is ready for the events, or for the longest time; file -1 for the time alone.  A
+ * signal between the look at the flag and the wait is not lost: it comes when the wait begins.  False with
+ * ECANCELED.
+ */
+static bool io_wait(int file, short events, const struct timespec *longest,
+                    const volatile sig_atomic_t *interrupt)
+{
+    struct pollfd ready = {.fd = file, .events = events};
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    bool raised = dom_raised(interrupt);
+    if (!raised)
+        (void)ppoll(&ready, 1, longest, &before);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    raised = raised || dom_raised(interrupt);
+    if (raised)
+        errno = ECANCELED;
+    return !raised;
+}
+
+int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt)
+{
+    struct stat status;
+    for (;;) {
+        int file = open(path, flags | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, mode);
+        int reason = errno;
+        /* A FIFO without a reader, and a file that another program holds a lease of. */
+        bool later = reason == EAGAIN || reason == EINTR ||
+                     (reason == ENXIO && stat(path, &status) == 0 && S_ISFIFO(status.st_mode));
+        errno = reason;
+        if (file >= 0 || !later || !io_wait(-1, 0, &moment, interrupt))
+            return file;
+    }
+}
+
+bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt)
+{
+    double end = terminal_clock() + seconds;
+    while (flock(file, LOCK_EX | LOCK_NB) != 0) {
+        if (errno != EWOULDBLOCK && errno != EINTR)
+            return true;
+        if (terminal_clock() > end) {
+            errno = EWOULDBLOCK;
+            return false;
+        }
+        if (!io_wait(-1, 0, &moment, interrupt))
+            return false;
+    }
+    return true;
+}
+
+bool io_write(int file, const char *bytes, size_t count)
+{
+    while (count > 0) {
+        ssize_t n = write(file, bytes, count);
+        if (n < 0 && errno != EINTR)
+            return false;
+        bytes += n > 0 ? n : 0;
+        count -= n > 0 ? (size_t)n : 0;
+    }
+    return true;
+}
+
+/* ---- Streams ---- */
+
+/* What a stream reads or writes; `own` is closed with the stream. */
+struct channel {
+    int file;
+    bool own;
+    const volatile sig_atomic_t *interrupt;
+};
+
+/*
+ * Reads what is there.  Where nothing is, the program at the other end may wait for answers before it writes
+ * the next command: they are sent before this one waits, and not after each command.
+ */
+static ssize_t channel_read(void *cookie, char *bytes, size_t size)
+{
+    const struct channel *c = cookie;
+    struct pollfd ready = {.fd = c->file, .events = POLLIN};
+    if (poll(&ready, 1, 0) != 1)
+        fflush(stdout);
+    for (;;) {
+        if (!io_wait(c->file, POLLIN, NULL, c->interrupt))
+            return -1;
+        ssize_t n = read(c->file, bytes, size);
+        if (n >= 0 || (errno != EAGAIN && errno != EINTR))
+            return n;
+    }
+}
+
+/* As fopencookie wants it: 0 for an error. */
+static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
+{
+    const struct channel *c = cookie;
+    for (;;) {
+        if (!io_wait(c->file, POLLOUT, NULL, c->interrupt))
+            return 0;
+        ssize_t n = write(c->file, bytes, size);
+        if (n >= 0 || (errno != EAGAIN && errno != EINTR))
+            return n > 0 ? n : 0;
+    }
+}
+
+static int channel_close(void *cookie)
+{
+    const struct channel *c = cookie;
+    int closed = c->own ? close(c->file) : 0;
+    free(cookie);
+    return closed;
+}
+
+static FILE *channel_stream(struct channel channel, const char *mode)
+{
+    const cookie_io_functions_t functions = {
+        .read = channel_read, .write = channel_write, .close = channel_close};
+    struct channel *kept = malloc(sizeof *kept);
+    if (kept)
+        *kept = channel;
+    FILE *stream = kept ? fopencookie(kept, mode, functions) : NULL;
+    if (!stream)
+        free(kept);
+    return stream;
+}
+
+/* A terminal takes what is written to it, or ^C drops it; regular files keep nobody waiting. */
+static bool waits(int file, const char *mode)
+{
+    struct stat status;
+    return !(fstat(file, &status) == 0 && S_ISREG(status.st_mode)) && !(*mode == 'w' && isatty(file));
+}
+
+FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
+{
+    bool channel = waits(file, mode);
+    if (!channel)
+        fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK);
+    FILE *stream =
+        channel ? channel_stream((struct channel){file, true, interrupt}, mode) : fdopen(file, mode);
+    if (!stream) {
+        int reason = errno;
+        close(file);
+        errno = reason;
+    }
+    return stream;
+}
+
+FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt)
+{
+    struct stat status;
+    int file = io_open(path, O_RDONLY, 0, interrupt);
+    if (file >= 0 && fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
+        close(file);
+        errno = EISDIR;
+        return NULL;
+    }
+    return file >= 0 ? io_stream(file, "r", interrupt) : NULL;
+}
+
+FILE *io_stdin(const volatile sig_atomic_t *interrupt)
+{
+    static FILE *in;
+    if (!in)
+        in = waits(STDIN_FILENO, "r") ? channel_stream((struct channel){STDIN_FILENO, false, interrupt}, "r")
+                                      : stdin;
+    if (in)
+        clearerr(in); /* at a terminal ^D ends one reading, not all */
+    return in;
+}
+
+/* A stream into memory; *text has room for so many bytes. */
+struct memory {
+    char **text;
+    size_t *size, room;
+};
+
+static ssize_t memory_write(void *cookie, const char *bytes, size_t count)
+{
+    enum { FIRST = 1024 };
+    struct memory *m = cookie;
+    size_t room = m->room ? m->room : FIRST;
+    while (room - *m->size < count)
+        room *= 2;
+    char *text = room > m->room ? realloc(*m->text, room) : *m->text;
+    if (!text)
+        return 0;
+    memcpy(text + *m->size, bytes, count);
+    m->room = room;
+    *m->text = text;
+    *m->size += count;
+    return (ssize_t)count;
+}
+
+static int memory_close(void *cookie)
+{
+    free(cookie);
+    return 0;
+}
+
+FILE *io_memory(char **text, size_t *size)
+{
+    const cookie_io_functions_t functions = {.write = memory_write, .close = memory_close};
+    struct memory *m = malloc(sizeof *m);
+    *text = NULL;
+    *size = 0;
+    if (m)
+        *m = (struct memory){text, size, 0};
+    FILE *stream = m ? fopencookie(m, "w", functions) : NULL;
+    if (!stream)
+        free(m);
+    return stream;
+}
+
+void io_begin(void)
+{
+    /* With O_PATH a file can be neither read nor written; the lowest free number is taken. */
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
+        if (fcntl(file, F_GETFD) < 0)
+            (void)!open("/", O_PATH);
+}

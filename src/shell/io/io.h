@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Files that are opened, read and written without a wait that nobody can end: a FIFO has a partner who may
+ * never come.  Where `interrupt` is not NULL, a wait ends with ECANCELED when the flag is raised (see
+ * dom_raised), also if the handler of the signal has SA_RESTART; with NULL the program's signals keep what
+ * they do.
+ */
+#ifndef SHELL_IO_H
+#define SHELL_IO_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <sys/types.h>
+
+/*
+ * Opens a file as open(2) does; a FIFO to write waits for its reader.  The file does not block, and is closed
+ * in programs that this one starts.  -1 with errno.
+ */
+int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
+
+/* Makes a stream of an open file, which belongs to the stream from then on.  NULL with errno, and file is
+ * closed. */
+FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
+
+/* Opens a file to read; a directory is an error.  NULL with errno. */
+FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
+
+/*
+ * Returns standard input as the one stream that all read: stdin where it is a regular file, else a stream
+ * whose waits an interrupt ends.  The interrupt of the first call counts.  Not to be closed.  NULL with
+ * errno.
+ */
+FILE *io_stdin(const volatile sig_atomic_t *interrupt);
+
+/*
+ * Makes a stream that writes into memory: *size bytes at *text, which is to be freed, once the stream is
+ * closed. That of open_memstream loses without an error what it finds no memory for.  NULL with errno.
+ */
+FILE *io_memory(char **text, size_t *size);
+
+/*
+ * Locks an open file against other programs that lock it, until it is closed.  Where the file system has no
+ * locks it does nothing.  False with errno: another program kept its lock for so many seconds, or an
+ * interrupt came.
+ */
+bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
+
+/* Writes all bytes; false with errno. */
+bool io_write(int file, const char *bytes, size_t count);
+
+/* Opens what is missing of the descriptors 0, 1 and 2, so that no file takes their numbers: what is read from
+ * them or written to them fails as before. */
+void io_begin(void);
+
+#endif

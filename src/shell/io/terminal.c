@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/terminal.h"
+#include <langinfo.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+bool terminal_colour(FILE *stream)
+{
+    const char *term = getenv("TERM"), *no = getenv("NO_COLOR");
+    return isatty(fileno(stream)) && !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
+}
+
+int terminal_width(FILE *stream)
+{
+    struct winsize size;
+    int file = fileno(stream);
+    return isatty(file) && ioctl(file, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+bool terminal_utf8(void)
+{
+    return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
+}
+
+int terminal_columns(const char *text)
+{
+    int columns = 0;
+    for (; *text; text++)
+        columns += ((unsigned char)*text & 0xc0) != 0x80;
+    return columns;
+}
+
+double terminal_clock(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Blanks rather than a control sequence: a dumb terminal has none. */
+static void wipe(void)
+{
+    fprintf(stderr, "\r%*s\r", 30, "");
+}
+
+/* ---- The ticker: a signal handler that writes a few bytes ---- */
+
+/* Written by the handler, and by whichever thread has the first row. */
+static atomic_int ticks, ticker_quiet;
+
+/* Whether the ticker has SIGALRM, and who had it before. */
+static bool ticking;
+static struct sigaction alarm_before;
+
+static void on_tick(int number)
+{
+    (void)number;
+    if (ticker_quiet || ticks > 99999)
+        return;
+    char text[] = "\r      s; ^C stops it ";
+    int n = ++ticks;
+    for (char *digit = text + 5; n > 0; n /= 10)
+        *digit-- = (char)('0' + n % 10);
+    (void)!write(STDERR_FILENO, text, sizeof text - 1);
+}
+
+static void ticker_set(long first)
+{
+    const struct itimerval timer = {.it_value = {.tv_sec = first}, .it_interval = {.tv_sec = first}};
+    setitimer(ITIMER_REAL, &timer, NULL);
+}
+
+void ticker_start(void)
+{
+    if (!isatty(STDERR_FILENO))
+        return;
+    const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
+    ticks = 0;
+    ticker_quiet = 0;
+    if (!ticking)
+        sigaction(SIGALRM, &action, &alarm_before);
+    ticking = true;
+    ticker_set(1);
+}
+
+void ticker_stop(void)
+{
+    if (!ticking)
+        return;
+    ticker_set(0);
+    sigaction(SIGALRM, &alarm_before, NULL);
+    ticking = false;
+    if (ticks > 0 && !ticker_quiet)
+        wipe();
+    ticks = 0;
+}
+
+static _Thread_local bool muted;
+
+bool progress_mute(bool mute)
+{
+    bool before = muted;
+    muted = mute;
+    return before;
+}
+
+void progress_show(struct progress *p, double fraction)
+{
+    if (muted)
+        return;
+    double now = terminal_clock();
+    if (ticks > 0 && !ticker_quiet && isatty(STDERR_FILENO))
+        wipe();
+    ticker_quiet = 1;
+    if (p->begun == 0)
+        p->begun = now;
+    if (fraction >= 1 && p->shown > 0) {
+        wipe();
+        p->shown = 0;
+    }
+    if (fraction >= 1 || now - p->begun < 1 || now - p->shown < 0.2 || !isatty(STDERR_FILENO))
+        return;
+    p->shown = now;
+    fprintf(stderr, "\r%.0f %%, %.0f s left ", 100 * fraction, (now - p->begun) * (1 / fraction - 1));
+    fflush(stderr);
+}

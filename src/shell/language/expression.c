@@ -1,0 +1,339 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "language/expression.h"
+#include "language/wide.h"
+#include <ctype.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Tables ---- */
+
+/* KEEPS: the value is of the same kind as the arguments, which are of one kind. */
+enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS };
+
+struct function {
+    const char *name;
+    enum function_kind kind;
+    dom_real (*one)(dom_real);
+    dom_real (*two)(dom_real, dom_real);
+};
+
+static const struct function functions[] = {
+    {"sin", OF_ANGLE, MATH(sin), NULL},      {"cos", OF_ANGLE, MATH(cos), NULL},
+    {"tan", OF_ANGLE, MATH(tan), NULL},      {"asin", TO_ANGLE, MATH(asin), NULL},
+    {"acos", TO_ANGLE, MATH(acos), NULL},    {"atan", TO_ANGLE, MATH(atan), NULL},
+    {"atan2", TO_ANGLE, NULL, MATH(atan2)},  {"exp", OF_NUMBER, MATH(exp), NULL},
+    {"ln", OF_NUMBER, MATH(log), NULL},      {"log", OF_NUMBER, MATH(log), NULL},
+    {"log10", OF_NUMBER, MATH(log10), NULL}, {"abs", KEEPS, MATH(fabs), NULL},
+    {"floor", OF_NUMBER, MATH(floor), NULL}, {"ceil", OF_NUMBER, MATH(ceil), NULL},
+    {"round", OF_NUMBER, MATH(round), NULL}, {"hypot", KEEPS, NULL, MATH(hypot)},
+    {"min", KEEPS, NULL, MATH(fmin)},        {"max", KEEPS, NULL, MATH(fmax)},
+    {NULL, OF_NUMBER, NULL, NULL},
+};
+
+/* sqrt halves dimensions, so it stands beside the table; pi is the one constant. */
+static const char *const more_names[] = {"sqrt", "pi", NULL};
+
+const char *expression_name(int k)
+{
+    for (const struct function *f = functions; f->name; f++)
+        if (k-- == 0)
+            return f->name;
+    return k <= 2 ? more_names[k] : NULL;
+}
+
+/* ---- Messages ---- */
+
+void expression_message(struct expression *e, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(e->message, sizeof e->message, format, arguments);
+    va_end(arguments);
+}
+
+void expression_value_message(struct expression *e, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(e->message, sizeof e->message, format, arguments);
+    va_end(arguments);
+    e->of_value = true;
+}
+
+/* ---- Scanning ---- */
+
+static const char *skip(const char *c)
+{
+    return c + strspn(c, " \t\r\f\v");
+}
+
+/* ---- Recursive descent ---- */
+
+enum { DEPTH_MAX = 200 };
+
+static bool sum(struct expression *e, struct quantity *q);
+
+/* What each step of an expression may give: a finite number, in a unit whose exponents do not overflow. */
+static bool finite_result(struct expression *e, const char *at, const struct quantity *q)
+{
+    enum { EXPONENT_MOST = 999 };
+    bool unit =
+        abs(q->length) <= EXPONENT_MOST && abs(q->time) <= EXPONENT_MOST && abs(q->angle) <= EXPONENT_MOST;
+    if (isfinite(q->value) && unit)
+        return true;
+    e->end = at;
+    if (!unit)
+        return expression_fail(e, "the unit has an exponent above %d", EXPONENT_MOST);
+    return expression_no_value(e, "the value is not a finite number");
+}
+
+static bool number(struct expression *e, struct quantity *q)
+{
+    const char *begin = e->end;
+    if (begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X'))
+        return expression_fail(e, "is no number: only decimals are");
+    char *stop;
+    errno = 0;
+    *q = (struct quantity){.value = wide_read(begin, &stop)};
+    if (errno == ERANGE)
+        return expression_fail(e, fabs(q->value) > 1 ? "is too large for a number"
+                                                     : "is too small for a number");
+    e->end = stop;
+    return true;
+}
+
+/* A unit behind a value, with or without a blank. */
+static bool postfix_unit(struct expression *e, struct quantity *q)
+{
+    const char *c = skip(e->end);
+    if (c > e->end && e->no_unit && strlen(e->no_unit) == name_length(c) &&
+        strncmp(e->no_unit, c, name_length(c)) == 0)
+        return true;
+    if (name_start(*c)) {
+        struct quantity with = *q;
+        const char *stop = unit_scan(c, &with);
+        if (stop) {
+            *q = with;
+            e->end = stop;
+        } else if (c == e->end) {
+            return expression_fail(e, "'%.*s' is no unit", (int)name_length(c), c);
+        }
+    }
+    return true;
+}
+
+static bool apply(struct expression *e, const struct function *f, const char *at, const struct quantity *a,
+                  int count, struct quantity *q)
+{
+    char kind[48];
+    int wanted = f->one ? 1 : 2;
+    e->end = at;
+    if (count != wanted)
+        return expression_fail(e, "%s takes %d value%s", f->name, wanted, wanted == 1 ? "" : "s");
+    bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
+    if (f->one && f->kind != KEEPS && !number)
+        return expression_fail(e, "%s of %s is not defined", f->name,
+                               expression_kind(a[0], kind, sizeof kind));
+    if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
+        return expression_fail(e, "%s takes two of a kind", f->name);
+    *q = f->kind == KEEPS ? a[0] : (struct quantity){.angle = f->kind == TO_ANGLE};
+    dom_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
+    if (f->two)
+        q->value = f->two(a[0].value, a[1].value);
+    else if (f->one)
+        q->value = f->one(one);
+    return finite_result(e, at, q);
+}
+
+static bool root(struct expression *e, const char *at, const struct quantity *a, int count,
+                 struct quantity *q)
+{
+    e->end = at;
+    if (count != 1)
+        return expression_fail(e, "sqrt takes 1 value");
+    if (a->length % 2 || a->time % 2)
+        return expression_fail(e, "sqrt of this is not defined");
+    if (a->value < 0)
+        return expression_no_value(e, "sqrt of this is not defined");
+    *q = (struct quantity){sqrt(a->value), a->length / 2, a->time / 2, a->angle / 2};
+    return true;
+}
+
+/* "(a, b)" behind a name; "()" has no values. */
+static bool arguments(struct expression *e, struct quantity *a, int *count)
+{
+    *count = 0;
+    e->end = skip(e->end + 1);
+    while (*e->end != ')') {
+        if (*count == EXPRESSION_ARGUMENTS)
+            return expression_fail(e, "too many values");
+        if (!sum(e, &a[(*count)++]))
+            return false;
+        e->end = skip(e->end);
+        if (*e->end == ')')
+            break;
+        if (*e->end != ',')
+            return expression_fail(e, "',' or ')' is missing");
+        e->end = skip(e->end + 1);
+        if (*e->end == ')')
+            return expression_fail(e, "a value is missing behind ','");
+    }
+    e->end++;
+    return true;
+}
+
+static bool named(struct expression *e, struct quantity *q)
+{
+    char name[32], key[32];
+    const char *at = e->end;
+    size_t length = name_length(at);
+    struct quantity a[EXPRESSION_ARGUMENTS];
+    int count = 0;
+    if (length >= sizeof name)
+        return expression_fail(e, "this name is too long");
+    snprintf(name, sizeof name, "%.*s", (int)length, at);
+    e->end += length;
+    bool called = *e->end == '(';
+    if (called && !arguments(e, a, &count))
+        return false;
+    const char *end = e->end;
+    if (called) {
+        for (const struct function *f = functions; f->name; f++)
+            if (strcmp(f->name, name) == 0)
+                return apply(e, f, at, a, count, q) && ((e->end = end), true);
+        if (strcmp(name, "sqrt") == 0)
+            return root(e, at, a, count, q) && ((e->end = end), true);
+    } else if (strcmp(name, "pi") == 0) {
+        *q = (struct quantity){.value = PI};
+        return true;
+    }
+    bool dotted = end[0] == '.' && name_start(end[1]);
+    if (dotted) {
+        size_t n = name_length(end + 1);
+        snprintf(key, sizeof key, "%.*s", (int)n, end + 1);
+        end += 1 + n;
+    }
+    e->end = at;
+    if (!e->lookup(e, name, dotted ? key : NULL, a, count, q) || !finite_result(e, at, q))
+        return false;
+    e->end = end;
+    return true;
+}
+
+static bool primary(struct expression *e, struct quantity *q)
+{
+    char c = *e->end;
+    if (isdigit((unsigned char)c) || (c == '.' && isdigit((unsigned char)e->end[1])))
+        return number(e, q) && postfix_unit(e, q);
+    if (name_start(c))
+        return named(e, q);
+    if (c != '(')
+        return expression_fail(e, c ? "a value is missing" : "a value is missing at the end");
+    const char *open = e->end++;
+    e->end = skip(e->end);
+    if (!sum(e, q))
+        return false;
+    e->end = skip(e->end);
+    if (*e->end != ')') {
+        e->end = open;
+        return expression_fail(e, "this '(' is never closed");
+    }
+    e->end++;
+    return postfix_unit(e, q);
+}
+
+static bool factor(struct expression *e, struct quantity *q)
+{
+    if (++e->depth > DEPTH_MAX)
+        return expression_fail(e, "the expression is nested too deeply");
+    bool negative = *e->end == '-', good;
+    if (negative || *e->end == '+') {
+        e->end = skip(e->end + 1);
+        good = factor(e, q);
+        if (good && negative)
+            q->value = -q->value;
+    } else {
+        good = primary(e, q);
+        const char *op = skip(e->end);
+        if (good && *op == '^') {
+            struct quantity power = {0, 0, 0, 0};
+            e->end = skip(op + 1);
+            const char *at = e->end;
+            good = factor(e, &power);
+            bool whole = good && power.value == floor(power.value) && fabs(power.value) < 100;
+            if (good &&
+                (!quantity_plain(power) || power.angle || (!whole && (!quantity_plain(*q) || q->angle)))) {
+                e->end = at;
+                good = expression_fail(e, "this is no exponent for what stands before it");
+            } else if (good) {
+                int n = whole ? (int)power.value : 0;
+                *q = (struct quantity){pow(q->value, power.value), n * q->length, n * q->time, n * q->angle};
+                good = finite_result(e, op, q);
+            }
+        }
+    }
+    e->depth--;
+    return good;
+}
+
+static bool product(struct expression *e, struct quantity *q)
+{
+    bool good = factor(e, q);
+    for (const char *op = skip(e->end); good && (*op == '*' || *op == '/'); op = skip(e->end)) {
+        struct quantity by;
+        e->end = skip(op + 1);
+        good = factor(e, &by);
+        if (good && *op == '/' && by.value == 0) {
+            e->end = op;
+            return expression_no_value(e, "division by zero");
+        }
+        if (good) {
+            quantity_multiply(q, by, *op == '/' ? -1 : 1);
+            good = finite_result(e, op, q);
+        }
+    }
+    return good;
+}
+
+static bool sum(struct expression *e, struct quantity *q)
+{
+    bool good = product(e, q);
+    for (;;) {
+        const char *op = skip(e->end);
+        if (!good || (*op != '+' && *op != '-'))
+            return good;
+        /* "1 -2" are two values: an argument, and one that begins with its sign. */
+        if (op != e->end && skip(op + 1) == op + 1)
+            return true;
+        struct quantity by;
+        e->end = skip(op + 1);
+        good = product(e, &by);
+        if (!good)
+            return false;
+        /* thetac - 1: the bare one is in the session's unit of angles. */
+        if (quantity_plain(*q) && q->angle == 0 && quantity_plain(by) && by.angle == 1)
+            *q = (struct quantity){.value = q->value * e->angle, .angle = 1};
+        else if (quantity_plain(by) && by.angle == 0 && quantity_plain(*q) && q->angle == 1)
+            by = (struct quantity){.value = by.value * e->angle, .angle = 1};
+        if (q->length != by.length || q->time != by.time || q->angle != by.angle) {
+            char a[48], b[48];
+            e->end = op;
+            return expression_fail(e, "%s and %s do not add up", expression_kind(*q, a, sizeof a),
+                                   expression_kind(by, b, sizeof b));
+        }
+        q->value += *op == '-' ? -by.value : by.value;
+        good = finite_result(e, op, q);
+    }
+}
+
+bool expression_evaluate(struct expression *e, struct quantity *result)
+{
+    e->depth = 0;
+    e->end = e->text;
+    e->message[0] = '\0';
+    e->of_value = false;
+    return sum(e, result);
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Values as people write them: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin.
+ *
+ * Where an argument ends: at a blank that no operator bridges ("1 - 2" is one value, "1 -2" are two).
+ */
+#ifndef SHELL_EXPRESSION_H
+#define SHELL_EXPRESSION_H
+
+#include "language/units.h"
+
+enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
+
+struct expression {
+    const char *text; /* where it begins */
+    const char *end;  /* behind it; after an error, where the error is */
+    char message[EXPRESSION_MESSAGE];
+    bool of_value; /* the error is in the values: with others the same expression may have one */
+    /*
+     * Names that are neither constants nor functions of the language: parameters, answers, the field's
+     * functions; key is what follows a dot, or NULL.  False with a message if there is no such thing.
+     */
+    bool (*lookup)(struct expression *expression, const char *name, const char *key,
+                   const struct quantity *arguments, int count, struct quantity *result);
+    void *context;       /* for lookup */
+    const char *no_unit; /* a unit's name that is none behind a blank; NULL for none */
+    dom_real angle;      /* what 1 is in radians where a bare number stands for an angle */
+    int depth;
+};
+
+/* Evaluates the longest expression at expression->text.  False: see message and end. */
+bool expression_evaluate(struct expression *expression, struct quantity *result);
+
+/* Sets the message. */
+void expression_message(struct expression *expression, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* The same of an error in the values, and both as the value false. */
+void expression_value_message(struct expression *expression, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+#define expression_no_value(...) (expression_value_message(__VA_ARGS__), false)
+#define expression_fail(...)     (expression_message(__VA_ARGS__), false)
+
+/* The k-th name that the language itself has, for completion; NULL behind the last. */
+const char *expression_name(int k);
+
+#endif

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "language/names.h"
+#include "io/escape.h"
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+int names_exact(names_list *list, const void *context, const char *text)
+{
+    const char *name;
+    for (int k = 0; (name = list(context, k)) != NULL; k++)
+        if (strcmp(name, text) == 0)
+            return k;
+    return -1;
+}
+
+/* Edits from a to b: insert, delete, replace, swap two neighbours; for short words. */
+static size_t distance(const char *a, const char *b)
+{
+    enum { LONGEST = 32 };
+    size_t n = strlen(a), m = strlen(b), row[3][LONGEST + 1] = {{0}};
+    if (n > LONGEST || m > LONGEST)
+        return LONGEST;
+    for (size_t i = 0; i <= n; i++) {
+        size_t *here = row[i % 3], *above = row[(i + 2) % 3], *twice = row[(i + 1) % 3];
+        for (size_t j = 0; j <= m; j++) {
+            if (i == 0 || j == 0) {
+                here[j] = i + j;
+                continue;
+            }
+            size_t best = above[j - 1] + (a[i - 1] != b[j - 1]);
+            best = above[j] + 1 < best ? above[j] + 1 : best;
+            best = here[j - 1] + 1 < best ? here[j - 1] + 1 : best;
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] && twice[j - 2] + 1 < best)
+                best = twice[j - 2] + 1;
+            here[j] = best;
+        }
+    }
+    return row[n % 3][m];
+}
+
+const char *names_closest(names_list *list, const void *context, const char *text)
+{
+    const char *name, *best = NULL;
+    size_t least = (strlen(text) + 1) / 3; /* a third of the letters may be wrong */
+    for (int k = 0; (name = list(context, k)) != NULL; k++) {
+        size_t d = distance(text, name);
+        if (d <= least && d < strlen(name)) {
+            least = d - (d > 0);
+            best = name;
+        }
+    }
+    return best;
+}
+
+int names_find(names_list *list, const void *context, const char *what, const char *text,
+               char message[NAMES_MESSAGE])
+{
+    int found = names_exact(list, context, text), matches = 0;
+    if (found >= 0)
+        return found;
+    char shown[NAMES_SHOWN], all[NAMES_MESSAGE / 2] = "";
+    const char *name;
+    for (int k = 0; *text && (name = list(context, k)) != NULL; k++) {
+        if (strncmp(name, text, strlen(text)) != 0)
+            continue;
+        found = k;
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", matches++ ? ", " : "", name);
+    }
+    if (matches == 1)
+        return found;
+    const char *close = names_closest(list, context, text);
+    names_shown(text, shown);
+    if (matches > 1)
+        snprintf(message, NAMES_MESSAGE, "'%s' may be %s", shown, all);
+    else if (close)
+        snprintf(message, NAMES_MESSAGE, "unknown %s '%s'; did you mean '%s'?", what, shown, close);
+    else
+        snprintf(message, NAMES_MESSAGE, "unknown %s '%s'", what, shown);
+    return matches > 1 ? NAMES_SEVERAL : close ? NAMES_CLOSE : NAMES_UNKNOWN;
+}
+
+const char *names_shown(const char *text, char shown[NAMES_SHOWN])
+{
+    return escape_text(text, shown, NAMES_SHOWN);
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An answer whose rows come point by point: on all processors, in order, as the part that the session asks
+ * for. */
+#ifndef SHELL_POINTS_H
+#define SHELL_POINTS_H
+
+#include "session/session.h"
+
+struct points {
+    size_t total; /* of the whole, of which session_part takes its part */
+    /*
+     * Writes the rows of a point, 0 being the one that begins the whole: false ends the answer behind the
+     * rows of the points before.  own is this worker's copy of `own` below, which it alone may change.
+     */
+    bool (*point)(void *own, size_t point, FILE *out);
+    void *own;
+    size_t size;
+    void (*gather)(void *own, const void *worker); /* into own, when all is done; NULL for none */
+};
+
+/*
+ * True: all is written, or nobody reads it any more.  False: an error was reported, or a point ended it; then
+ * *by_point, and own is as that worker left it.
+ */
+bool points_answer(struct session *session, struct answer *answer, const struct points *points,
+                   bool *by_point);
+
+#endif

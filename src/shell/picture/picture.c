@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/picture.h"
+#include "io/terminal.h"
+#include "language/names.h"
+#include "language/wide.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+static const struct {
+    const char *ending, *terminal;
+} kinds[] = {
+    {".svg", "svg size 800,560 dynamic font 'sans,14' background rgb 'white'"},
+    {".png", "pngcairo size 1000,700 font 'sans,13'"},
+    {".pdf", "pdfcairo size 16cm,11cm font 'sans,11'"},
+};
+enum { KINDS = sizeof kinds / sizeof *kinds, TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
+
+/* What gnuplot is to draw for this file; NULL where its ending is none of ours. */
+static const char *terminal_for(const char *path)
+{
+    const char *ending = strrchr(path, '.');
+    for (int k = 0; k < KINDS && ending; k++)
+        if (strcasecmp(kinds[k].ending, ending) == 0)
+            return kinds[k].terminal;
+    return NULL;
+}
+
+bool picture_named(const char *path)
+{
+    return terminal_for(path) != NULL;
+}
+
+bool picture_is_text(const struct session *session)
+{
+    const char *path = session->redirected;
+    return !path || (strlen(path) > 4 && strcasecmp(path + strlen(path) - 4, ".txt") == 0);
+}
+
+void picture_room(const struct session *session, int *width, int *height)
+{
+    struct winsize size;
+    int file = fileno(session->out);
+    bool known = file >= 0 && isatty(file) && ioctl(file, TIOCGWINSZ, &size) == 0;
+    *width = known && size.ws_col > 40 ? size.ws_col - 1 : TEXT_WIDTH;
+    *height = known && size.ws_row > 16 ? size.ws_row - 1 : TEXT_HEIGHT;
+    *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
+}
+
+/* Is there a gnuplot in one of the folders of PATH? */
+static bool gnuplot_there(void)
+{
+    const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
+    char path[4096];
+    for (size_t n; folder; folder = folder[n] ? folder + n + 1 : NULL) {
+        n = strcspn(folder, ":");
+        snprintf(path, sizeof path, "%.*s/gnuplot", (int)n, n ? folder : ".");
+        if (access(path, X_OK) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* The script up to what every picture has in common. */
+static bool script_begin(struct session *session, struct picture *picture, const char *terminal)
+{
+    /* Told apart by their points and dashes: in print and for people who see no colours. */
+    static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555"};
+    static const int points[] = {1, 2, 6, 4, 8, 10};
+    if (!gnuplot_there())
+        return session_error(session,
+                             "pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'; "
+                             "'set output csv' gives the data");
+    picture->script = tmpfile();
+    if (!picture->script)
+        return session_error(session, "cannot draw: %s", strerror(errno));
+    fprintf(picture->script, "set encoding utf8\nset terminal %s\n", terminal);
+    for (int k = 0; k < 6; k++)
+        fprintf(picture->script, "set linetype %d lc rgb '%s' lw 2 dt %d pt %d ps 1\n", k + 1, colours[k],
+                k % 5 + 1, points[k]);
+    fprintf(picture->script,
+            "set border 3\nset tics nomirror\nset datafile missing 'nan'\n"
+            "set key below Left reverse samplen 4 height 0.6\n%s\n",
+            picture->text ? ""
+                          : "set grid lc rgb '#bbbbbb' lw 0.5 dt 1"); /* of characters, it hides curves */
+    return true;
+}
+
+bool picture_begin(struct session *session, struct picture *picture)
+{
+    char shown[NAMES_SHOWN], terminal[128];
+    const char *path = session->redirected, *kind = path ? terminal_for(path) : NULL;
+    bool text = picture_is_text(session);
+    int width, height;
+    if (!text && !kind)
+        return session_error(session,
+                             "'%s' does not say as what to draw: its ending is .svg, .png, .pdf or .txt",
+                             names_shown(path, shown));
+    if (!text && session->appended)
+        return session_error(session, "'%s' holds one picture: '>' draws it anew, '>>' cannot add another",
+                             names_shown(path, shown));
+    picture_room(session, &width, &height);
+    if (text)
+        snprintf(terminal, sizeof terminal, "dumb size %d,%d noenhanced", width, height);
+    else
+        snprintf(terminal, sizeof terminal, "%s enhanced", kind);
+    *picture = (struct picture){.out = session->out,
+                                .text = text,
+                                .theta = text ? "theta" : "\u03b8",
+                                .omega = text ? "omega" : "\u03c9"};
+    return script_begin(session, picture, terminal);
+}
+
+bool picture_animation(struct session *session, struct picture *picture, FILE *out, int width, int height,
+                       int delay)
+{
+    char terminal[128];
+    snprintf(terminal, sizeof terminal, "gif animate delay %d loop 0 size %d,%d noenhanced optimize", delay,
+             width, height);
+    *picture = (struct picture){.out = out, .theta = "theta", .omega = "omega"};
+    return script_begin(session, picture, terminal);
+}
+
+bool picture_comes_to(struct session *session, dom_real theta)
+{
+    dom_real omegasq, stop = DOM_NAN;
+    const struct output_style *style = &session->style;
+    enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq, NULL);
+    if (status == DOM_NO_FUEL)
+        return session_error(session,
+                             "no domino effect: the fuel P is not positive, nothing moves; 'fuel' says "
+                             "why, 'rmax' how large r may be");
+    if (status == DOM_STOPS)
+        status = dom_cycle_stop(&session->train, &stop, NULL);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    /* As it was answered, with 10 digits, the end may have been rounded up. */
+    if (stop < theta * (1 - (dom_real)1e-9))
+        return session_error(session,
+                             "the train does not come to T = %.10g %s: it stops at %.10g %s, below the "
+                             "barrier",
+                             (double)style_angle(style, theta), style_angle_unit(style),
+                             (double)style_angle(style, stop), style_angle_unit(style));
+    return true;
+}
+
+/* Waits for gnuplot, and ends it where somebody interrupts: by itself it would go on at a ^C. */
+static int gnuplot_wait(const struct session *session, pid_t child)
+{
+    const struct timespec moment = {.tv_nsec = 5000000};
+    int status = 0;
+    pid_t ended;
+    while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+        if (dom_raised(session->train.interrupt))
+            kill(-child, SIGKILL); /* the whole group */
+        nanosleep(&moment, NULL);
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+}
+
+/* Runs gnuplot on the script; its output and its complaints go into files.  errno, or -1 if it failed. */
+static int gnuplot_run(const struct session *session, FILE *script, FILE *drawing, FILE *complaints)
+{
+    extern char **environ;
+    char *const argv[] = {"gnuplot", "-d", "-", NULL};
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    pid_t child;
+    fflush(script);
+    rewind(script);
+    lseek(fileno(script), 0, SEEK_SET);
+    /* gnuplot tries the terminal of the environment before it reads the script, and gives up if it has none.
+     */
+    if (setenv("GNUTERM", "unknown", 1) != 0)
+        return errno;
+    /*
+     * In a process group of its own gnuplot gets no ^Z: it would stop, and this program, which stops when the
+     * command is done, would wait for it without end.
+     */
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(drawing), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(complaints), STDERR_FILENO);
+    int failed = posix_spawnp(&child, argv[0], &actions, &attributes, argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+    return failed ? failed : gnuplot_wait(session, child);
+}
+
+/* gnuplot does not report a full disk: where the drawing has no room behind it, its end is missing.  errno.
+ */
+static int drawing_room(FILE *drawing, long size)
+{
+    int wrong = posix_fallocate(fileno(drawing), size, BUFSIZ);
+    return ftruncate(fileno(drawing), size) != 0 ? errno : wrong;
+}
+
+/* What was drawn, to where answers go; without the blank lines that a text begins with. */
+static void drawing_copy(FILE *drawing, FILE *out, bool text)
+{
+    char block[4096];
+    size_t n;
+    rewind(drawing);
+    while (text && fgets(block, sizeof block, drawing))
+        if (strspn(block, " \f\r\n") < strlen(block)) {
+            fputs(block, out);
+            break;
+        }
+    while ((n = fread(block, 1, sizeof block, drawing)) > 0)
+        fwrite(block, 1, n, out);
+}
+
+static bool draw(struct session *session, const struct picture *picture, FILE *drawing, FILE *complaints)
+{
+    char line[256] = "";
+    errno = 0;
+    if (fflush(picture->script) != 0 || ferror(picture->script))
+        return session_error(session, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
+    int wrong = gnuplot_run(session, picture->script, drawing, complaints);
+    if (wrong > 0)
+        return session_error(session, "cannot run gnuplot: %s", strerror(wrong));
+    if (wrong && dom_raised(session->train.interrupt))
+        return session_status(session, DOM_INTERRUPTED);
+    rewind(complaints);
+    while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n^") == strlen(line))
+        ;
+    line[strcspn(line, "\n")] = '\0';
+    if (wrong)
+        return session_error(session, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
+    fseek(drawing, 0, SEEK_END);
+    long size = ftell(drawing);
+    if (size >= 0 && (wrong = drawing_room(drawing, size)) != 0)
+        return session_error(session, "cannot draw: %s", strerror(wrong));
+    if (size <= 0)
+        return session_error(session, "gnuplot drew nothing");
+    ticker_stop();
+    drawing_copy(drawing, picture->out, picture->text);
+    return true;
+}
+
+bool picture_end(struct session *session, struct picture *picture)
+{
+    FILE *drawing = tmpfile(), *complaints = tmpfile();
+    bool drawn = drawing && complaints ? draw(session, picture, drawing, complaints)
+                                       : session_error(session, "cannot draw: %s", strerror(errno));
+    if (drawing)
+        fclose(drawing);
+    if (complaints)
+        fclose(complaints);
+    fclose(picture->script);
+    return drawn;
+}
+
+bool picture_drop(struct picture *picture)
+{
+    fclose(picture->script);
+    return false;
+}

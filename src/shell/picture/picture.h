@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Pictures, drawn by gnuplot: a command writes a script, and the picture goes where its answer goes: as
+ * text into the terminal, or into the file behind '>', whose name says as what.
+ */
+#ifndef SHELL_PICTURE_H
+#define SHELL_PICTURE_H
+
+#include "session/session.h"
+
+struct picture {
+    FILE *script; /* of gnuplot; its terminal is set, its lines and points tell apart in black ink */
+    FILE *out;    /* takes the picture */
+    bool text;    /* drawn in characters */
+    const char *theta, *omega; /* as its letters can show them */
+};
+
+/* False: an error was reported; that gnuplot is missing is one, found before there is work in vain. */
+bool picture_begin(struct session *session, struct picture *picture);
+
+/* The same for an animation of width x height dots, a plot command each frame, in hundredths of a second. */
+bool picture_animation(struct session *session, struct picture *picture, FILE *out, int width, int height,
+                       int delay);
+
+/* Draws and closes; false: an error was reported. */
+bool picture_end(struct session *session, struct picture *picture);
+
+/* Closes without a picture; false, for the caller to return. */
+bool picture_drop(struct picture *picture);
+
+/* Returns true if the name of a file promises a picture: .svg, .png, .pdf. */
+bool picture_named(const char *path);
+
+/* Is the answer to be a picture in characters?  And what room it has, the line of the next prompt not
+ * counted. */
+bool picture_is_text(const struct session *session);
+void picture_room(const struct session *session, int *width, int *height);
+
+/* Does the train move, and come as far as theta?  False: an error was reported. */
+bool picture_comes_to(struct session *session, dom_real theta);
+
+#endif

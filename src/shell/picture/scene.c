@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/scene.h"
+#include "language/wide.h"
+
+#define SMALLEST 0.01 /* of the head: smaller ones are dots */
+#define WIDEST   2.4  /* of a picture, in its own height: what is farther behind is left out */
+#define TALLEST  2.5  /* of a picture, in heights of the head: a larger next domino is cut off */
+
+/* ---- From the model to corners ---- */
+
+struct drawn drawn_at(int number, double height, double foot, double theta, double d)
+{
+    struct drawn k = {.number = number,
+                      .height = height,
+                      .foot = foot,
+                      .theta = theta,
+                      .contact = {(double)NAN, (double)NAN},
+                      .force = (double)NAN,
+                      .of_own = (double)NAN};
+    double x = (double)sin((dom_real)theta), y = (double)cos((dom_real)theta);
+    k.corner[0] = (struct point){foot, 0};
+    k.corner[1] = along(k.corner[0], height, x, y);
+    k.corner[2] = along(k.corner[1], d * height, -y, x);
+    k.corner[3] = along(k.corner[0], d * height, -y, x);
+    return k;
+}
+
+static bool scene_full(const struct scene *scene)
+{
+    const struct drawn *last = &scene->domino[scene->count - 1];
+    return scene->count == DOMINOES || last->height < SMALLEST || last->foot < scene->left;
+}
+
+/* What a walk down the train fills. */
+struct filling {
+    struct scene *scene;
+    double s, r, d;
+    bool leans; /* the next one on the last one */
+};
+
+static void scene_add(struct filling *f, double theta)
+{
+    struct scene *scene = f->scene;
+    struct drawn *leader = &scene->domino[scene->count - 1];
+    struct drawn own = drawn_at(scene->count - 1, leader->height / f->r,
+                                leader->foot - (f->s + f->d) * leader->height, theta, f->d);
+    if (f->leans) {
+        leader->touched = true;
+        leader->contact = own.corner[1];
+    }
+    scene->domino[scene->count++] = own;
+}
+
+static bool scene_link(const struct dom_link *link, const struct dom_link *error, void *context)
+{
+    struct filling *f = context;
+    (void)error;
+    if (link->i > 0)
+        scene_add(f, (double)link->theta);
+    else
+        f->scene->domino[f->scene->count++] = drawn_at(0, 1, 0, (double)link->theta, f->d);
+    f->leans = isfinite(link->arm_a);
+    return !scene_full(f->scene);
+}
+
+enum dom_status scene_make(const struct dom_train *train, dom_real theta, double behind, struct scene *scene)
+{
+    struct dom_train fine = *train;
+    struct dom_angles angles;
+    struct filling f = {.scene = scene, .s = (double)train->s, .r = (double)train->r, .d = (double)train->d};
+    double pitch = (f.s + f.d) * f.r;
+    fine.tol = dom_arithmetic(train->precision)->tol_floor; /* what is light is not always small */
+    scene->top = 1.04 * (f.r < TALLEST ? f.r : TALLEST);
+    scene->right = pitch + 0.12 * scene->top;
+    scene->left = behind > 0 ? -behind : scene->right - WIDEST * scene->top;
+    scene->left = scene->left > -1 ? -1 : scene->left; /* the head is in it, however far the next one is */
+    scene->count = 1;
+    scene->domino[0] = drawn_at(-1, f.r, pitch, 0, f.d);
+    enum dom_status status = dom_angles_find(train, &angles, NULL);
+    if (status == DOM_OK)
+        status = dom_chain_walk(&fine, theta, false, scene_link, &f);
+    if (status != DOM_OK)
+        return status;
+    while (!scene_full(scene)) {
+        scene_add(&f, (double)angles.theta_f); /* these lie, as far as anybody can see */
+        f.leans = f.leans && !angles.falls_off;
+    }
+    if (theta >= angles.theta_c * (1 - 4 * (dom_real)1e-10)) {
+        scene->domino[0].touched = true; /* the head hits it */
+        scene->domino[0].contact = scene->domino[1].corner[1];
+    }
+    double end = scene->domino[scene->count - 1].foot - 0.05 * scene->top;
+    scene->left = end > scene->left ? end : scene->left;
+    return DOM_OK;
+}
+
+static bool scene_force(const struct dom_force *f, void *context)
+{
+    struct scene *scene = context;
+    if (f->i + 1 >= (size_t)scene->count)
+        return false;
+    struct drawn *k = &scene->domino[f->i + 1];
+    if (k->touched) {
+        k->force = (double)f->force;
+        k->of_own = (double)f->of_own;
+    }
+    return true;
+}
+
+enum dom_status scene_forces(const struct dom_train *train, dom_real theta, struct scene *scene)
+{
+    return dom_cycle_forces(train, theta, scene_force, scene);
+}
+
+/* ---- By gnuplot ---- */
+
+void script_domino(FILE *script, const struct drawn *k, struct place at, double from)
+{
+    fprintf(script, "set object polygon from ");
+    for (int i = 0; i <= CORNERS; i++)
+        fprintf(script, "%s%.7g,%.7g", i ? " to " : "", at.shift + at.scale * k->corner[i % CORNERS].x,
+                at.scale * k->corner[i % CORNERS].y);
+    fprintf(script, " fs solid 1 border lc rgb 'black' lw 1 fc rgb '%s'\n",
+            k->number < 0    ? "#a0a0a0"
+            : k->number == 0 ? "#f0d080"
+                             : "#f8f0d8");
+    double x =
+        k->corner[0].x + 0.3 * (k->corner[1].x - k->corner[0].x) + (k->corner[3].x - k->corner[0].x) / 2;
+    double y = 0.3 * k->corner[1].y + 0.7 * k->corner[0].y + k->corner[3].y / 2;
+    if (k->number >= 0 && x > from)
+        fprintf(script, "set label '%d' at %.7g,%.7g center front\n", k->number, at.shift + at.scale * x,
+                at.scale * y);
+    if (k->touched && k->height > 0.04)
+        fprintf(script, "set label '' at %.7g,%.7g point pt 7 ps 0.6 lc rgb 'black' front\n",
+                at.shift + at.scale * k->contact.x, at.scale * k->contact.y);
+}
+
+void script_axes(FILE *script, double left, double right, double top)
+{
+    fprintf(script,
+            "set size ratio -1\nset xrange [%.7g:%.7g]\nset yrange [0:%.7g]\nunset grid\nunset key\n"
+            "set xlabel 'x [h]'\nset ylabel 'z [h]'\n",
+            left, right, top);
+}

@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "prompt/complete.h"
+#include "interpreter/command.h"
+#include "io/escape.h"
+#include "session/effects.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <readline/readline.h>
+
+/* What may stand at the cursor: up to three lists of names, or files. */
+struct offer {
+    names_list *list[3];
+    const void *context[3];
+    int lists;
+    bool files;
+};
+
+static const char *function_names(const void *context, int k)
+{
+    (void)context;
+    return expression_name(k);
+}
+
+/* Commands that have a value, and ans. */
+static const char *value_names(const void *context, int k)
+{
+    const char *name;
+    int fewest;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
+        if (command_values(command_find(name), &fewest) >= 0 && k-- == 0)
+            return name;
+    return k == 0 ? "ans" : NULL;
+}
+
+/* Parameters that have a number. */
+static const char *number_names(const void *context, int k)
+{
+    (void)context;
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!p->words_only && k-- == 0)
+            return p->name;
+    return NULL;
+}
+
+static void offer_list(struct offer *offer, names_list *list, const void *context)
+{
+    offer->list[offer->lists] = list;
+    offer->context[offer->lists++] = context;
+}
+
+static const char *switch_names(const void *context, int k)
+{
+    static const char *const names[] = {"off", "on", NULL};
+    (void)context;
+    return names[k];
+}
+
+/* What may stand behind 'effect NAME': its switch; values; a file where it takes one. */
+static struct offer offer_effect(const char *name, bool first)
+{
+    char message[NAMES_MESSAGE];
+    int k = names_find(effect_names, NULL, "effect", name, message);
+    struct offer offer = {.lists = 0};
+    offer.files = first && k >= 0 && dom_effect((enum dom_effect_name)k)->argument[0].or_file;
+    if (first)
+        offer_list(&offer, switch_names, NULL);
+    return offer;
+}
+
+static struct offer offer_for(const struct argument *a, const struct parameter *p, bool first)
+{
+    struct offer offer = {.files = a->kind == ARGUMENT_FILE};
+    if (a->kind == ARGUMENT_PARAMETER)
+        offer_list(&offer, parameter_names, NULL);
+    else if (a->kind == ARGUMENT_GRID) {
+        offer_list(&offer, a->choices, NULL);
+        if (!first) {
+            offer_list(&offer, value_names, NULL);
+            offer_list(&offer, function_names, NULL);
+        }
+    } else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
+        offer_list(&offer, topic_names, NULL);
+    else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE)
+        offer_list(&offer, a->choices, NULL);
+    else if (p && p->words)
+        offer_list(&offer, parameter_words, p);
+    else if (a->kind != ARGUMENT_FILE && a->kind != ARGUMENT_REST && a->kind != ARGUMENT_NONE) {
+        offer_list(&offer, number_names, NULL);
+        offer_list(&offer, value_names, NULL);
+        offer_list(&offer, function_names, NULL);
+    }
+    return offer;
+}
+
+/* Returns true if an argument may stand behind this word, the argument before it. */
+static bool may_follow(const struct argument *a, const char *word)
+{
+    char message[NAMES_MESSAGE];
+    const struct argument *before = a - 1;
+    if (!a->follows)
+        return true;
+    int k = names_find(before->choices, NULL, before->of, word, message);
+    return k < 0 ? before->kind == ARGUMENT_PLACE && a->follows(0)
+                 : a->follows(before->kind == ARGUMENT_PLACE ? -1 - k : k);
+}
+
+/* Commands that answer, and can be swept. */
+static const char *swept_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
+        if (command_find(name)->columns && !command_find(name)->unswept && k-- == 0)
+            return name;
+    return NULL;
+}
+
+/* What the words before the last one call for; swept: behind the ':' of a sweep. */
+static struct offer offer_at(const char *line, size_t length, bool swept)
+{
+    struct offer offer = {.lists = 0};
+    const struct command *c = NULL;
+    const struct parameter *p = NULL;
+    char word[64], last[64] = "", message[NAMES_MESSAGE], effect[64] = "";
+    int words = 0;
+    for (size_t i = 0; i < length;) {
+        size_t n = strcspn(line + i, " \t");
+        n = i + n > length ? length - i : n;
+        snprintf(word, sizeof word, "%.*s", (int)n, line + i);
+        i += n + strspn(line + i + n, " \t");
+        if (*word == '\0')
+            continue;
+        if (*word == '>')
+            return (struct offer){.files = true};
+        if (words == 0) {
+            int k = names_find(command_names, NULL, "command", word, message);
+            c = k < 0 ? NULL : command_find(command_names(NULL, k));
+        } else if (words == 1 && c && c->argument[0].kind == ARGUMENT_PARAMETER) {
+            int k = names_find(parameter_names, NULL, "parameter", word, message);
+            p = k < 0 ? NULL : &session_parameters[k];
+        } else if (words == 1)
+            memcpy(effect, word, sizeof effect);
+        memcpy(last, word, sizeof last);
+        words++;
+    }
+    if (words == 0)
+        offer_list(&offer, swept ? swept_names : command_names, NULL);
+    else if (c && c->argument[0].kind == ARGUMENT_GRID)
+        offer = offer_for(&c->argument[0], NULL, words == 1); /* as long as it may be */
+    else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_EFFECT)
+        offer = offer_effect(effect, words == 2);
+    else if (c && words <= ARGUMENTS_MAX && (words == 1 || may_follow(&c->argument[words - 1], last)))
+        offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL,
+                          words == 1);
+    return offer;
+}
+
+/* The command before the dot at the end of text: 'rmax.' or 'rmax(0.3).'; NULL if there is none. */
+static const struct command *command_before_dot(const char *text, const char *dot)
+{
+    const char *end = dot;
+    if (end > text && end[-1] == ')')
+        while (end > text && *end != '(')
+            end--;
+    const char *begin = end;
+    while (begin > text && (isalnum((unsigned char)begin[-1]) || begin[-1] == '_'))
+        begin--;
+    char name[32];
+    snprintf(name, sizeof name, "%.*s", (int)(end - begin), begin);
+    const struct command *c = command_find(name);
+    int fewest;
+    return c && command_values(c, &fewest) >= 0 ? c : NULL;
+}
+
+/* Behind the ':' of a sweep a command begins. */
+static const char *swept_command(const char *line)
+{
+    char name[32], message[NAMES_MESSAGE];
+    const char *colon = strchr(line, ':');
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(line, " \t:"), line);
+    int k = colon && *name ? names_find(command_names, NULL, "command", name, message) : -1;
+    const struct command *c = k < 0 ? NULL : command_find(command_names(NULL, k));
+    if (!c || c->argument[0].kind != ARGUMENT_GRID)
+        return line;
+    return colon + 1 + strspn(colon + 1, " \t");
+}
+
+void complete_line(const char *line, bool files, void (*emit)(const char *, void *), void *context)
+{
+    const char *begin = line, *last;
+    for (const char *c = line; *c; c++)
+        if (*c == ';')
+            begin = c + 1;
+    begin += strspn(begin, " \t");
+    const char *line_begin = begin;
+    begin = swept_command(begin);
+    last = begin + strlen(begin);
+    while (last > begin && !strchr(" \t", last[-1]))
+        last--;
+    /* A file name that is being quoted begins behind its '"'. */
+    const char *quote = NULL;
+    for (const char *c = begin; *c; c++)
+        if (*c == '"')
+            quote = quote ? NULL : c + 1;
+    last = quote ? quote : last;
+    struct offer offer = offer_at(begin, (size_t)(last - (quote != NULL) - begin), begin > line_begin);
+    /* In an expression the name begins behind the operator. */
+    const char *name = last;
+    for (const char *c = last; *c && offer.lists == 3; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_')
+            name = c + 1;
+    if (name > last && name[-1] == '.') {
+        const struct command *c = command_before_dot(last, name - 1);
+        offer = (struct offer){.lists = 0};
+        if (c)
+            offer_list(&offer, command_keys, c);
+    }
+    for (int l = 0; l < offer.lists; l++) {
+        const char *candidate;
+        for (int k = 0; (candidate = offer.list[l](offer.context[l], k)) != NULL; k++) {
+            char whole[128];
+            snprintf(whole, sizeof whole, "%.*s%s", (int)(name - last), last, candidate);
+            if (strncmp(candidate, name, strlen(name)) == 0)
+                emit(whole, context);
+        }
+    }
+    char *file;
+    for (int state = 0; offer.files && files && (file = rl_filename_completion_function(last, state)) != NULL;
+         state = 1) {
+        rl_filename_completion_desired = 1; /* a '/' behind folders, '"' around blanks */
+        if (!escape_needed(file))           /* it is written on the terminal */
+            emit(file, context);
+        free(file);
+    }
+}
+
+/* ---- Readline asks for one candidate after the other ---- */
+
+struct collected {
+    char **word;
+    size_t count;
+};
+
+static void collect(const char *candidate, void *context)
+{
+    struct collected *c = context;
+    char **more = realloc(c->word, (c->count + 2) * sizeof *more);
+    if (!more)
+        return;
+    c->word = more;
+    c->word[c->count] = strdup(candidate);
+    c->word[++c->count] = NULL;
+}
+
+static struct collected collected;
+
+static char *next_match(const char *text, int state)
+{
+    static size_t k;
+    (void)text;
+    k = state ? k + 1 : 0;
+    return k < collected.count ? collected.word[k] : NULL; /* Readline frees it */
+}
+
+char **complete_word(const char *text, int start, int end)
+{
+    char *line = strndup(rl_line_buffer, (size_t)end);
+    (void)start;
+    rl_attempted_completion_over = 1; /* never fall back to file names */
+    collected = (struct collected){NULL, 0};
+    if (line)
+        complete_line(line, true, collect, &collected);
+    free(line);
+    char **matches = rl_completion_matches(text, next_match);
+    free(collected.word);
+    return matches;
+}

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The prompt: Readline's callback interface under pselect, so that no signal is missed. */
+#include "interpreter/command.h"
+#include "interpreter/line.h"
+#include "io/terminal.h"
+#include "prompt/complete.h"
+#include "prompt/history.h"
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/select.h>
+#include <unistd.h>
+
+#include <readline/readline.h>
+
+/* ---- Signals ---- */
+
+/* Set by the handlers; `interrupted` also stops a computation. */
+static volatile sig_atomic_t interrupted, resized, suspended, ended;
+
+static void on_signal(int number)
+{
+    if (number != SIGWINCH && number != SIGTSTP)
+        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads look at it: dom_raised */
+    if (number == SIGWINCH)
+        resized = 1;
+    else if (number == SIGTSTP)
+        suspended = 1;
+    else if (number != SIGINT)
+        ended = number;
+}
+
+/* Those that would end the program end the session, so that the terminal is given back as it was. */
+static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
+                              SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
+enum { WATCHED = sizeof watched / sizeof *watched };
+
+/* ^C drops the line; on an empty line it says how to leave. */
+static void prompt_interrupt(void)
+{
+    interrupted = 0;
+    bool empty = rl_end == 0;
+    rl_free_line_state();
+    rl_callback_sigcleanup();
+    fputs("^C\n", rl_outstream);
+    if (empty)
+        fputs("'quit' or ^D leaves\n", rl_outstream);
+    rl_replace_line("", 1);
+    rl_on_new_line();
+    rl_redisplay();
+}
+
+static void prompt_suspend(const sigset_t *awake)
+{
+    struct sigaction action = {.sa_handler = SIG_DFL}, ours;
+    sigset_t blocked;
+    suspended = 0;
+    /* The shell may have taken the terminal already: SIGTTOU is ignored, or this would stop twice. */
+    rl_deprep_terminal();
+    sigaction(SIGTSTP, &action, &ours);
+    raise(SIGTSTP);
+    sigprocmask(SIG_SETMASK, awake, &blocked); /* here it stops, until SIGCONT */
+    sigprocmask(SIG_SETMASK, &blocked, NULL);
+    sigaction(SIGTSTP, &ours, NULL);
+    rl_prep_terminal(1);
+    rl_forced_update_display();
+}
+
+/* ---- Lines ---- */
+
+/* Readline's handler takes no context. */
+static struct session *prompt_session;
+
+static void on_line(char *text)
+{
+    struct session *session = prompt_session;
+    if (!text) {
+        putc('\n', session->out);
+        session->quit = true;
+    } else {
+        /* A ^C before the line is none of the line; a signal that ends the session is. */
+        interrupted = 0;
+        if (ended)
+            interrupted = ended;
+        history_keep(session, text);
+        session->fresh = !strchr(text, '\n');
+        command_run_text(session, text);
+        free(text);
+        interrupted = 0;
+        fflush(session->out);
+    }
+    if (session->quit)
+        rl_callback_handler_remove();
+}
+
+/* Readline must know which bytes take no column: they stand between \001 and \002. */
+static const char *prompt_text(struct session *session, char *text, size_t size)
+{
+    const char *mark = terminal_utf8() ? "❯" : ">";
+    bool colour = terminal_colour(session->out);
+    snprintf(text, size, colour ? "\001\033[1m\002domino%s\001\033[m\002 " : "domino%s ", mark);
+    session->prompt_width = (int)strlen("domino> ");
+    return text;
+}
+
+static void readline_begin(void)
+{
+    rl_readline_name = "Domino"; /* $if Domino in inputrc */
+    rl_catch_signals = 0;
+    rl_catch_sigwinch = 0;
+    rl_attempted_completion_function = complete_word;
+    rl_completer_word_break_characters = " \t;";
+    rl_completer_quote_characters = "\"";
+    rl_filename_quote_characters = " \t;#>";
+    rl_variable_bind("enable-bracketed-paste", "on");
+}
+
+void line_prompt(struct session *session)
+{
+    /* What is being written when ^C comes is written to its end: a stream that fails stays failed. */
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART},
+                     ignore = {.sa_handler = SIG_IGN}, before[WATCHED], ttou;
+    sigset_t blocked, awake;
+    char prompt[64];
+    sigemptyset(&blocked);
+    for (int i = 0; i < WATCHED; i++) {
+        sigaddset(&blocked, watched[i]);
+        sigaction(watched[i], &action, &before[i]);
+    }
+    sigaction(SIGTTOU, &ignore, &ttou);
+    prompt_session = session;
+    session->source = NULL;
+    session->train.interrupt = &interrupted;
+    history_load(session);
+    readline_begin();
+    fprintf(session->out,
+            "domino " DOM_VERSION ": how far can a domino train grow?  Try 'count 112', or 'help'.\n");
+    fflush(session->out);
+    rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
+
+    sigprocmask(SIG_BLOCK, &blocked, &awake);
+    while (!session->quit && !ended) {
+        /* Signals that came while a line ran count now, not at the next key. */
+        if (interrupted)
+            prompt_interrupt();
+        if (resized) {
+            resized = 0;
+            rl_resize_terminal();
+        }
+        if (suspended)
+            prompt_suspend(&awake);
+        fd_set input;
+        FD_ZERO(&input);
+        FD_SET(STDIN_FILENO, &input);
+        int ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, &awake);
+        if (ready > 0) {
+            sigprocmask(SIG_SETMASK, &awake, NULL); /* ^C must reach a computation */
+            rl_callback_read_char();
+            sigprocmask(SIG_BLOCK, &blocked, NULL);
+        } else if (ready < 0 && errno != EINTR) {
+            session_error(session, "cannot read the terminal: %s", strerror(errno));
+            break;
+        }
+    }
+    rl_callback_handler_remove();
+    session->train.interrupt = NULL;
+    session->prompt_width = 0;
+    for (int i = 0; i < WATCHED; i++)
+        sigaction(watched[i], &before[i], NULL);
+    sigaction(SIGTTOU, &ttou, NULL);
+    sigprocmask(SIG_SETMASK, &awake, NULL);
+    if (ended) {
+        fflush(session->out);
+        raise(ended); /* all is in order: it may end the program now */
+    }
+}

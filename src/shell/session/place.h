@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The place in the cycles at which a session's walk stands, event by event. */
+#ifndef SHELL_PLACE_H
+#define SHELL_PLACE_H
+
+#include "domino.h"
+
+/* Where the walk stands: at an event of a cycle, or between two. */
+struct walk {
+    struct dom_train train; /* of the walk */
+    struct dom_train asked; /* what the session had then; another one begins anew */
+    struct dom_event events[DOM_EVENTS_MAX];
+    int count; /* of the events; 0: no walk has begun */
+    int event; /* the last one that was passed */
+    dom_real theta;
+    int cycle;               /* from 1 */
+    enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
+};
+
+#endif

@@ -1,0 +1,383 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "session/rowfile.h"
+#include "io/io.h"
+#include "language/names.h"
+#include "language/text.h"
+#include "language/wide.h"
+#include <ctype.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- What a column may be ---- */
+
+enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RELATIVE, DOMINO, KINDS };
+
+#define COLUMNS "height, thickness, gap, and if they are known mass or density, width"
+#define LENGTHS "m, mm, cm, km, in, ft"
+#define LENGTH  "it is a length: 48 mm, 7/48*4.8 cm, or a number in the unit of the head"
+#define WEIGHT  "it is a plain number, its unit stands in the head: "
+
+static const struct kind {
+    const char *name, *unit;
+    bool required, zero;            /* zero: 0 is in the range */
+    double lowest, highest;         /* those of masses are what single precision has */
+    const char *range, *is, *units; /* for people: of the value; of a cell; of the head */
+    const char *more;               /* besides unit, one that expressions do not have */
+    int times, over;                /* that one in SI */
+    const char *usual;              /* the one that an error proposes */
+} kinds[KINDS] = {
+    {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "mass (g)", "kg, g", "g", 1, 1000,
+     "g"},
+    {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "density (g/cm^3)",
+     "kg/m^3, g/cm^3", "g/cm^3", 1000, 1, "g/cm^3"},
+    {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"relative", "", false, false, 1e-40, 1e38, "1e-40 .. 1e38",
+     "it is a plain number: mass over that of the first", "none", "", 1, 1, ""},
+    {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "it is a plain number, for the reader's eye", "none", "",
+     1, 1, ""},
+};
+
+enum { CELLS = KINDS + 1, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
+
+struct reader {
+    struct session *session;
+    const char *path;
+    FILE *in;
+    long line;
+    size_t bytes; /* read so far */
+    bool end;     /* there is no line any more */
+    struct text text;
+    const char *separator, *between, *blanks; /* between: the separator for people */
+    int columns;                              /* 0: the head is still to come */
+    int column[KINDS];                        /* of a kind, from 1; 0 for none */
+    dom_real unit[KINDS];                     /* in SI; 0 where the head has none */
+    const char *then;                         /* what an error leads to, behind its message; "" for nothing */
+    int cells;                                /* of this line; only CELLS of them are kept */
+    char *cell[CELLS];
+    char *buffer; /* of LINE_MOST bytes, which a stack may not have */
+};
+
+static const char *kind_names(const void *context, int k)
+{
+    (void)context;
+    return k < KINDS ? kinds[k].name : NULL;
+}
+
+/* The unit of that name in SI; 0 if it is none of this kind. */
+static dom_real unit_value(const struct kind *k, const char *name)
+{
+    struct quantity q = expression_unit(name);
+    if (strcmp(name, k->unit) == 0 || strcmp(name, k->more) == 0)
+        return strcmp(name, k->unit) == 0 ? 1 : (dom_real)k->times / k->over;
+    return *k->unit == 'm' && q.length == 1 && q.time == 0 && q.angle == 0 ? q.value : 0;
+}
+
+/* At a place in the line, or NULL for its beginning. */
+static void __attribute__((format(printf, 3, 4)))
+report(const struct reader *r, const char *at, const char *format, ...)
+{
+    char message[640];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    session_error(r->session, "%s:%ld:%d: %s%s", r->path, r->line, at ? text_column(&r->text, at) : 1,
+                  message, r->then);
+}
+
+/* The same, as the value false. */
+#define wrong(...) (report(__VA_ARGS__), false)
+
+/* ---- Lines and their cells ---- */
+
+/* The next line into r->text, or r->end.  False: it is none. */
+static bool line_read(struct reader *r)
+{
+    size_t n = 0;
+    int c;
+    while (n < LINE_MOST && (c = getc_unlocked(r->in)) != EOF && c != '\n' && c != '\0')
+        r->buffer[n++] = (char)c;
+    r->bytes += n + 1;
+    r->line++;
+    r->end = c == EOF && n == 0;
+    if (ferror(r->in))
+        return wrong(r, NULL, "cannot read on: %s", strerror(errno));
+    size_t mark = r->line == 1 && n >= 3 && memcmp(r->buffer, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    text_free(&r->text);
+    if (!text_make(&r->text, r->buffer + mark, n - mark)) {
+        r->text = (struct text){.line = NULL};
+        return wrong(r, NULL, "out of memory");
+    }
+    if (n == LINE_MOST)
+        return wrong(r, NULL, "the line is longer than %d bytes; a line is one domino", LINE_MOST - 1);
+    if (c == '\0')
+        return wrong(r, r->text.line + strlen(r->text.line), "a NUL byte; a csv file is text, in UTF-8");
+    return r->bytes <= FILE_MOST || wrong(r, NULL, "the file is larger than %d MB", FILE_MOST >> 20);
+}
+
+/* A comment begins the line or stands behind a blank, which goes with it: a tab there parts no cells. */
+static void comment_cut(char *line)
+{
+    bool blank = true, quote = false;
+    for (char *c = line; *c; c++) {
+        quote = quote != (*c == '"');
+        if (!quote && blank && *c == '#') {
+            c[c > line ? -1 : 0] = '\0';
+            return;
+        }
+        blank = isspace((unsigned char)*c);
+    }
+}
+
+/* Keeps the cell at *place, which moves on to the next, or to NULL. */
+static bool cell_cut(struct reader *r, char **place)
+{
+    char *begin = *place + strspn(*place, r->blanks);
+    char *end = begin + strcspn(begin, r->separator), *next = end;
+    if (*begin == '"') {
+        end = strchr(++begin, '"');
+        if (!end)
+            return wrong(r, begin - 1, "this '\"' is never closed");
+        next = end + 1 + strspn(end + 1, r->blanks);
+        if (*next && *next != *r->separator)
+            return wrong(r, next, "behind the closing '\"' stands no %s", r->between);
+        begin += strspn(begin, " \t");
+    }
+    while (end > begin && isspace((unsigned char)end[-1]))
+        end--;
+    if (end == begin + 1 && *begin == '-') /* nothing, said aloud */
+        end--;
+    *place = *next ? next + 1 : NULL;
+    *end = '\0';
+    if (r->cells < CELLS)
+        r->cell[r->cells] = begin;
+    r->cells++;
+    return true;
+}
+
+/* The line's cells, whose ends become NULs. */
+static bool cells_cut(struct reader *r)
+{
+    char *place = r->text.line;
+    for (r->cells = 0; place && cell_cut(r, &place);)
+        ;
+    return !place;
+}
+
+/* ---- The head ---- */
+
+/* "(mm)", "[mm]", "mm" or nothing, behind a column's name. */
+static bool unit_read(struct reader *r, int kind, const char *at)
+{
+    const struct kind *k = &kinds[kind];
+    const char *begin = at + strspn(at, " \t(["), *end = begin + strcspn(begin, " \t)]");
+    char name[32], shown[NAMES_SHOWN];
+    bool one = end - begin < (ptrdiff_t)sizeof name && end[strspn(end, " \t)]")] == '\0';
+    snprintf(name, sizeof name, "%.*s", (int)(end - begin), begin);
+    char *cube = strstr(name, "\u00b3");
+    if (cube)
+        memcpy(cube, "^3", 2);
+    if (*at == '\0') { /* then each cell must have one, unless they are pure numbers */
+        r->unit[kind] = *k->unit ? 0 : 1;
+        return true;
+    }
+    r->unit[kind] = one ? unit_value(k, name) : 0;
+    return r->unit[kind] > 0 ||
+           wrong(r, begin, "'%s' is no unit of %s; those are %s", names_shown(at, shown), k->name, k->units);
+}
+
+/* The name and unit of the next column. */
+static bool name_read(struct reader *r, const char *cell)
+{
+    char name[32], shown[NAMES_SHOWN];
+    size_t length = strcspn(cell, " \t([");
+    snprintf(name, sizeof name, "%.*s", (int)length, cell);
+    for (char *c = name; *c; c++)
+        *c = (char)tolower((unsigned char)*c);
+    int k = names_exact(kind_names, NULL, name);
+    const char *close = names_closest(kind_names, NULL, name);
+    if (k < 0)
+        return wrong(r, cell,
+                     close ? "unknown column '%s'; did you mean '%s'?"
+                           : "unknown column '%s'; the first line names %s",
+                     names_shown(close ? name : cell, shown), close ? close : COLUMNS);
+    if (r->column[k] > 0)
+        return wrong(r, cell, "a second column '%s'; the first is column %d", name, r->column[k]);
+    r->column[k] = ++r->columns;
+    if (r->column[MASS] > 0 && r->column[DENSITY] > 0)
+        return wrong(r, cell, "both mass and density; a row has one of them at most");
+    return unit_read(r, k, cell + length + strspn(cell + length, " \t"));
+}
+
+static bool head_read(struct reader *r)
+{
+    r->separator = strchr(r->text.line, ';') ? ";" : strchr(r->text.line, ',') ? "," : "\t";
+    r->between = *r->separator == ';' ? "';'" : *r->separator == ',' ? "','" : "tab";
+    r->blanks = *r->separator == '\t' ? " \r\f\v" : " \t\r\f\v";
+    if (!strstr(r->text.line, r->separator))
+        return wrong(r, NULL,
+                     "one column; the first line names " COLUMNS ", with ',' or ';' or a tab between");
+    if (!cells_cut(r))
+        return false;
+    /* Of CELLS columns one is unknown, or a second one. */
+    for (int i = 0; i < r->cells; i++)
+        if (!name_read(r, r->cell[i]))
+            return false;
+    for (int k = 0; k < KINDS; k++)
+        if (kinds[k].required && r->column[k] == 0)
+            return wrong(r, NULL, "the column '%s' is missing; the first line names " COLUMNS, kinds[k].name);
+    return true;
+}
+
+/* ---- The dominoes ---- */
+
+static bool no_names(struct expression *e, const char *name, const char *key,
+                     const struct quantity *arguments, int count, struct quantity *result)
+{
+    (void)key, (void)arguments, (void)count, (void)result;
+    return expression_fail(e, "'%s' has no value in a file", name);
+}
+
+static bool value_check(const struct reader *r, int kind, dom_real value, const char *at)
+{
+    const struct kind *k = &kinds[kind];
+    double near = (double)value; /* bounds are decimals, and these in double: they are inside */
+    if (value > 0 ? near >= k->lowest && near <= k->highest : value == 0 && k->zero)
+        return true;
+    const char *is = value < 0 ? "negative" : near < 1 ? "too small" : "too large";
+    return wrong(r, at, "%s = %s %s is %s; a %s is %s", k->name, wide_shown(value).text, k->unit, is, k->name,
+                 k->range);
+}
+
+/* What nobody said is not guessed: metres in a file of millimetres would be a row of towers. */
+static bool no_unit(const struct reader *r, int kind, const char *cell)
+{
+    const struct kind *k = &kinds[kind];
+    char shown[NAMES_SHOWN], here[64] = "";
+    if (*k->unit == 'm')
+        snprintf(here, sizeof here, ", or '%.40s %s' in the cell", names_shown(cell, shown), k->usual);
+    return wrong(r, cell, "%s has no unit: '%s' would be %s %s; write '%s (%s)' in the first line%s", k->name,
+                 names_shown(cell, shown), names_shown(cell, shown), k->unit, k->name, k->usual, here);
+}
+
+/* What the cell says, in SI; its range is not judged. */
+static bool cell_value(const struct reader *r, int kind, const char *cell, dom_real *value)
+{
+    const struct kind *k = &kinds[kind];
+    char shown[NAMES_SHOWN], text[48];
+    struct quantity q = {0, 0, 0, 0};
+    struct expression e = {.text = cell, .lookup = no_names, .angle = 1};
+    if (*cell == '\0')
+        return wrong(r, cell, "%s is missing; only the gap of the first domino may be", k->name);
+    if (!expression_evaluate(&e, &q))
+        return wrong(r, e.end, *e.end ? "%s at '%s': %s; %s" : "%s%s: %s; %s", k->name,
+                     names_shown(e.end, shown), e.message, k->is);
+    const char *rest = e.end + strspn(e.end, " \t\r\f\v");
+    if (*rest)
+        return wrong(r, rest, "%s ends before '%s'; %s", k->name, names_shown(rest, shown),
+                     *rest == ',' ? "decimals have a point and no comma" : k->is);
+    bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
+    if (!bare && (*k->unit != 'm' || q.length != 1 || q.time != 0 || q.angle != 0))
+        return wrong(r, cell, "%s: this is %s; %s", k->name, expression_kind(q, text, sizeof text), k->is);
+    if (bare && r->unit[kind] == 0 && q.value != 0)
+        return no_unit(r, kind, cell);
+    *value = bare ? q.value * r->unit[kind] : q.value;
+    return true;
+}
+
+static bool row_keep(struct reader *r, struct rowfile *rows, const dom_real value[KINDS])
+{
+    dom_real ratio = value[THICKNESS] / value[HEIGHT];
+    dom_real width = r->column[WIDTH] ? value[WIDTH] : value[HEIGHT] / 2;
+    dom_real mass = r->column[MASS] ? value[MASS]
+                    : r->column[RELATIVE] && !r->column[DENSITY]
+                        ? value[RELATIVE]
+                        : value[DENSITY] * value[HEIGHT] * value[THICKNESS] * width;
+    if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
+        return wrong(r, r->cell[r->column[THICKNESS] - 1], "thickness / height = %s; it is 1e-12 .. 100",
+                     wide_shown(ratio).text);
+    if (!value_check(r, MASS, mass, NULL))
+        return false;
+    if ((rows->count & (rows->count - 1)) == 0) { /* it is full at 0, 1, 2, 4, ... */
+        struct dom_domino *more = realloc(rows->domino, 2 * (rows->count + 1) * sizeof *more);
+        if (!more)
+            return wrong(r, NULL, "out of memory");
+        rows->domino = more;
+    }
+    dom_real gap = rows->count > 0 ? value[GAP] : 0;
+    rows->domino[rows->count++] =
+        (struct dom_domino){.height = value[HEIGHT], .thickness = value[THICKNESS], .gap = gap, .mass = mass};
+    return true;
+}
+
+static bool row_read(struct reader *r, struct rowfile *rows)
+{
+    dom_real value[KINDS] = {[DENSITY] = 1};
+    if (!cells_cut(r))
+        return false;
+    if (r->cells != r->columns)
+        return wrong(r, r->cells > r->columns ? r->cell[r->columns] : NULL,
+                     "too %s cells: %d, and the head has %d; a %s parts them",
+                     r->cells > r->columns ? "many" : "few", r->cells, r->columns, r->between);
+    if (rows->count == DOMINOES_MOST)
+        return wrong(r, NULL, "too many dominoes; a row has at most %d", DOMINOES_MOST);
+    for (int k = 0; k < KINDS; k++) {
+        const char *cell = r->column[k] ? r->cell[r->column[k] - 1] : NULL;
+        bool none = k == GAP && rows->count == 0; /* there is nothing before the first */
+        if (!cell || (none && *cell == '\0'))
+            continue;
+        if (!cell_value(r, k, cell, &value[k]) || (!none && !value_check(r, k, value[k], cell)))
+            return false;
+    }
+    return row_keep(r, rows, value);
+}
+
+static bool lines_read(struct reader *r, struct rowfile *rows)
+{
+    for (;;) {
+        if (!line_read(r))
+            return false;
+        if (r->end)
+            return rows->count > 0 ||
+                   wrong(r, NULL, "no dominoes; the first line names " COLUMNS ", each below is one");
+        comment_cut(r->text.line);
+        if (r->text.line[strspn(r->text.line, " \t\r\f\v")] != '\0' &&
+            !(r->columns ? row_read(r, rows) : head_read(r)))
+            return false;
+    }
+}
+
+bool rowfile_read(struct session *session, const char *path, const char *then, struct rowfile *rows)
+{
+    char shown[NAMES_SHOWN];
+    struct reader r = {.session = session, .then = then, .in = io_read(path, session->train.interrupt)};
+    *rows = (struct rowfile){NULL, 0, false};
+    if (r.in && !(r.buffer = malloc(LINE_MOST))) {
+        fclose(r.in);
+        r.in = NULL;
+    }
+    if (!r.in)
+        return session_error(session, "cannot read '%s': %s%s", names_shown(path, shown), strerror(errno),
+                             then);
+    /* A name may not hide the rest of a message, nor break its line. */
+    r.path = strlen(path) > 255 || strpbrk(path, "\n\r\t\033") ? names_shown(path, shown) : path;
+    bool good = lines_read(&r, rows);
+    rows->weighed = r.column[MASS] > 0 || r.column[DENSITY] > 0;
+    text_free(&r.text);
+    free(r.buffer);
+    fclose(r.in);
+    if (!good)
+        rowfile_free(rows);
+    return good;
+}
+
+void rowfile_free(struct rowfile *rows)
+{
+    free(rows->domino);
+    *rows = (struct rowfile){NULL, 0, false};
+}

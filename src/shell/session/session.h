@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The state of one calculator session: parameters, where input comes from, what went wrong.
+ * One table knows every parameter; set, show, reset, save, help and completion read it.
+ */
+#ifndef SHELL_SESSION_H
+#define SHELL_SESSION_H
+
+#include "answer/output.h"
+#include "domino.h"
+#include "language/expression.h"
+#include "session/place.h"
+
+struct command;
+
+enum { ANSWER_CELLS = 12, SOURCE_DEPTH = 16 };
+
+/* What the session asks of an effect. */
+struct effect_state {
+    bool on;
+    dom_real value[DOM_EFFECT_ARGUMENTS];
+};
+
+/* The message of a session that is not to write it, and what it is about. */
+struct heard {
+    char text[512];
+    int column;
+    const char *command;
+    bool no_answer; /* see session_no_answer */
+};
+
+/* Which part of a sweep or study is asked for: --shard part/parts. */
+struct shard {
+    size_t part, parts;
+};
+
+/* Dominoes that are listed in a file, and gaps that were changed since. */
+struct listed_row {
+    struct dom_domino *domino; /* NULL for none */
+    size_t count;
+    bool weighed; /* masses are in kg; else they are relative */
+    char *path;
+    struct placed {
+        size_t k; /* from 1 */
+        dom_real gap;
+    } * placed;
+    size_t changes;
+};
+
+struct session {
+    struct dom_train train;
+    struct dom_scale scale;
+    dom_real mass, density;    /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
+    struct output_style style; /* output, digits, angle */
+    unsigned timing;
+    dom_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
+    struct effect_state effect[DOM_EFFECT_COUNT];
+    struct listed_row listed; /* the row, where it is not counted */
+    struct walk walk;
+    FILE *out;          /* where answers go: standard output, or the file behind '>' */
+    const char *source; /* name of the script for messages; NULL at the prompt */
+    long line;
+    int column;        /* of what a message is about, from 1; 0 for none */
+    int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
+    const char *typed; /* the line that runs, as it was typed, not ended */
+    int typed_length, typed_columns;
+    bool fresh;             /* at the prompt: nothing stands below the typed line yet */
+    bool appended;          /* it is behind '>>' */
+    const char *redirected; /* the name of the file behind '>' that out is; NULL for none */
+    const char *command;    /* the one that runs, for messages */
+    struct heard *heard;    /* unless NULL, takes the first message: this session is a point of a sweep */
+    struct shard shard;     /* parts is 0 where the whole is asked for */
+    bool bail;              /* the first error ends the session */
+    bool safe;              /* commands may not touch files */
+    bool quit;
+    bool answered; /* something was answered before */
+    int depth;     /* of nested source commands */
+    long errors;
+    int write_error; /* errno of the first answer that could not be written; 0 for none */
+    struct {
+        const struct command *command; /* that gave the last answer; NULL for none */
+        struct cell cells[ANSWER_CELLS];
+    } ans;
+};
+
+void session_init(struct session *session, FILE *out);
+
+/* Gives back what the session holds. */
+void session_close(struct session *session);
+
+/* Turns every effect off, and gives back what the session holds for them. */
+void effects_reset(struct session *session);
+
+/* Hands the values of the effects to the session's train. */
+void effects_apply(struct session *session);
+
+/* Gives back a listed row. */
+void listed_free(struct listed_row *row);
+
+/* The mass of the first domino in kg; 0 where it is not known.  As a block of these sizes in m, or as h and d
+ * say. */
+dom_real session_block_mass(const struct session *session, dom_real height, dom_real thickness);
+dom_real session_mass(const struct session *session);
+
+/* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
+bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* A line on stderr like that of an error, which it is not: why an answer is not whole. */
+void session_note(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/*
+ * The same where the line is right, but has no answer with these values: a sweep goes on to its next point.
+ */
+bool session_no_answer(struct session *session, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Of so many points, or whatever stands in a row: the first of this session's part, and how many it has. */
+struct range {
+    size_t first, count;
+};
+struct range session_part(const struct session *session, size_t points);
+
+/*
+ * Is the rest of the input not to be run?  After quit, where nobody reads the output, after ^C, and with
+ * bail after an error: session->errors was `errors` before.
+ */
+bool session_stops(const struct session *session, long errors);
+
+/* Also for a library status that is not DOM_OK. */
+bool session_status(struct session *session, enum dom_status status);
+
+/* A name for a value: hollow = 3, exact = 0. */
+struct word {
+    const char *name;
+    dom_real value;
+};
+
+struct parameter {
+    const char *name, *unit, *meaning;
+    const char *help; /* more, or NULL */
+    dom_real fallback, lowest, highest;
+    const struct word *words; /* names for some values; NULL for none */
+    bool words_only;          /* stored as an unsigned */
+    bool whole;               /* a whole number */
+    /* Of the arithmetic of the session's precision, where the default or the lowest value depends on it. */
+    dom_real (*fallback_of)(const struct dom_arithmetic *arithmetic);
+    dom_real (*lowest_of)(const struct dom_arithmetic *arithmetic);
+    size_t offset; /* in struct session */
+    bool setting;  /* of the calculator rather than of the model: a plain reset keeps it */
+};
+
+/* All parameters in the order of show; ends with a NULL name. */
+extern const struct parameter session_parameters[];
+
+/* Lists for names.h: the parameters; the words of the parameter that is the context. */
+const char *parameter_names(const void *context, int k);
+const char *parameter_words(const void *parameter, int k);
+
+const struct parameter *parameter_find(const char *name);
+dom_real parameter_get(const struct session *session, const struct parameter *parameter);
+void parameter_put(struct session *session, const struct parameter *parameter, dom_real value);
+
+/* The default, and the lowest value, at the session's precision. */
+dom_real parameter_fallback(const struct session *session, const struct parameter *parameter);
+dom_real parameter_lowest(const struct session *session, const struct parameter *parameter);
+
+/* The parameters in an order in which 'set' can take them: words first, since precision rules the floor of
+ * tol.  NULL behind the last. */
+const struct parameter *parameter_in_order(int k);
+
+/* The style of the session's answers. */
+struct output_style session_style(const struct session *session);
+
+/*
+ * Chooses a precision.  Of tol and digits, what was the old default becomes the new one, and a tol below
+ * the new floor becomes the floor; true if tol was changed.
+ */
+bool session_precision(struct session *session, enum dom_precision precision);
+
+/* Is the value in the range?  What is wrong is an error of the session. */
+bool parameter_check(struct session *session, const struct parameter *parameter, dom_real value);
+
+/* The name of a value that has one, else NULL. */
+const char *parameter_word(const struct parameter *parameter, dom_real value);
+
+/* "1e-12 .. 1", or "exact|paper". */
+void parameter_range(const struct session *session, const struct parameter *parameter, char *text,
+                     size_t size);
+
+/* The value as 'set' would take it back. */
+void parameter_text(const struct parameter *parameter, dom_real value, int digits, char *text, size_t size);
+
+#endif

@@ -1,0 +1,340 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The dominoes of a picture: that they touch where the model says, overlap nowhere and lie on the ground. */
+#include "support.h"
+#include <float.h>
+
+#include "picture/scene.h"
+
+static const double some_trains[][4] = {/* s, r, d, q */
+                                        {0.3, 1, 7.0 / 48, 4},    {0.4, 1.5, 7.0 / 48, 4},
+                                        {0.43, 2.1, 7.0 / 48, 3}, {0.54, 1.84, 7.0 / 48, 3},
+                                        {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
+                                        {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
+enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 };
+
+/* A picture, the train in it and the angles between which it moves. */
+struct view {
+    struct dom_train train;
+    struct dom_angles angles;
+    double theta;
+    struct scene scene;
+};
+
+/* Makes view number k: the trains above, then random ones, each at tilts from 0 to theta_c. */
+static bool view_next(struct view *v, int k)
+{
+    static uint64_t seed;
+    int which = k / TILTS;
+    if (k == 0)
+        seed = 71;
+    if (which >= SOME + RANDOM)
+        return false;
+    if (which < SOME) {
+        v->train = dom_train_default();
+        v->train.s = some_trains[which][0];
+        v->train.r = some_trains[which][1];
+        v->train.d = some_trains[which][2];
+        v->train.q = some_trains[which][3];
+    } else if (k % TILTS == 0)
+        v->train = random_train(&seed);
+    assert_status(dom_angles_find(&v->train, &v->angles, NULL), DOM_OK);
+    v->theta = (double)v->angles.theta_c * (k % TILTS) / (TILTS - 1);
+    assert_status(scene_make(&v->train, v->theta, 0, &v->scene), DOM_OK);
+    return true;
+}
+
+static _Noreturn void fail_view(const struct view *v, int k, const char *what, double off, double bound)
+{
+    fail_msg("%s at domino %d: off by %g, %g allowed, at s %.17g r %.17g d %.17g q %.17g theta %.17g", what,
+             v->scene.domino[k].number, off, bound, (double)v->train.s, (double)v->train.r,
+             (double)v->train.d, (double)v->train.q, v->theta);
+    abort();
+}
+
+/*
+ * Roundings of the corners of domino k, in heights of the head.  Its hinge is a sum of k terms and its tilt
+ * comes down a chain of k links, each of which adds a few roundings to the tilt and to the place.
+ */
+static double roundings(const struct view *v, int k)
+{
+    const struct drawn *own = &v->scene.domino[k];
+    return DBL_EPSILON * (k + 1) * (fabs(own->foot) + own->height * (1 + (double)v->train.d));
+}
+
+enum { DOTS = 100 }; /* a domino so many times smaller than the head is a dot, and the last that is drawn */
+
+/*
+ * Places of domino k may be off by this.  The chain ends where what is left of it weighs less than the
+ * tolerance, and from there on dominoes lie at theta_f: the first of them, unless it is a dot itself, is off
+ * by a tenth of a dot where 10,000 of those are as high as the head.
+ */
+static double allowed(const struct view *v, int k)
+{
+    const struct drawn *own = &v->scene.domino[k];
+    return roundings(v, k) + (own->theta == (double)v->angles.theta_f ? 1e-5 : 0);
+}
+
+static bool is_dot(const struct drawn *domino)
+{
+    return domino->height < 1.0 / DOTS;
+}
+
+static double dot(struct point a, struct point b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+static struct point from_to(struct point a, struct point b)
+{
+    return (struct point){b.x - a.x, b.y - a.y};
+}
+
+/* A contact is the upper front edge of the follower, on the back face of the leader. */
+static void contacts_are_on_back_faces(void **state)
+{
+    (void)state;
+    static struct view v;
+    int contacts = 0;
+    double most = 0;
+    for (int k = 0; view_next(&v, k); k++) {
+        int here = 0;
+        for (int i = 1; i + 1 < v.scene.count; i++) {
+            const struct drawn *own = &v.scene.domino[i], *next = own + 1;
+            if (!own->touched || is_dot(next))
+                continue;
+            struct point face = from_to(own->corner[3], own->corner[2]),
+                         contact = from_to(own->corner[3], own->contact);
+            double up = dot(face, contact) / own->height / own->height,
+                   off = fabs(face.x * contact.y - face.y * contact.x) / own->height,
+                   bound = allowed(&v, i) + allowed(&v, i + 1);
+            assert_true(own->contact.x == next->corner[1].x && own->contact.y == next->corner[1].y);
+            most = fmax(most, off / bound);
+            if (!(off <= bound))
+                fail_view(&v, i, "the contact is off the face", off, bound);
+            if (!(up > 0 && up <= 1 + bound / own->height))
+                fail_view(&v, i, "the contact is beyond the face", up, 1);
+            here++;
+        }
+        /* Where followers fall off, the head may be alone by then. */
+        assert_true(here > 0 || v.angles.falls_off || v.scene.count == 3);
+        contacts += here;
+    }
+    print_message("# %d contacts, at most %.2g of the bound off\n", contacts, most);
+    assert_true(contacts > 5 * TILTS * (SOME + RANDOM));
+}
+
+/* Returns by how much two dominoes are apart along a side of one of them; < 0 where they overlap. */
+static double gap_between(const struct drawn *a, const struct drawn *b)
+{
+    double widest = -(double)INFINITY;
+    for (int side = 0; side < 4; side++) {
+        double theta = side < 2 ? a->theta : b->theta;
+        struct point axis =
+            side % 2 ? (struct point){sin(theta), cos(theta)} : (struct point){cos(theta), -sin(theta)};
+        double lo[2] = {(double)INFINITY, (double)INFINITY}, hi[2] = {-(double)INFINITY, -(double)INFINITY};
+        for (int i = 0; i < CORNERS; i++) {
+            lo[0] = fmin(lo[0], dot(axis, a->corner[i])), hi[0] = fmax(hi[0], dot(axis, a->corner[i]));
+            lo[1] = fmin(lo[1], dot(axis, b->corner[i])), hi[1] = fmax(hi[1], dot(axis, b->corner[i]));
+        }
+        widest = fmax(widest, fmax(lo[0] - hi[1], lo[1] - hi[0]));
+    }
+    return widest;
+}
+
+static void dominoes_do_not_overlap(void **state)
+{
+    (void)state;
+    static struct view v;
+    int pairs = 0;
+    for (int k = 0; view_next(&v, k); k++)
+        for (int i = 0; i < v.scene.count; i++) {
+            const struct drawn *own = &v.scene.domino[i];
+            for (int j = 0; j < CORNERS; j++)
+                if (!(own->corner[j].y >= 0))
+                    fail_view(&v, i, "below the ground", -own->corner[j].y, 0);
+            for (int j = i + 1; j < v.scene.count && j <= i + 3; j++, pairs++) {
+                if (is_dot(&v.scene.domino[j]))
+                    break;
+                double gap = gap_between(own, &v.scene.domino[j]), bound = allowed(&v, i) + allowed(&v, j);
+                if (!(gap >= -bound))
+                    fail_view(&v, i, "it is inside another one", -gap, bound);
+            }
+        }
+    assert_true(pairs > 10 * TILTS * (SOME + RANDOM));
+}
+
+/* Each is r times smaller than its leader, and stands (s + d) of its leader's height behind it. */
+static void sizes_and_places_are_those_of_the_train(void **state)
+{
+    (void)state;
+    static struct view v;
+    for (int k = 0; view_next(&v, k); k++) {
+        double s = (double)v.train.s, d = (double)v.train.d, r = (double)v.train.r;
+        const struct drawn *domino = v.scene.domino;
+        assert_true(v.scene.count >= 3 && v.scene.count <= DOMINOES);
+        assert_true(domino[1].foot == 0 && domino[1].height == 1);
+        for (int i = 0; i < v.scene.count; i++) {
+            assert_int_equal(domino[i].number, i - 1);
+            assert_near("thickness", hypot(domino[i].corner[3].x - domino[i].foot, domino[i].corner[3].y),
+                        d * domino[i].height, roundings(&v, i) / (d * domino[i].height));
+            assert_near("height", hypot(domino[i].corner[1].x - domino[i].foot, domino[i].corner[1].y),
+                        domino[i].height, roundings(&v, i) / domino[i].height);
+        }
+        /* The next one is in front of the head by (s + d) r, a gap that is r times the head's own. */
+        assert_near("the next", domino[0].foot, (s + d) * r, 2 * DBL_EPSILON);
+        for (int i = 1; i < v.scene.count; i++) {
+            assert_near("growth", domino[i - 1].height / domino[i].height, r, 2 * DBL_EPSILON);
+            double place = domino[i - 1].foot - (s + d) * (i == 1 ? r : domino[i - 1].height);
+            if (!(fabs(domino[i].foot - place) <= roundings(&v, i)))
+                fail_view(&v, i, "place", fabs(domino[i].foot - place), roundings(&v, i));
+        }
+    }
+}
+
+struct tilts {
+    size_t count;
+    double theta[DOMINOES];
+};
+
+static bool tilt_seen(const struct dom_link *link, const struct dom_link *error, void *context)
+{
+    struct tilts *tilts = context;
+    (void)error;
+    tilts->theta[tilts->count++] = (double)link->theta;
+    return tilts->count < DOMINOES;
+}
+
+/* As the chain tells them, at the library's own tolerance of 1e-12; behind it none is more upright. */
+static void tilts_are_those_of_the_chain(void **state)
+{
+    (void)state;
+    static struct view v;
+    static struct tilts tilts;
+    int compared = 0;
+    for (int k = 0; view_next(&v, k); k++) {
+        tilts.count = 0;
+        v.train.tol = 1e-12;
+        assert_status(dom_chain_walk(&v.train, v.theta, false, tilt_seen, &tilts), DOM_OK);
+        assert_true(v.scene.domino[0].theta == 0);
+        for (int i = 1; i < v.scene.count; i++) {
+            double theta = v.scene.domino[i].theta;
+            if ((size_t)i <= tilts.count) {
+                assert_near("tilt", theta, tilts.theta[i - 1], 1e-11);
+                compared++;
+            } else if (!(theta >= v.scene.domino[i - 1].theta &&
+                         theta <= (double)v.angles.theta_f * (1 + 4 * DBL_EPSILON)))
+                fail_view(&v, i, "it stands more upright than its leader", theta, 0);
+        }
+    }
+    print_message("# %d tilts\n", compared);
+    assert_true(compared > 5 * TILTS * (SOME + RANDOM));
+}
+
+/* The head has the next one before it until theta_c, and then hits it at the height cos theta_c. */
+static void the_head_hits_at_the_end(void **state)
+{
+    (void)state;
+    static struct view v;
+    int hits = 0;
+    for (int k = 0; view_next(&v, k); k++) {
+        const struct drawn *next = &v.scene.domino[0];
+        bool end = k % TILTS == TILTS - 1;
+        if (next->touched != end)
+            fail_view(&v, 0, end ? "the head does not hit" : "the head hits too early", 1, 0);
+        if (!end) {
+            assert_true(isnan(next->contact.x) && isnan(next->contact.y));
+            continue;
+        }
+        /* Its face is s r in front of the hinge of the head, which is rounded like the hinge of the next. */
+        assert_near("x", next->contact.x, (double)(v.train.s * v.train.r), 8 * DBL_EPSILON);
+        assert_near("z", next->contact.y, cos(v.theta), 8 * DBL_EPSILON);
+        hits++;
+    }
+    assert_int_equal(hits, SOME + RANDOM);
+}
+
+/* Once the first follower has fallen off, the head is free and all behind it lie. */
+static void what_has_fallen_off_lies(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_angles angles;
+    static struct scene scene;
+    train.s = 0.54;
+    train.r = 1.84;
+    train.q = 3;
+    assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+    assert_true(angles.falls_off && angles.theta_leave < 1);
+    assert_status(scene_make(&train, 1, 0, &scene), DOM_OK);
+    assert_false(scene.domino[1].touched);
+    assert_true(scene.count > 4);
+    for (int i = 2; i < scene.count; i++) {
+        assert_false(scene.domino[i].touched);
+        assert_near("theta_f", scene.domino[i].theta, (double)angles.theta_f, 4 * DBL_EPSILON);
+    }
+}
+
+struct forces {
+    size_t count;
+    double force[DOMINOES], of_own[DOMINOES];
+};
+
+static bool force_seen(const struct dom_force *force, void *context)
+{
+    struct forces *forces = context;
+    forces->force[forces->count] = (double)force->force;
+    forces->of_own[forces->count++] = (double)force->of_own;
+    return forces->count < DOMINOES;
+}
+
+/* Every contact presses, with the force that the library gives it; where none is, there is no force. */
+static void forces_press_where_dominoes_touch(void **state)
+{
+    (void)state;
+    static struct view v;
+    static struct forces forces;
+    int pressed = 0, alone = 0;
+    for (int k = 0; view_next(&v, k); k++) {
+        enum dom_status status = scene_forces(&v.train, v.theta, &v.scene);
+        forces.count = 0;
+        assert_status(dom_cycle_forces(&v.train, v.theta, force_seen, &forces), status);
+        for (int i = 1; i < v.scene.count; i++) {
+            const struct drawn *own = &v.scene.domino[i];
+            if (status != DOM_OK || !own->touched || (size_t)i > forces.count || isnan(forces.force[i - 1])) {
+                assert_true(isnan(own->force) && isnan(own->of_own));
+                alone++;
+                continue;
+            }
+            assert_true(own->force == forces.force[i - 1] && own->of_own == forces.of_own[i - 1]);
+            assert_true(own->force > 0 && own->of_own > 0);
+            pressed++;
+        }
+    }
+    print_message("# %d contacts with a force, %d dominoes without\n", pressed, alone);
+    assert_true(pressed > 1000 && alone > 1000);
+}
+
+static void no_scene_beyond_the_cycle(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    static struct scene scene;
+    assert_status(scene_make(&train, 0.7, 0, &scene), DOM_BAD_TILT);
+    train.r = 3;
+    assert_status(scene_make(&train, 0, 0, &scene), DOM_OUT_OF_REACH);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(contacts_are_on_back_faces),
+        cmocka_unit_test(dominoes_do_not_overlap),
+        cmocka_unit_test(sizes_and_places_are_those_of_the_train),
+        cmocka_unit_test(tilts_are_those_of_the_chain),
+        cmocka_unit_test(the_head_hits_at_the_end),
+        cmocka_unit_test(what_has_fallen_off_lies),
+        cmocka_unit_test(forces_press_where_dominoes_touch),
+        cmocka_unit_test(no_scene_beyond_the_cycle),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
