@@ -69,6 +69,21 @@ soon() { timeout 30 "$@"; }
     [ -p fifo ]
 }
 
+@test "a FIFO's writer has its answer before it writes the next command" {
+    enter
+    mkfifo ask answer
+    soon "$DOMINO" -f ask >answer 3>&- &
+    exec 5<answer 4>ask
+    for k in 1 2; do
+        echo "print 41 + $k" >&4
+        read -r -t 20 said <&5
+        [ -n "$said" ] || read -r -t 20 said <&5 # a blank line parts answers
+        same "answer $k" "$((41 + k))" "$said"
+    done
+    exec 4>&- 5<&-
+    wait
+}
+
 @test "what is behind '> >(...)' reads the answer" {
     enter
     answer=$("$DOMINO" -e fuel)

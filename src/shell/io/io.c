@@ -110,17 +110,18 @@ static ssize_t channel_read(void *cookie, char *bytes, size_t size)
     }
 }
 
-/* As fopencookie wants it: 0 for an error. */
+/* Writes all bytes: to a stream of fopencookie fewer are an error. */
 static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
 {
     const struct channel *c = cookie;
-    for (;;) {
-        if (!io_wait(c->file, POLLOUT, NULL, c->interrupt))
-            return 0;
-        ssize_t n = write(c->file, bytes, size);
-        if (n >= 0 || (errno != EAGAIN && errno != EINTR))
-            return n > 0 ? n : 0;
+    size_t done = 0;
+    while (done < size && io_wait(c->file, POLLOUT, NULL, c->interrupt)) {
+        ssize_t n = write(c->file, bytes + done, size - done);
+        if (n < 0 && errno != EAGAIN && errno != EINTR)
+            break;
+        done += n > 0 ? (size_t)n : 0;
     }
+    return (ssize_t)done;
 }
 
 static int channel_close(void *cookie)
