@@ -203,7 +203,8 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
         one_line 'the fuel P is not positive' "set s 0.001; $what"
         one_line 'r s = 3.6 > 1' "set r 9; $what"
     done
-    one_line 'the margin is 0 to rounding' 'set r rmax; animate a.gif'
+    r=$(json 'set precision quad; rmax' | values r_max)
+    one_line 'the margin is 0 to rounding' "set r $r; animate a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
     # What was there stays.
     echo old >a.gif

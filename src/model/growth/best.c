@@ -238,10 +238,10 @@ static void search_step(struct search *b)
     real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->lean);
     for (real share = 1; share > (real)1e-5 && b->c->status == DOM_OK; share /= 4) {
         real next = margin_slope_by(b->c, s, r, h * share / 4);
-        real wrong = fabs(next - last) + 16 * fmax(b->c->lean.tol, REAL_EPSILON) * K / (h * share / 4);
+        real wrong = fabs(next - last) + 16 * fmax(b->c->lean.tol, REAL_EPSILON) * K / (h * share);
         if (wrong < least) {
             least = wrong;
-            b->finer = share / 4;
+            b->finer = share;
         }
         last = next;
     }
@@ -332,10 +332,14 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         c->s = s;
         c->errors = true;
         margin_at(r, c);
+        const real wrong = c->error;
         c->errors = false;
         /* Twice the step has 256 times the error of the rule, whose weights add up to 1750 / 840 / h. */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
-        s_error += 2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * c->error / h) / bend;
+        /* An r that is wrong moves the slope, too. */
+        const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
+        real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
+        s_error += 2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / bend;
     }
     if (c->status == DOM_OK && status == DOM_OK)
         r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));

@@ -153,7 +153,7 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     *found = no_limit;
     /* (b0): below that growth domino 1 has not tipped over when it hits. */
     real tips = fmax(c->lean.d / c->lean.reach / c->s, 1);
-    if (tips >= 1 / c->s)
+    if (tips > 1 / c->s)
         return DOM_OK;
     enum dom_status status = limit_rise(c, tips, &edge, &any);
     return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;

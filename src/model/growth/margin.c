@@ -161,11 +161,18 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r)
         return m;
     c->how = MARGIN_SURE;
     /* As for barrier_verdict: what the two leave is known as well as they are, so no tolerance turns the
-     * verdict. */
-    for (real asked = c->lean.tol, fine; margin_to(c, r, asked, &m) == DOM_OK; asked = fine) {
-        fine = balance_tol(asked, fabs(margin_left(&m)), fabs(m.kinetic));
-        if (!(fine < asked / 4))
+     * verdict.  Where the arithmetic gives nothing finer, what is known already counts. */
+    real asked = c->lean.tol, fine = asked;
+    if (margin_to(c, r, asked, &m) != DOM_OK)
+        return m;
+    while ((fine = balance_tol(asked, fabs(margin_left(&m)), fabs(m.kinetic))) < asked / 4) {
+        struct margin finer = {.kinetic = REAL_NAN};
+        if (margin_to(c, r, fine, &finer) != DOM_OK) {
+            c->status = c->status == DOM_NOT_CONVERGED ? DOM_OK : c->status;
             break;
+        }
+        m = finer;
+        asked = fine;
     }
     return m;
 }
