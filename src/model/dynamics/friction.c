@@ -213,7 +213,7 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 {
     struct flow_context *f = context;
     struct tilt head;
-    struct law law;
+    struct law law = {.n = 0};
     f->status = lean_tilt(f->lean, theta, &head);
     if (f->status == DOM_OK)
         f->status = friction_law(f->lean, head, &law);

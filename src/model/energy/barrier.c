@@ -144,7 +144,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
         return;
     struct sample next = {p, rises(p, c)};
     if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && c->lean->mu > 0) {
-        real half;
+        real half = 0;
         enum num_status status =
             num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &half);
         c->status = model_status(c->status, status);

@@ -97,7 +97,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
 {
     real lowest = 0;
     *witness = b->r_max;
-    for (real step = (b->r_max - r_max) / 2; step > (real)1e-4 * r_max; step /= 2) {
+    real step = (b->r_max - r_max) / 2;
+    while (step > (real)1e-4 * r_max) {
         struct margin m;
         enum dom_status status = margin_of_s(b->c, s, r_max + step, &m);
         if (status != DOM_OK)
@@ -106,6 +107,7 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
             lowest = margin_share(&m);
             *witness = r_max + step;
         }
+        step /= 2;
     }
     return DOM_OK;
 }

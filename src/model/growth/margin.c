@@ -162,7 +162,7 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r)
     c->how = MARGIN_SURE;
     /* As for barrier_verdict: what the two leave is known as well as they are, so no tolerance turns the
      * verdict.  Where the arithmetic gives nothing finer, what is known already counts. */
-    real asked = c->lean.tol, fine = asked;
+    real asked = c->lean.tol, fine;
     if (margin_to(c, r, asked, &m) != DOM_OK)
         return m;
     while ((fine = balance_tol(asked, fabs(margin_left(&m)), fabs(m.kinetic))) < asked / 4) {

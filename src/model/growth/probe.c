@@ -78,14 +78,14 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
 {
     const real reach = 1 / c->s;
     struct probe p = {.c = c, .positive = margin_left(&from->margin) >= 0, .before = before, .after = after};
-    struct edge last = *from, lo = *from, hi = *from;
+    struct edge lo = *from, hi = *from;
     real bend = 0;
     enum dom_status status = DOM_OK;
     for (int k = 0; status == DOM_OK && !p.found && hi.r < reach; k++) {
         real r = probe_place(c->s, k);
         if (r <= hi.r)
             continue;
-        last = lo;
+        const struct edge last = lo;
         lo = hi;
         status = probe_sample(&p, r, &hi);
         if (status != DOM_OK)

@@ -35,7 +35,7 @@ KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct cycle *c = &m->cycle;
-    struct tilt head, rest;
+    struct tilt head = standing, rest = standing;
     struct sums at = {.J = 1};
     /* At the stop it is flat, to rounding, where the energy that is left would underflow. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));

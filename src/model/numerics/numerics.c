@@ -313,8 +313,9 @@ static void series_through(const real *value, size_t stride, int n, real *series
     for (int k = 0; k <= n; k++) {
         real sum = 0;
         for (int j = 0; j <= n; j++)
-            sum += cos(PI * (real)(j * k % (2 * n)) / (real)n) * value[(size_t)j * stride] / (j % n ? 1 : 2);
-        series[k] = sum * 2 / (real)n / (k % n ? 1 : 2);
+            sum += cos(PI * (real)(j * k % (2 * n)) / (real)n) * value[(size_t)j * stride] /
+                   (real)(j % n ? 1 : 2);
+        series[k] = sum * 2 / (real)n / (real)(k % n ? 1 : 2);
     }
 }
 

@@ -308,6 +308,8 @@ static void row_table(struct answer *a, const struct cell *cells)
     const char *said[ANSWER_COLUMNS];
     int digits = row_digits(a);
     bool units = false;
+    for (int i = 0; i < ANSWER_COLUMNS; i++)
+        said[i] = "";
     for (const struct column *c = a->columns; c->key; c++)
         units = units || *c->unit;
     for (int head = a->begun ? 0 : 2; head >= 0; head--) {
