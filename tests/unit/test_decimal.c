@@ -23,8 +23,8 @@ static double random_double(int k)
     if (k % 4 == 0)
         return ldexp((double)(random_bits() % 64), (int)(random_bits() % 90) - 45);
     if (k % 4 == 1)
-        return (double)(random_bits() % 1000000) / pow(10, (double)(random_bits() % 12));
-    return (k % 8 < 4 ? 1 : -1) * fraction * pow(10, size);
+        return (double)(random_bits() % 1000000) / wide(pow)(10, (double)(random_bits() % 12));
+    return (k % 8 < 4 ? 1 : -1) * fraction * wide(pow)(10, size);
 }
 
 static void one_text(double value)
@@ -35,7 +35,7 @@ static void one_text(double value)
         if (decimal_text(value, digits, quick))
             assert_string_equal(quick, printed);
         else
-            assert_false(fabs(value) >= 1.5e-11 && fabs(value) < 1e15);
+            assert_false(wide(fabs)(value) >= 1.5e-11 && wide(fabs)(value) < 1e15);
     }
 }
 
@@ -94,9 +94,9 @@ static void hard_numbers(void **state)
         one_text(-hard[i]);
     }
     for (int e = -40; e <= 52; e++) {
-        double power = ldexp(1, e), ten = pow(10, e / 3.0);
-        double near[] = {power, nextafter(power, 0), nextafter(power, HUGE_VAL), round(ten),
-                         nextafter(round(ten), 0)};
+        double power = ldexp(1, e), ten = wide(pow)(10, e / 3.0);
+        double near[] = {power, nextafter(power, 0), nextafter(power, HUGE_VAL), wide(round)(ten),
+                         nextafter(wide(round)(ten), 0)};
         for (size_t i = 0; i < sizeof near / sizeof *near; i++) {
             one_text(near[i]);
             one_shortest(near[i]);

@@ -60,15 +60,15 @@ static const char *bound_text(dom_real error, char text[WIDE_TEXT])
 /* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
 static int bound_digits(struct cell cell, int all)
 {
-    dom_real ratio = fabs(cell.number) / cell.error;
-    int digits = ratio > 1 ? (int)fmin(floor(log10(ratio)), 40) + 3 : 2;
+    dom_real ratio = wide(fabs)(cell.number) / cell.error;
+    int digits = ratio > 1 ? (int)wide_smaller(wide(floor)(wide(log10)(ratio)), 40) + 3 : 2;
     return digits < all ? digits : all;
 }
 
 /* What the digits leave out is an error, too. */
 static dom_real printed_error(struct cell cell, const char *number)
 {
-    return cell.error + fabs(wide_read(number, NULL) - cell.number);
+    return cell.error + wide(fabs)(wide_read(number, NULL) - cell.number);
 }
 
 static const char *real_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT])

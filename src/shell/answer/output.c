@@ -20,7 +20,7 @@ enum {
 
 dom_real style_angle(const struct output_style *style, dom_real radians)
 {
-    return style->angle == ANGLE_DEG ? radians * (180 / PI) : radians;
+    return style->angle == ANGLE_DEG ? radians * (180 / WIDE_PI) : radians;
 }
 
 const char *style_angle_unit(const struct output_style *style)

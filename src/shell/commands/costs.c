@@ -120,8 +120,8 @@ static void row_measure(const struct costed *answer, struct dom_train train, con
     row->seconds = terminal_clock() - begun;
     if (row->status != DOM_OK)
         return;
-    dom_real size = cost->value == 0 ? 1 : fabs(cost->value);
-    row->error = fmax(fabs(value - cost->value), uncertain) / size;
+    dom_real size = cost->value == 0 ? 1 : wide(fabs)(cost->value);
+    row->error = wide_larger(wide(fabs)(value - cost->value), uncertain) / size;
     train.work = NULL;
     row->seconds = least_seconds(answer, &train, row->seconds);
 }

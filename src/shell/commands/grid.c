@@ -156,7 +156,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
                session_error(session, "%s: steps of equal ratio need FROM and TO above 0", name);
     }
     dom_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
-    return !axis_whole(axis) || fabs(step - round(step)) < (dom_real)1e-9 ||
+    return !axis_whole(axis) || wide(fabs)(step - wide(round)(step)) < (dom_real)1e-9 ||
            session_error(session, "%s has whole numbers only, and %s to %s in %zu values are not", name,
                          wide_shown(axis->from).text, wide_shown(axis->to).text, axis->count);
 }
@@ -212,9 +212,10 @@ dom_real axis_value(const struct axis *axis, size_t k)
         return axis->list[k];
     dom_real f = axis->count > 1 ? (dom_real)k / (dom_real)(axis->count - 1) : 0;
     bool end = k == 0 || k == axis->count - 1; /* these are what was typed */
-    dom_real value = axis->logarithmic && !end ? exp((1 - f) * log(axis->from) + f * log(axis->to))
-                                               : (1 - f) * axis->from + f * axis->to;
-    return axis_whole(axis) ? round(value) : value;
+    dom_real value = axis->logarithmic && !end
+                         ? wide(exp)((1 - f) * wide(log)(axis->from) + f * wide(log)(axis->to))
+                         : (1 - f) * axis->from + f * axis->to;
+    return axis_whole(axis) ? wide(round)(value) : value;
 }
 
 struct cell axis_cell(const struct axis *axis, dom_real value)

@@ -306,7 +306,7 @@ static enum dom_status rowmax_find(struct session *session, dom_real *r_max)
     enum dom_status status = falls_at(session, 1, &falls);
     *r_max = falls ? reach : DOM_NAN;
     while (status == DOM_OK && falls && good < reach) {
-        bad = fmin(good * ROWMAX_STEP, reach);
+        bad = wide_smaller(good * ROWMAX_STEP, reach);
         status = falls_at(session, bad, &falls);
         good = falls ? bad : good;
     }

@@ -41,7 +41,8 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
         answer_say(answer, "The parameters have changed: the walk begins anew.");
     *w = (struct walk){.train = session->train, .asked = session->train, .cycle = 1};
     /* Its sentences have six digits: they are to be right at any tolerance. */
-    w->train.tol = fmin(w->train.tol, fmax(dom_arithmetic(w->train.precision)->tol_floor, (dom_real)1e-9));
+    w->train.tol = wide_smaller(w->train.tol,
+                                wide_larger(dom_arithmetic(w->train.precision)->tol_floor, (dom_real)1e-9));
     w->verdict = dom_cycle_events(&w->train, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
@@ -87,7 +88,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     dom_real open = s.before - s.lost - s.climbed - s.rubbed - s.kinetic;
-    if (fabs(open) > 100 * w->train.tol * (s.before + fabs(s.climbed)))
+    if (wide(fabs)(open) > 100 * w->train.tol * (s.before + wide(fabs)(s.climbed)))
         answer_say(a, "The ledger is open by %.4g %s: the paper's fuel is no balance of energy.",
                    (double)(open * u.energy), u.energy_unit);
     return true;

@@ -6,6 +6,7 @@
 #include "language/wide.h"
 #include "parallel/points.h"
 #include <ctype.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -7,8 +7,8 @@
 struct walk_units walk_units(const struct session *session, int cycle)
 {
     const struct dom_train *t = &session->train;
-    dom_real mass = session_mass(session), grown = pow(t->r, (dom_real)(cycle - 1)),
-             heavier = pow(grown, t->q);
+    dom_real mass = session_mass(session), grown = wide(pow)(t->r, (dom_real)(cycle - 1)),
+             heavier = wide(pow)(grown, t->q);
     struct dom_scale scale = session->scale;
     scale.h *= grown;
     bool known = mass > 0;
@@ -113,7 +113,7 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     if (dom_launch_find(&w->train, &l, NULL) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
         dom_cycle_forces(&w->train, 0, impulse_seen, &impulses) != DOM_OK)
         return;
-    dom_real omega = sqrt(l.omegasq) / u.tau;
+    dom_real omega = wide(sqrt)(l.omegasq) / u.tau;
     bool rubs = w->train.mu > 0;
     const char *inertia = rubs ? "A(0)" : "J(0)";
     answer_say(
@@ -146,7 +146,7 @@ static void say_launch(const struct session *session, const struct walk *w, cons
             (double)(b.barrier * u.energy), u.energy_unit, (double)style_angle(&session->style, b.theta_m),
             style_angle_unit(&session->style), rubs ? ", friction on the way included" : "",
             (double)(b.kinetic / b.barrier), b.margin >= 0 ? "clears the barrier" : "misses the top",
-            (double)(fabs(b.margin) * u.energy), u.energy_unit);
+            (double)(wide(fabs)(b.margin) * u.energy), u.energy_unit);
 }
 
 static void say_top(const struct session *session, const struct walk *w, const struct dom_state *s,
@@ -179,8 +179,8 @@ static void say_fall(const struct session *session, const struct walk *w, const 
     size_t domino = w->events[w->event].domino;
     if (dom_angles_find(&w->train, &angles, NULL) != DOM_OK)
         return;
-    double cosine = (double)cos(angles.theta_f), sine = (double)sin(angles.theta_f);
-    double keeps = (double)(pow(w->train.r, -w->train.q * (dom_real)domino) * u.energy) *
+    double cosine = (double)wide(cos)(angles.theta_f), sine = (double)wide(sin)(angles.theta_f);
+    double keeps = (double)(wide(pow)(w->train.r, -w->train.q * (dom_real)domino) * u.energy) *
                    (cosine + (double)w->train.d * sine);
     answer_say(
         a,
@@ -220,7 +220,7 @@ static void say_hit(const struct session *session, const struct walk *w, const s
         "comes "
         "with omega = %s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
         (double)next.height, (double)style_angle(&session->style, s->theta),
-        style_angle_unit(&session->style), spoken_omega(session, sqrt(s->omegasq) / u.tau).text,
+        style_angle_unit(&session->style), spoken_omega(session, wide(sqrt)(s->omegasq) / u.tau).text,
         (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
     if (w->train.mu > 0)
         answer_say(a, "Friction between dominoes has taken %.6g %s of it.", (double)(s->rubbed * u.energy),
@@ -239,7 +239,8 @@ static void say_between(const struct session *session, const struct walk *w, con
     bool climbs = s->acceleration < 0;
     answer_say(a, "On the way, theta = %.6g %s: the train %s, at omega = %s (c3).",
                (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-               climbs ? "slows down" : "gathers speed", spoken_omega(session, sqrt(s->omegasq) / u.tau).text);
+               climbs ? "slows down" : "gathers speed",
+               spoken_omega(session, wide(sqrt)(s->omegasq) / u.tau).text);
 }
 
 void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,

@@ -127,7 +127,7 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
     struct expression e = {.text = r->at,
                            .lookup = session_lookup,
                            .context = session,
-                           .angle = session->style.angle == ANGLE_DEG ? PI / 180 : 1,
+                           .angle = session->style.angle == ANGLE_DEG ? WIDE_PI / 180 : 1,
                            .no_unit = r->stops ? "s" : NULL}; /* a grid goes on with this parameter */
     int begin = session->column;
     long errors = session->errors;

@@ -81,7 +81,7 @@ static bool tilt_check(struct session *session, const struct argument *a, struct
 {
     struct dom_angles angles;
     /* A number without a unit is in the session's unit of angles. */
-    dom_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (PI / 180);
+    dom_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (WIDE_PI / 180);
     enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -94,7 +94,7 @@ static bool tilt_check(struct session *session, const struct argument *a, struct
                                  a->name, wide_shown(style_angle(&session->style, theta)).text,
                                  style_angle_unit(&session->style), a->name,
                                  (double)style_angle(&session->style, angles.theta_c));
-    *number = fmin(fabs(theta), angles.theta_c); /* no -0 */
+    *number = wide_smaller(wide(fabs)(theta), angles.theta_c); /* no -0 */
     return true;
 }
 
@@ -109,7 +109,7 @@ static bool effect_check(struct session *session, const struct dom_effect_argume
         return session_no_answer(session, "%s = %s is out of range; %s, the %s, is in %g .. %g%s%s", a->name,
                                  wide_shown(value).text, a->name, a->meaning, (double)a->lowest,
                                  (double)a->highest, *a->unit ? " " : "", a->unit);
-    if (a->whole && value != floor(value))
+    if (a->whole && value != wide(floor)(value))
         return session_no_answer(session, "%s = %s is no whole number; %s is one in %g .. %g", a->name,
                                  wide_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
     return true;
@@ -145,7 +145,7 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
         return session_no_answer(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
                                  wide_shown(q.value).text, a->name);
     int most = a->most ? a->most(session) : COUNT_MAX;
-    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == floor(q.value)))
+    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == wide(floor)(q.value)))
         return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d%s%s", a->name,
                                  wide_shown(q.value).text, a->name, most, a->most ? ", " : "",
                                  a->most ? a->most_of : "");
@@ -198,6 +198,7 @@ bool command_keep(struct session *session, const struct command *c, struct call 
 
 struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau)
 {
-    return cell_bound(sqrt(omegasq) / tau,
-                      (omegasq > error ? error / (2 * sqrt(omegasq - error)) : sqrt(error)) / tau);
+    return cell_bound(wide(sqrt)(omegasq) / tau,
+                      (omegasq > error ? error / (2 * wide(sqrt)(omegasq - error)) : wide(sqrt)(error)) /
+                          tau);
 }

@@ -21,15 +21,15 @@ struct function {
 };
 
 static const struct function functions[] = {
-    {"sin", OF_ANGLE, MATH(sin), NULL},      {"cos", OF_ANGLE, MATH(cos), NULL},
-    {"tan", OF_ANGLE, MATH(tan), NULL},      {"asin", TO_ANGLE, MATH(asin), NULL},
-    {"acos", TO_ANGLE, MATH(acos), NULL},    {"atan", TO_ANGLE, MATH(atan), NULL},
-    {"atan2", TO_ANGLE, NULL, MATH(atan2)},  {"exp", OF_NUMBER, MATH(exp), NULL},
-    {"ln", OF_NUMBER, MATH(log), NULL},      {"log", OF_NUMBER, MATH(log), NULL},
-    {"log10", OF_NUMBER, MATH(log10), NULL}, {"abs", KEEPS, MATH(fabs), NULL},
-    {"floor", OF_NUMBER, MATH(floor), NULL}, {"ceil", OF_NUMBER, MATH(ceil), NULL},
-    {"round", OF_NUMBER, MATH(round), NULL}, {"hypot", KEEPS, NULL, MATH(hypot)},
-    {"min", KEEPS, NULL, MATH(fmin)},        {"max", KEEPS, NULL, MATH(fmax)},
+    {"sin", OF_ANGLE, wide(sin), NULL},      {"cos", OF_ANGLE, wide(cos), NULL},
+    {"tan", OF_ANGLE, wide(tan), NULL},      {"asin", TO_ANGLE, wide(asin), NULL},
+    {"acos", TO_ANGLE, wide(acos), NULL},    {"atan", TO_ANGLE, wide(atan), NULL},
+    {"atan2", TO_ANGLE, NULL, wide(atan2)},  {"exp", OF_NUMBER, wide(exp), NULL},
+    {"ln", OF_NUMBER, wide(log), NULL},      {"log", OF_NUMBER, wide(log), NULL},
+    {"log10", OF_NUMBER, wide(log10), NULL}, {"abs", KEEPS, wide(fabs), NULL},
+    {"floor", OF_NUMBER, wide(floor), NULL}, {"ceil", OF_NUMBER, wide(ceil), NULL},
+    {"round", OF_NUMBER, wide(round), NULL}, {"hypot", KEEPS, NULL, wide(hypot)},
+    {"min", KEEPS, NULL, wide(fmin)},        {"max", KEEPS, NULL, wide(fmax)},
     {NULL, OF_NUMBER, NULL, NULL},
 };
 
@@ -99,8 +99,8 @@ static bool number(struct expression *e, struct quantity *q)
     errno = 0;
     *q = (struct quantity){.value = wide_read(begin, &stop)};
     if (errno == ERANGE)
-        return expression_fail(e, fabs(q->value) > 1 ? "is too large for a number"
-                                                     : "is too small for a number");
+        return expression_fail(e, wide(fabs)(q->value) > 1 ? "is too large for a number"
+                                                           : "is too small for a number");
     e->end = stop;
     return true;
 }
@@ -158,7 +158,7 @@ static bool root(struct expression *e, const char *at, const struct quantity *a,
         return expression_fail(e, "sqrt of this is not defined");
     if (a->value < 0)
         return expression_no_value(e, "sqrt of this is not defined");
-    *q = (struct quantity){sqrt(a->value), a->length / 2, a->time / 2, a->angle / 2};
+    *q = (struct quantity){wide(sqrt)(a->value), a->length / 2, a->time / 2, a->angle / 2};
     return true;
 }
 
@@ -207,7 +207,7 @@ static bool named(struct expression *e, struct quantity *q)
         if (strcmp(name, "sqrt") == 0)
             return root(e, at, a, count, q) && ((e->end = end), true);
     } else if (strcmp(name, "pi") == 0) {
-        *q = (struct quantity){.value = PI};
+        *q = (struct quantity){.value = WIDE_PI};
         return true;
     }
     bool dotted = end[0] == '.' && name_start(end[1]);
@@ -263,14 +263,15 @@ static bool factor(struct expression *e, struct quantity *q)
             e->end = skip(op + 1);
             const char *at = e->end;
             good = factor(e, &power);
-            bool whole = good && power.value == floor(power.value) && fabs(power.value) < 100;
+            bool whole = good && power.value == wide(floor)(power.value) && wide(fabs)(power.value) < 100;
             if (good &&
                 (!quantity_plain(power) || power.angle || (!whole && (!quantity_plain(*q) || q->angle)))) {
                 e->end = at;
                 good = expression_fail(e, "this is no exponent for what stands before it");
             } else if (good) {
                 int n = whole ? (int)power.value : 0;
-                *q = (struct quantity){pow(q->value, power.value), n * q->length, n * q->time, n * q->angle};
+                *q = (struct quantity){wide(pow)(q->value, power.value), n * q->length, n * q->time,
+                                       n * q->angle};
                 good = finite_result(e, op, q);
             }
         }

@@ -13,7 +13,7 @@ struct unit {
     struct quantity is;
 };
 
-#define DEGREE (PI / 180)
+#define DEGREE (WIDE_PI / 180)
 
 /* As quotients of whole numbers, so that they are right in the widest arithmetic. */
 #define PART(n, m) ((dom_real)(n) / (m))
@@ -103,7 +103,7 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
 {
     q->value = power == 1    ? q->value * by.value
                : power == -1 ? q->value / by.value
-                             : q->value * pow(by.value, (dom_real)power);
+                             : q->value * wide(pow)(by.value, (dom_real)power);
     q->length += power * by.length;
     q->time += power * by.time;
     q->angle += power * by.angle;

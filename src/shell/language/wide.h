@@ -1,10 +1,44 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers as people type them and as they are shown, in the widest arithmetic; sqrt() and its kind too. */
+/*
+ * Numbers as people type them and as they are shown, in the widest arithmetic; and the functions of <math.h>
+ * in it: wide(sqrt)(x) is the square root of a dom_real, as sqrt(x) is that of a double.
+ */
 #ifndef SHELL_WIDE_H
 #define SHELL_WIDE_H
 
-#define REAL_QUAD
-#include "numerics/real.h"
+#include "domino.h"
+#include <math.h>
+
+#if defined DOM_REAL_FLOAT128
+#define wide(function) function##f128
+/* glibc has these whatever the compiler; its header declares them for gcc alone. */
+#define WIDE_OF_ONE(function) extern dom_real wide(function)(dom_real);
+#define WIDE_OF_TWO(function) extern dom_real wide(function)(dom_real, dom_real);
+WIDE_OF_ONE(sqrt)
+WIDE_OF_ONE(fabs) WIDE_OF_ONE(sin) WIDE_OF_ONE(cos) WIDE_OF_ONE(tan) WIDE_OF_ONE(asin) WIDE_OF_ONE(acos)
+    WIDE_OF_ONE(atan) WIDE_OF_ONE(exp) WIDE_OF_ONE(log) WIDE_OF_ONE(log10) WIDE_OF_ONE(floor)
+        WIDE_OF_ONE(ceil) WIDE_OF_ONE(round) WIDE_OF_TWO(atan2) WIDE_OF_TWO(hypot) WIDE_OF_TWO(pow)
+            WIDE_OF_TWO(fmin) WIDE_OF_TWO(fmax)
+#undef WIDE_OF_ONE
+#undef WIDE_OF_TWO
+#else
+#define wide(function) function##l
+#endif
+
+/* pi, as a sum of doubles: right to 49 digits. */
+#define WIDE_PI                                                                                              \
+    ((dom_real)3.141592653589793116 + (dom_real)1.2246467991473532072e-16 -                                  \
+     (dom_real)2.9947698097183396659e-33)
+
+                static inline dom_real wide_larger(dom_real a, dom_real b)
+{
+    return a > b ? a : b;
+}
+
+static inline dom_real wide_smaller(dom_real a, dom_real b)
+{
+    return a < b ? a : b;
+}
 
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 }; /* digits that read back to the same number; room for any */
 

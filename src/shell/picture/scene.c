@@ -17,7 +17,7 @@ struct drawn drawn_at(int number, double height, double foot, double theta, doub
                       .contact = {(double)NAN, (double)NAN},
                       .force = (double)NAN,
                       .of_own = (double)NAN};
-    double x = (double)sin((dom_real)theta), y = (double)cos((dom_real)theta);
+    double x = (double)wide(sin)((dom_real)theta), y = (double)wide(cos)((dom_real)theta);
     k.corner[0] = (struct point){foot, 0};
     k.corner[1] = along(k.corner[0], height, x, y);
     k.corner[2] = along(k.corner[1], d * height, -y, x);

@@ -426,7 +426,7 @@ bool session_precision(struct session *session, enum dom_precision precision)
         session->train.precision = precision;
         dom_real now = value == was ? parameter_fallback(session, p) : value;
         if (p->lowest_of)
-            now = fmax(now, parameter_lowest(session, p));
+            now = wide_larger(now, parameter_lowest(session, p));
         if (p->fallback_of && now != value) {
             parameter_put(session, p, now);
             changed = changed || p->lowest_of;
@@ -441,8 +441,8 @@ struct output_style session_style(const struct session *session)
     int bits = dom_arithmetic(session->train.precision)->bits;
     style.precision = session->train.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)fmax(floor(-log10(session->train.tol) + (dom_real)1e-6), 1);
-    style.digits = fmin(style.digits, style.all_digits);
+    style.tol_digits = (int)wide_larger(wide(floor)(-wide(log10)(session->train.tol) + (dom_real)1e-6), 1);
+    style.digits = wide_smaller(style.digits, style.all_digits);
     return style;
 }
 
@@ -452,7 +452,7 @@ bool parameter_check(struct session *session, const struct parameter *p, dom_rea
     const struct dom_arithmetic *arithmetic = dom_arithmetic(session->train.precision);
     dom_real lowest = parameter_lowest(session, p);
     parameter_range(session, p, range, sizeof range);
-    if (p->whole && value != floor(value))
+    if (p->whole && value != wide(floor)(value))
         return session_no_answer(session, "%s = %s is no whole number; %s is one in %s", p->name,
                                  wide_shown(value).text, p->name, range);
     /* The doubles of the table are the nearest to decimals: both are inside. */
