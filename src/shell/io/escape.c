@@ -36,8 +36,16 @@ static const struct {
     {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
 };
 
+/* Returns true for a letter, digit or sign of ASCII, of which nearly every text is made. */
+static bool is_plain(uint32_t code)
+{
+    return code >= ' ' && code < 0x7f;
+}
+
 static bool is_hidden(uint32_t code)
 {
+    if (is_plain(code))
+        return false;
     bool within = (code & 0xfffe) == 0xfffe; /* the last two of every plane are no characters */
     for (size_t i = 0; i < sizeof hidden / sizeof *hidden && !within; i++)
         within = code >= hidden[i].first && code <= hidden[i].last;
@@ -49,6 +57,11 @@ static bool is_hidden(uint32_t code)
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE])
 {
     uint32_t code;
+    if (is_plain((unsigned char)*text)) {
+        piece[0] = *text;
+        piece[1] = '\0';
+        return 1;
+    }
     size_t length = utf8_next(text, &code);
     if (length == 0)
         snprintf(piece, ESCAPE_PIECE, "\\x%02x", (unsigned)(unsigned char)*text);
