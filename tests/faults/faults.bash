@@ -42,4 +42,4 @@ disk() { # SCRIPT
             eval "$2"' bash "$mounts" "$1"
     fi
 }
-export -f same close
+export -f expects same same_file close

@@ -27,7 +27,7 @@ readable() { # WHAT NAME: one line without letters that harm
         for call in 'fuel >' 'fuel >>' save; do
             soon "$DOMINO" -n -e "$call $(quoted "$name")" >../out 2>../err && status=0 || status=$?
             no_crash "$call $(printf %q "$name")" "$status"
-            same "$call $(printf %q "$name"): standard output" '' "$(cat ../out)"
+            same "$call $(printf %q "$name"): standard output" '(nothing)' "$(cat ../out)"
             if [ "$status" -eq 0 ]; then
                 [ "$call" = save ] || same "$(printf %q "$name")" "$answer" "$(cat ./"$name")"
                 rm ./"$name"
