@@ -65,8 +65,8 @@ KERNEL enum dom_status lean_set(struct lean *g, real s, real r)
     g->rL = r * L;
     /* The fma gives 1 - r s with one rounding. */
     real short_of = fma(-r, s, 1);
-    /* Half a unit in the last place of 1: no more than r = 1/s loses when it is rounded. */
-    if (short_of < -REAL_EPSILON / 2)
+    /* A unit in the last place of 1: no more than r s gains where s and r = 1/s are both rounded. */
+    if (short_of < -REAL_EPSILON)
         return DOM_OUT_OF_REACH;
     g->short_of = fmax(short_of, 0);
     lean_powers(r, g->q, &g->rq, &g->rq_1);

@@ -38,7 +38,8 @@ struct lean {
     struct flow *flow; /* whose is the caller's; see lean_flow */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    size_t work_most;  /* dominoes that all passes together may follow, counted in work; 0: no limit */
+    size_t *effort; /* of a search so far, in dominoes of a plain pass; NULL: without a limit */
+    size_t effort_most;
     real L;            /* s + d */
     real rs, rL;       /* r s, r L */
     real short_of;     /* 1 - r s >= 0: by how much the head reaches the next domino */

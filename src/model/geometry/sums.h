@@ -55,6 +55,17 @@ KERNEL real series_error(const struct series *s, bool ended)
     return 2 * UNIT * (fabs(s->sum) + UNIT * s->size) + tail;
 }
 
+KERNEL void chain_count(const struct lean *g, size_t n)
+{
+    if (g->effort)
+        *g->effort += n;
+    if (!g->work)
+        return;
+    g->work->passes++;
+    g->work->dominoes += n;
+    g->work->longest = n > g->work->longest ? n : g->work->longest;
+}
+
 /* Every few thousand dominoes: has somebody asked to stop, is the train too long? */
 KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
 {
@@ -62,18 +73,12 @@ KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
         return DOM_OK;
     if (dom_raised(g->interrupt))
         return DOM_INTERRUPTED;
-    if (g->work_most > 0 && g->work->dominoes + i > g->work_most)
+    if (g->effort && *g->effort + i > g->effort_most)
         return DOM_TOO_LONG;
-    return i < LINKS_MAX ? DOM_OK : DOM_TOO_LONG;
-}
-
-KERNEL void chain_count(const struct lean *g, size_t n)
-{
-    if (!g->work)
-        return;
-    g->work->passes++;
-    g->work->dominoes += n;
-    g->work->longest = n > g->work->longest ? n : g->work->longest;
+    if (i < LINKS_MAX)
+        return DOM_OK;
+    chain_count(g, i); /* in vain, but not for nothing */
+    return DOM_TOO_LONG;
 }
 
 struct sum_state {

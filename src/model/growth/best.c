@@ -117,7 +117,7 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
 static real search_finest(const struct search *b)
 {
     const struct lean *g = &b->c->lean;
-    real done = (real)g->work->dominoes / (real)g->work_most;
+    real done = (real)*g->effort / (real)g->effort_most;
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 

@@ -117,7 +117,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit,
 KERNEL void limit_begin(struct margin_context *c, struct dom_work *work)
 {
     c->lean.work = work;
-    c->lean.work_most = c->train->mu > 0 ? WORK_MOST_RUBBING : WORK_MOST;
+    c->lean.effort = &c->effort;
+    c->lean.effort_most = c->train->mu > 0 ? WORK_MOST_RUBBING : WORK_MOST;
 }
 
 KERNEL void limit_end(const struct dom_train *train, const struct dom_work *work)

@@ -46,8 +46,9 @@ struct margin_context {
     real share;             /* that it was, then */
     real error;             /* bound of that of the last margin, where wanted */
     bool errors;
-    real coarse; /* where > 0, the narrowest strip of a scan of r that only has to find a bound */
-    bool locked; /* by friction, at the last r */
+    real coarse;   /* where > 0, the narrowest strip of a scan of r that only has to find a bound */
+    bool locked;   /* by friction, at the last r */
+    size_t effort; /* of the whole search, as lean.effort counts it */
     enum dom_status status;
 };
 

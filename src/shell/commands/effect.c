@@ -11,17 +11,23 @@
 
 /* ---- effect ---- */
 
-/* People are told what 'on' took, since they did not say it. */
+/* Says what 'on' took, since it was not typed: with csv and json on standard error. */
 static void effect_say(struct session *session, struct answer *a, enum dom_effect_name name, bool before)
 {
     char setting[EFFECT_SETTING], usage[EFFECT_USAGE];
     const struct dom_effect *e = dom_effect(name);
     bool listed = name == DOM_EFFECT_row && session->listed.domino;
     const struct dom_effect_argument *first = &e->argument[0];
-    answer_say(
-        a, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", e->name, before ? "on" : "on now",
-        listed ? "" : first->name, listed ? "" : " = ", effect_setting(session, name, setting),
-        listed ? first->or_file + strspn(first->or_file, "a ") : first->meaning, effect_usage(name, usage));
+    char text[3 * EFFECT_SETTING];
+    snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", e->name,
+             before ? "on" : "on now", listed ? "" : first->name, listed ? "" : " = ",
+             effect_setting(session, name, setting),
+             listed ? first->or_file + strspn(first->or_file, "a ") : first->meaning,
+             effect_usage(name, usage));
+    if (answer_for_people(a))
+        answer_say(a, "%s", text);
+    else
+        session_note(session, "%s", text);
     session->fresh = false;
     session->answered = session->answered || answer_for_people(a);
 }

@@ -338,7 +338,7 @@ static bool run_rowmax(struct session *session, const struct call *call)
     if (status == DOM_OK)
         status = dom_limit_rmax(&session->train, &limit, NULL, NULL);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return row_status(session, status);
     answer_row(call->answer,
                ROW(cell_real(session->train.s), cell_count(session->effect[DOM_EFFECT_row].value[0]),
                    cell_bound(r_max, DOM_NAN), cell_bound(limit.r_max, DOM_NAN)),

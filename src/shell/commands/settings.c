@@ -120,6 +120,7 @@ static bool run_save(struct session *session, const struct call *call)
     const char *wrong = redirect_open(&file, call->word[0], false, session->train.interrupt);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
+        effects_save_off(session, file.file);
         for (int k = 0; (p = parameter_in_order(k)) != NULL; k++) {
             parameter_text(p, parameter_get(session, p), WIDE_DIGITS, value, sizeof value);
             fprintf(file.file, "set %s %s\n", p->name, value);

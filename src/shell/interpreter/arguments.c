@@ -219,6 +219,9 @@ static bool read_choice(struct reader *r, const struct argument *a, char **word,
         size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", n ? ", " : "", name);
     }
+    if (*word && !a->of)
+        return session_error(r->session, "'%s' has no value; %s is an angle in [0, theta_c], or one of: %s",
+                             names_shown(*word, shown), a->name, all);
     if (*word && k != NAMES_CLOSE)
         return session_error(r->session, "'%s' is no %s; those are: %s", names_shown(*word, shown), a->of,
                              all);

@@ -72,7 +72,7 @@ static const char *skip(const char *c)
 
 /* ---- Recursive descent ---- */
 
-enum { DEPTH_MAX = 200 };
+enum { DEPTH_MAX = 100 };
 
 static bool sum(struct expression *e, struct quantity *q);
 

@@ -217,6 +217,17 @@ static void save_name(const char *path, FILE *out)
     putc('"', out);
 }
 
+void effects_save_off(const struct session *session, FILE *out)
+{
+    /* Those that need another one first. */
+    for (int needs = 1; needs >= 0; needs--)
+        for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+            const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+            if (!session->effect[k].on && (e->needs != 0) == (needs != 0))
+                fprintf(out, "effect %s off\n", e->name);
+        }
+}
+
 void effects_save(const struct session *session, FILE *out)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {

@@ -43,6 +43,9 @@ bool effect_turn_off(struct session *session, enum dom_effect_name name);
  */
 bool effects_savable(struct session *session);
 
+/* Writes the commands that turn off what is off here, for a session that has it on. */
+void effects_save_off(const struct session *session, FILE *out);
+
 /* The commands that turn on again what is on. */
 void effects_save(const struct session *session, FILE *out);
 

@@ -409,9 +409,9 @@ dom_real parameter_lowest(const struct session *session, const struct parameter 
 
 const struct parameter *parameter_in_order(int k)
 {
-    for (int words = 1; words >= 0; words--)
+    for (int round = 0; round < 3; round++)
         for (const struct parameter *p = session_parameters; p->name; p++)
-            if (p->words_only == (words == 1) && k-- == 0)
+            if (round == (!p->words_only ? 2 : !p->setting) && k-- == 0)
                 return p;
     return NULL;
 }

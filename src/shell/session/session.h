@@ -164,8 +164,8 @@ void parameter_put(struct session *session, const struct parameter *parameter, d
 dom_real parameter_fallback(const struct session *session, const struct parameter *parameter);
 dom_real parameter_lowest(const struct session *session, const struct parameter *parameter);
 
-/* The parameters in an order in which 'set' can take them: words first, since precision rules the floor of
- * tol.  NULL behind the last. */
+/* The parameters in an order in which 'set' can take them: first how answers are written, then words, since
+ * precision rules the floor of tol, then numbers.  NULL after the last. */
 const struct parameter *parameter_in_order(int k);
 
 /* The style of the session's answers. */
