@@ -21,7 +21,8 @@ static bool choose_precision(struct session *session, const struct call *call, e
     if (dom_arithmetic(precision)->bits == 0)
         return session_error(session, "%s: %s", dom_arithmetic(precision)->name,
                              dom_status_text(DOM_NO_PRECISION));
-    if (session_precision(session, precision))
+    /* A file that is sourced goes on to say what it wants. */
+    if (session_precision(session, precision) && session->depth == 0)
         answer_say(call->answer, "tol is now %g", (double)session->train.tol);
     return true;
 }
