@@ -12,15 +12,12 @@
 #if defined DOM_REAL_FLOAT128
 #define wide(function) function##f128
 /* glibc has these whatever the compiler; its header declares them for gcc alone. */
-#define WIDE_OF_ONE(function) extern dom_real wide(function)(dom_real);
-#define WIDE_OF_TWO(function) extern dom_real wide(function)(dom_real, dom_real);
-WIDE_OF_ONE(sqrt)
-WIDE_OF_ONE(fabs) WIDE_OF_ONE(sin) WIDE_OF_ONE(cos) WIDE_OF_ONE(tan) WIDE_OF_ONE(asin) WIDE_OF_ONE(acos)
-    WIDE_OF_ONE(atan) WIDE_OF_ONE(exp) WIDE_OF_ONE(log) WIDE_OF_ONE(log10) WIDE_OF_ONE(floor)
-        WIDE_OF_ONE(ceil) WIDE_OF_ONE(round) WIDE_OF_TWO(atan2) WIDE_OF_TWO(hypot) WIDE_OF_TWO(pow)
-            WIDE_OF_TWO(fmin) WIDE_OF_TWO(fmax)
-#undef WIDE_OF_ONE
-#undef WIDE_OF_TWO
+extern dom_real wide(sqrt)(dom_real), wide(fabs)(dom_real), wide(sin)(dom_real), wide(cos)(dom_real),
+    wide(tan)(dom_real), wide(asin)(dom_real), wide(acos)(dom_real), wide(atan)(dom_real),
+    wide(exp)(dom_real), wide(log)(dom_real), wide(log10)(dom_real), wide(floor)(dom_real),
+    wide(ceil)(dom_real), wide(round)(dom_real);
+extern dom_real wide(atan2)(dom_real, dom_real), wide(hypot)(dom_real, dom_real),
+    wide(pow)(dom_real, dom_real), wide(fmin)(dom_real, dom_real), wide(fmax)(dom_real, dom_real);
 #else
 #define wide(function) function##l
 #endif
@@ -30,7 +27,7 @@ WIDE_OF_ONE(fabs) WIDE_OF_ONE(sin) WIDE_OF_ONE(cos) WIDE_OF_ONE(tan) WIDE_OF_ONE
     ((dom_real)3.141592653589793116 + (dom_real)1.2246467991473532072e-16 -                                  \
      (dom_real)2.9947698097183396659e-33)
 
-                static inline dom_real wide_larger(dom_real a, dom_real b)
+static inline dom_real wide_larger(dom_real a, dom_real b)
 {
     return a > b ? a : b;
 }
