@@ -5,6 +5,7 @@
  * safe, the others have a scratch folder, in which every name that is made stays; see 'make fuzz'.
  */
 #include "commands/grid.h"
+#include "commands/registry.h"
 #include "interpreter/command.h"
 #include "interpreter/lookup.h"
 #include "session.h"
@@ -351,6 +352,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!there && (!mkdtemp(scratch) || chdir(scratch) != 0 || atexit(scratch_remove) != 0))
         abort();
     there = true;
+    command_registry(all_commands);
     scratch_fill();
     struct maker m = {.data = data, .size = size, .line = open_memstream(&text, &length)};
     if (!m.line)

@@ -4,7 +4,8 @@
 #include "session/effects.h"
 #include <string.h>
 
-static const struct command_group *groups;
+static const struct command_group no_group[] = {{NULL, NULL}};
+static const struct command_group *groups = no_group;
 
 void command_registry(const struct command_group *all)
 {

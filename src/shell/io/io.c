@@ -182,9 +182,12 @@ FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt)
 FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 {
     static FILE *in;
-    if (!in)
-        in = waits(STDIN_FILENO, "r") ? channel_stream((struct channel){STDIN_FILENO, false, interrupt}, "r")
-                                      : stdin;
+    static struct channel channel;
+    const cookie_io_functions_t functions = {.read = channel_read};
+    if (!in) {
+        channel = (struct channel){STDIN_FILENO, false, interrupt};
+        in = waits(STDIN_FILENO, "r") ? fopencookie(&channel, "r", functions) : stdin;
+    }
     if (in)
         clearerr(in); /* at a terminal ^D ends one reading, not all */
     return in;
