@@ -104,7 +104,7 @@ static void crew_write(struct crew *c)
     size_t before = c->written;
     struct block *b;
     while (!c->over && c->written < c->taken && (b = &c->waiting[c->written % c->window])->done) {
-        if (out && (fwrite(b->text, 1, b->size, out) != b->size || ferror(out)))
+        if (out && ((b->size > 0 && fwrite(b->text, 1, b->size, out) != b->size) || ferror(out)))
             crew_end(c, (struct workers_end){.how = WORKERS_LOST, .error = errno});
         else if (b->ended)
             crew_end(c, (struct workers_end){.how = WORKERS_ENDED, .by = b->own});
