@@ -66,7 +66,7 @@ KERNEL void chain_count(const struct lean *g, size_t n)
     g->work->longest = n > g->work->longest ? n : g->work->longest;
 }
 
-/* Every few thousand dominoes: has somebody asked to stop, is the train too long? */
+/* Checks every few thousand dominoes for an interrupt, and that the pass is not too long. */
 KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
 {
     if (i % 4096 != 0)
@@ -77,7 +77,7 @@ KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
         return DOM_TOO_LONG;
     if (i < LINKS_MAX)
         return DOM_OK;
-    chain_count(g, i); /* in vain, but not for nothing */
+    chain_count(g, i); /* a pass without a result costs as much */
     return DOM_TOO_LONG;
 }
 

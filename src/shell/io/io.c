@@ -84,10 +84,9 @@ bool io_write(int file, const char *bytes, size_t count)
 
 /* ---- Streams ---- */
 
-/* What a stream reads or writes; `own` is closed with the stream. */
+/* What a stream reads or writes. */
 struct channel {
     int file;
-    bool own;
     const volatile sig_atomic_t *interrupt;
 };
 
@@ -127,7 +126,7 @@ static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
 static int channel_close(void *cookie)
 {
     const struct channel *c = cookie;
-    int closed = c->own ? close(c->file) : 0;
+    int closed = close(c->file);
     free(cookie);
     return closed;
 }
@@ -157,8 +156,7 @@ FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interru
     bool channel = waits(file, mode);
     if (!channel)
         fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK);
-    FILE *stream =
-        channel ? channel_stream((struct channel){file, true, interrupt}, mode) : fdopen(file, mode);
+    FILE *stream = channel ? channel_stream((struct channel){file, interrupt}, mode) : fdopen(file, mode);
     if (!stream) {
         int reason = errno;
         close(file);
@@ -185,7 +183,7 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
     static struct channel channel;
     const cookie_io_functions_t functions = {.read = channel_read};
     if (!in) {
-        channel = (struct channel){STDIN_FILENO, false, interrupt};
+        channel = (struct channel){STDIN_FILENO, interrupt};
         in = waits(STDIN_FILENO, "r") ? fopencookie(&channel, "r", functions) : stdin;
     }
     if (in)
