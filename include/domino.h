@@ -194,7 +194,7 @@ struct dom_angles {
     dom_real theta_inf;   /* far followers approach it, cos theta_inf = d / (s + d)    (A16) */
     dom_real theta_f;     /* the last angle of a follower: (A18) if it falls off, else theta_inf */
     dom_real theta_leave; /* leader's angle at which its follower falls off; NaN if none does */
-    bool falls_off;       /* (A17) */
+    bool detaches;        /* (A17) */
 };
 
 enum dom_status dom_angles_find(const struct dom_train *train, struct dom_angles *angles,
@@ -254,11 +254,12 @@ enum dom_status dom_fuel_find(const struct dom_train *train, struct dom_fuels *f
 /* ---- Collision ---- */
 
 struct dom_launch {
-    dom_real fuel;    /* P, the one that train->fuel selects, less what friction takes of it */
-    dom_real J0;      /* J(0) */
-    dom_real keeps;   /* omega(0) over omega_1(theta_c): the share of momentum, (J(0) - 1) / J(0) (c4) */
-    dom_real omegasq; /* tau^2 omega(0)^2 after the collision (c6) */
-    dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
+    dom_real fuel; /* P, the one that train->fuel selects, less what friction takes of it */
+    dom_real J0;   /* J(0) */
+    dom_real
+        velocity_ratio; /* omega(0) over omega_1(theta_c): the share of momentum, (J(0) - 1) / J(0) (c4) */
+    dom_real omegasq;   /* tau^2 omega(0)^2 after the collision (c6) */
+    dom_real kinetic;   /* J(0) tau^2 omega(0)^2 */
 };
 
 /*
@@ -344,15 +345,15 @@ const char *dom_event_text(enum dom_event_kind kind);
  */
 struct dom_state {
     dom_real theta;
-    dom_real time;         /* since the launch, in tau */
-    dom_real omegasq;      /* tau^2 omega^2 (c3) */
-    dom_real acceleration; /* tau^2 times that of the head, (c3) differentiated */
-    dom_real kinetic;      /* J(theta) tau^2 omega^2 */
-    dom_real climbed;      /* H(theta) - H(0); what is negative was set free */
-    dom_real fallen;       /* the part of it in dominoes that fell off in this cycle */
-    dom_real before;       /* kinetic energy of the hitting train, just before the collision */
-    dom_real lost;         /* of that in the collision: without friction the share 1 / J(0) (c4) */
-    dom_real rubbed;       /* what friction has taken since the launch */
+    dom_real time;          /* since the launch, in tau */
+    dom_real omegasq;       /* tau^2 omega^2 (c3) */
+    dom_real acceleration;  /* tau^2 times that of the head, (c3) differentiated */
+    dom_real kinetic;       /* J(theta) tau^2 omega^2 */
+    dom_real climbed;       /* H(theta) - H(0); what is negative was set free */
+    dom_real fallen;        /* the part of it in dominoes that fell off in this cycle */
+    dom_real before;        /* kinetic energy of the hitting train, just before the collision */
+    dom_real lost;          /* of that in the collision: without friction the share 1 / J(0) (c4) */
+    dom_real friction_work; /* what friction has taken since the launch */
 };
 
 /* 0 <= theta <= theta_c.  DOM_STOPS: the head does not come as far; DOM_NO_FUEL: it does not start. */
@@ -519,7 +520,8 @@ struct dom_fall {
     dom_real barrier;  /* J, that it takes to go on; infinite where friction locks on the way */
     dom_real margin;   /* J, kinetic - barrier */
     dom_real lost;     /* J, in the collision */
-    dom_real rubbed;   /* J, to friction between dominoes since it was hit; NaN where it does not go on */
+    dom_real
+        friction_work; /* J, to friction between dominoes since it was hit; NaN where it does not go on */
     dom_real theta_m;  /* where it is hardest to go on */
     dom_real theta;    /* where it hits the next, lies on the floor, or comes to rest */
     size_t moving;     /* dominoes that moved with it */

@@ -45,7 +45,7 @@ static void ask_angles(const struct dom_train *train, struct answers *answers)
 {
     struct dom_angles angles = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN, false}, angles_error = angles;
     enum dom_status status = dom_angles_find(train, &angles, &angles_error);
-    answers->falls_off = angles.falls_off;
+    answers->detaches = angles.detaches;
     NOTE(THETA_C, angles, theta_c);
     NOTE(THETA_U, angles, theta_u);
     NOTE(THETA_INF, angles, theta_inf);

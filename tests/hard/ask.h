@@ -9,7 +9,7 @@ struct answers {
     enum dom_status status[REF_COUNT]; /* of the function that gives it */
     dom_real value[REF_COUNT];         /* NaN where it gave none */
     dom_real error[REF_COUNT];         /* its bound */
-    bool falls_off;
+    bool detaches;
     enum dom_end ends; /* of the last growth asked for */
     enum dom_status why;
     size_t link, links; /* the link that was looked at, of how many */

@@ -227,7 +227,7 @@ static bool bracket_stop(struct ref *ref, mpfr_t lo, mpfr_t hi, struct ref_sums 
         if (node[i] >= top && node[i - 1] < top)
             found = passes(ref, node[i - 1], ref->value[REF_THETA_M], lo, hi, sums);
         /* The sketch may be wrong where it is close. */
-        if (!found && sketch_rise(&sketch, node[i]) >= K * (1 - 1e-6L)) {
+        if (!found && sketch_energy_change(&sketch, node[i]) >= K * (1 - 1e-6L)) {
             mpfr_set_ld(to, node[i], N);
             if (mpfr_greater_p(to, ref->theta_c))
                 mpfr_set(to, ref->theta_c, N);

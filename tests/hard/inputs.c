@@ -144,7 +144,7 @@ struct ref *ref_near(struct ref *ref, int input)
         ref->nearby[input] = nearness;
         ref->near[input] = changed(ref, input, nearness);
         /* Not across the edge of falling off. */
-        if (ref->near[input]->falls_off != ref->falls_off) {
+        if (ref->near[input]->detaches != ref->detaches) {
             ref_close(ref->near[input]);
             ref->nearby[input] = -nearness;
             ref->near[input] = changed(ref, input, -nearness);

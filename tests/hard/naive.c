@@ -48,7 +48,7 @@ static struct sums naive_sums(const struct naive *k, double theta)
     return sums;
 }
 
-static double naive_rise(const struct naive *k, double theta)
+static double naive_energy_change(const struct naive *k, double theta)
 {
     return naive_sums(k, theta).H - naive_sums(k, 0).H;
 }
@@ -56,7 +56,7 @@ static double naive_rise(const struct naive *k, double theta)
 static double naive_fuel(const struct naive *k, bool paper)
 {
     double theta_f = asin(k->x_f);
-    return paper ? 1 - cos(theta_f) - k->d * sin(theta_f) : -naive_rise(k, k->theta_c);
+    return paper ? 1 - cos(theta_f) - k->d * sin(theta_f) : -naive_energy_change(k, k->theta_c);
 }
 
 /* (c6), for the pair (b5) and (b11) */
@@ -102,13 +102,13 @@ static double naive_kinetic(const struct naive *k)
 
 static double naive_margin(const struct naive *k)
 {
-    return naive_kinetic(k) - naive_rise(k, naive_top(k));
+    return naive_kinetic(k) - naive_energy_change(k, naive_top(k));
 }
 
 /* (c3) */
 static double naive_omegasq(const struct naive *k, double theta)
 {
-    return (naive_kinetic(k) - naive_rise(k, theta)) / naive_sums(k, theta).J;
+    return (naive_kinetic(k) - naive_energy_change(k, theta)) / naive_sums(k, theta).J;
 }
 
 static double naive_duration(const struct naive *k)
@@ -180,7 +180,7 @@ double naive_value(const struct ref_input *input, enum ref_quantity quantity)
     case REF_ARM_B:
         return Y / k.r;
     case REF_DH:
-        return naive_rise(&k, tilt);
+        return naive_energy_change(&k, tilt);
     case REF_J:
         return naive_sums(&k, tilt).J;
     case REF_J0:
@@ -196,7 +196,7 @@ double naive_value(const struct ref_input *input, enum ref_quantity quantity)
     case REF_THETA_M:
         return naive_top(&k);
     case REF_BARRIER:
-        return naive_rise(&k, naive_top(&k));
+        return naive_energy_change(&k, naive_top(&k));
     case REF_MARGIN:
         return naive_margin(&k);
     case REF_OMEGASQ:

@@ -9,7 +9,7 @@
 
 /* ---- One domino leaning on the next ---- */
 
-struct lean {
+struct geometry {
     mpfr_t theta, sin, cos, h, h_prime; /* of the leader */
     mpfr_t next, slope, a, b;           /* of the follower */
     mpfr_t X, Y, t;
@@ -19,7 +19,7 @@ struct lean {
     (l)->theta, (l)->sin, (l)->cos, (l)->h, (l)->h_prime, (l)->next, (l)->slope, (l)->a, (l)->b, (l)->X,     \
         (l)->Y, (l)->t, (mpfr_ptr)0
 
-static void lean_at(const struct ref *ref, struct lean *l)
+static void lean_at(const struct ref *ref, struct geometry *l)
 {
     mpfr_sin_cos(l->sin, l->cos, l->theta, N);
     mpfr_mul(l->h, ref->in[REF_D], l->sin, N);
@@ -31,10 +31,10 @@ static void lean_at(const struct ref *ref, struct lean *l)
 /* At the reach a domino at tilt 0 has its follower, with slope 1: the limit of r s -> 1. */
 static bool has_follower(const struct ref *ref, mpfr_srcptr theta)
 {
-    return !ref->falls_off || mpfr_zero_p(theta) || mpfr_less_p(theta, ref->theta_leave);
+    return !ref->detaches || mpfr_zero_p(theta) || mpfr_less_p(theta, ref->theta_leave);
 }
 
-static void lean_follow(const struct ref *ref, struct lean *l)
+static void geometry_follow(const struct ref *ref, struct geometry *l)
 {
     mpfr_srcptr r = ref->in[REF_R];
     mpfr_mul(l->X, ref->L, l->cos, N);
@@ -58,7 +58,7 @@ static void lean_follow(const struct ref *ref, struct lean *l)
 
 /* ---- The train at tilt 0 ---- */
 
-static void keep_energy(struct ref *ref, const struct lean *l)
+static void keep_energy(struct ref *ref, const struct geometry *l)
 {
     if ((ref->n & (ref->n - 1)) == 0)
         ref->h0 = realloc(ref->h0, (ref->n ? 2 * ref->n : 1) * sizeof *ref->h0);
@@ -76,7 +76,7 @@ static void keep_energy(struct ref *ref, const struct lean *l)
  */
 static double cut_here(const struct ref *ref)
 {
-    if (ref->falls_off)
+    if (ref->detaches)
         return ref->cut;
     mpfr_t rho, t;
     mpfr_inits2(ref->bits, rho, t, (mpfr_ptr)0);
@@ -94,7 +94,7 @@ static double cut_here(const struct ref *ref)
 
 static void find_train_at_zero(struct ref *ref)
 {
-    struct lean l;
+    struct geometry l;
     mpfr_t w, wr, slope, t;
     mpfr_inits2(ref->bits, LEAN_ALL(&l));
     mpfr_inits2(ref->bits, w, wr, slope, t, (mpfr_ptr)0);
@@ -113,7 +113,7 @@ static void find_train_at_zero(struct ref *ref)
             break;
         mpfr_mul(t, w, l.h, N);
         mpfr_add(ref->fuel_exact, ref->fuel_exact, t, N);
-        lean_follow(ref, &l);
+        geometry_follow(ref, &l);
         mpfr_mul(slope, slope, l.slope, N);
         mpfr_set(l.theta, l.next, N);
         lean_at(ref, &l);
@@ -148,7 +148,7 @@ void ref_sums_clear(struct ref_sums *sums)
 }
 
 /* The contact of domino 0 and the link that is wanted. */
-static void keep_link(struct ref *ref, size_t i, const struct lean *l, mpfr_t wsv[3], bool leads)
+static void keep_link(struct ref *ref, size_t i, const struct geometry *l, mpfr_t wsv[3], bool leads)
 {
     mpfr_t *v = ref->value;
     if (i == 0) {
@@ -186,7 +186,7 @@ static void add_fallen(const struct ref *ref, size_t i, mpfr_srcptr weight, stru
     mpfr_clears(w, t, (mpfr_ptr)0);
 }
 
-static void add_domino(const struct ref *ref, const struct lean *l, size_t i, mpfr_t wsv[3], mpfr_t t,
+static void add_domino(const struct ref *ref, const struct geometry *l, size_t i, mpfr_t wsv[3], mpfr_t t,
                        struct ref_sums *sums)
 {
     mpfr_sub(t, l->h, ref->h0[i], N);
@@ -204,7 +204,7 @@ static void add_domino(const struct ref *ref, const struct lean *l, size_t i, mp
 
 static void walk(struct ref *ref, mpfr_srcptr tilt, bool keep, struct ref_sums *sums)
 {
-    struct lean l;
+    struct geometry l;
     mpfr_t wsv[3], t; /* weight in H, slope, weight in J */
     mpfr_inits2(ref->bits, LEAN_ALL(&l));
     mpfr_inits2(ref->bits, wsv[0], wsv[1], wsv[2], t, (mpfr_ptr)0);
@@ -220,7 +220,7 @@ static void walk(struct ref *ref, mpfr_srcptr tilt, bool keep, struct ref_sums *
         add_domino(ref, &l, i, wsv, t, sums);
         bool leads = has_follower(ref, l.theta);
         if (leads)
-            lean_follow(ref, &l);
+            geometry_follow(ref, &l);
         if (keep)
             keep_link(ref, i, &l, wsv, leads);
         mpfr_mul(wsv[0], wsv[0], ref->rq, N);
@@ -268,10 +268,10 @@ static void find_leaving(struct ref *ref)
     mpfr_sqr(rr, r, N);
     mpfr_ui_div(rr, 1, rr, N);
     mpfr_sub(t, LL, dd, N);
-    ref->falls_off = mpfr_less_p(rr, t);
+    ref->detaches = mpfr_less_p(rr, t);
     mpfr_set_nan(ref->theta_leave);
     mpfr_set(ref->theta_f, ref->theta_inf, N);
-    if (ref->falls_off) {
+    if (ref->detaches) {
         mpfr_add(t, t, rr, N);
         mpfr_div(t, t, ref->L, N);
         mpfr_mul(t, t, r, N);

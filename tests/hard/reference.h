@@ -84,7 +84,7 @@ struct ref {
     /* Geometry, and the train at tilt 0: known from the start. */
     mpfr_t L, u, rq, theta_c, theta_u, theta_inf, theta_f, theta_leave, h_f;
     mpfr_t T, fuel_exact, fuel_paper;
-    bool falls_off;
+    bool detaches;
     size_t n;
     mpfr_t *h0; /* n energies */
     /* What was asked for. */

@@ -11,12 +11,12 @@ struct sketch sketch_grown(const struct sketch *sketch, long double r)
     k.rq = powl(r, -k.q);
     k.theta_c = asinl(fminl(1, r * k.s));
     long double room = k.s * (k.s + 2 * k.d), rr = 1 / (r * r);
-    k.falls_off = rr < room;
-    k.theta_f = k.falls_off ? asinl(fminl(1, (rr + room) * r / (2 * k.L))) : acosl(k.d / k.L);
+    k.detaches = rr < room;
+    k.theta_f = k.detaches ? asinl(fminl(1, (rr + room) * r / (2 * k.L))) : acosl(k.d / k.L);
     long double u = fmaxl(0, fmal(-r, k.s, 1));
     /* 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2) */
-    k.theta_leave = k.falls_off ? 2 * asinl(fminl(1, sqrtl(u * (2 - u) * rr / (4 * k.d * k.L)))) : 4;
-    k.cut = 1e-13L * (k.falls_off ? 1 : 1 - k.rq * (1 - r * sqrtl(room)));
+    k.theta_leave = k.detaches ? 2 * asinl(fminl(1, sqrtl(u * (2 - u) * rr / (4 * k.d * k.L)))) : 4;
+    k.cut = 1e-13L * (k.detaches ? 1 : 1 - k.rq * (1 - r * sqrtl(room)));
     return k;
 }
 
@@ -29,7 +29,7 @@ struct sketch sketch_of(const struct ref *ref)
                        .dominoes = ref->dominoes};
     k = sketch_grown(&k, mpfr_get_ld(ref->in[REF_R], MPFR_RNDN));
     /* In long double 1 - r s of quad precision is lost. */
-    if (k.falls_off && ref->falls_off)
+    if (k.detaches && ref->detaches)
         k.theta_leave = mpfr_get_ld(ref->theta_leave, MPFR_RNDN);
     return k;
 }
@@ -37,7 +37,7 @@ struct sketch sketch_of(const struct ref *ref)
 /* The follower of a domino at *theta; false if there is none. */
 static bool follow(const struct sketch *k, long double *theta, long double *slope)
 {
-    if (k->falls_off && *theta >= k->theta_leave)
+    if (k->detaches && *theta >= k->theta_leave)
         return false;
     long double X = fminl(1, k->r * (k->L * cosl(*theta) - k->d));
     if (X >= 1)
@@ -66,7 +66,7 @@ static long double energy_gain(const struct sketch *k, long double at, long doub
     return 2 * sinl(half) * (k->d * cosl(middle) - sinl(middle));
 }
 
-long double sketch_rise(const struct sketch *k, long double tilt)
+long double sketch_energy_change(const struct sketch *k, long double tilt)
 {
     long double at = tilt, from = 0, slope = 1, ignored = 1, w = 1, sum = 0;
     bool up = true, down = true;
@@ -89,7 +89,7 @@ static int ascending(const void *a, const void *b)
 
 long double sketch_leaving(const struct sketch *k)
 {
-    if (!k->falls_off)
+    if (!k->detaches)
         return k->theta_c;
     long double lo = 0, hi = k->theta_c;
     size_t leader = 0;
@@ -126,7 +126,7 @@ int sketch_nodes(const struct sketch *k, long double node[SKETCH_NODES])
 
 static long double highest(const struct sketch *k)
 {
-    long double node[SKETCH_NODES], best = fmaxl(0, sketch_rise(k, k->theta_c));
+    long double node[SKETCH_NODES], best = fmaxl(0, sketch_energy_change(k, k->theta_c));
     int n = sketch_nodes(k, node);
     for (int i = 0; i + 1 < n; i++) {
         long double lo = node[i], hi = node[i + 1];
@@ -136,7 +136,7 @@ static long double highest(const struct sketch *k)
             long double middle = (lo + hi) / 2;
             *(sketch_slope(k, middle) > 0 ? &lo : &hi) = middle;
         }
-        best = fmaxl(best, sketch_rise(k, hi));
+        best = fmaxl(best, sketch_energy_change(k, hi));
     }
     return best;
 }

@@ -12,7 +12,7 @@ enum { SKETCH_NODES = 256 };
 
 struct sketch {
     long double s, r, d, q, L, theta_c, theta_f, theta_leave, rq, cut;
-    bool falls_off, paper;
+    bool detaches, paper;
     size_t dominoes;
 };
 
@@ -20,7 +20,7 @@ struct sketch sketch_of(const struct ref *ref);
 /* d H / d tilt */
 long double sketch_slope(const struct sketch *sketch, long double tilt);
 /* H(tilt) - H(0) */
-long double sketch_rise(const struct sketch *sketch, long double tilt);
+long double sketch_energy_change(const struct sketch *sketch, long double tilt);
 /* Tilts from 0 to theta_c, ascending, dense where H may have features; returns their number. */
 int sketch_nodes(const struct sketch *sketch, long double node[SKETCH_NODES]);
 /* The tilt at which a follower leaves: of the leader that starts below theta_leave and ends above. */

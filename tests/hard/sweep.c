@@ -115,7 +115,7 @@ static void check_train(struct point *point, struct answers *answers)
 {
     ask(&point->train, 0, REF_THETA_C, answers);
     /* At the edge of (A17) both formulas give the same theta_f. */
-    if (answers->falls_off != point->ref->falls_off) {
+    if (answers->detaches != point->ref->detaches) {
         double rr = 1 / (double)(point->input.r * point->input.r);
         double room = (double)(point->input.s * (point->input.s + 2 * point->input.d));
         if (!(fabs(rr / room - 1) <= 32 * ask_unit(point->sweep->precision)))

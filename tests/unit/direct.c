@@ -70,7 +70,7 @@ static double torque(const struct run *run, size_t i)
 }
 
 /* From the position and velocity of k = j + 1 to those of j, and all the system needs of their contact. */
-static void lean(struct run *run, size_t j)
+static void geometry(struct run *run, size_t j)
 {
     const struct direct_row *row = run->row;
     size_t k = j + 1;
@@ -99,7 +99,7 @@ static void place(struct run *run, double theta, double omega)
     run->theta[run->head] = theta;
     run->omega[run->head] = omega;
     for (size_t j = run->head; j-- > run->tail;)
-        lean(run, j);
+        geometry(run, j);
 }
 
 /* Forces are sought in units that keep the matrix near 1 where the dominoes differ by many decades. */
@@ -392,7 +392,7 @@ static const char *collide(struct run *run, double y[])
     place(run, y[THETA], y[OMEGA]);
     struct direct_hit *hit = &run->hits[k];
 
-    *hit = (struct direct_hit){.time = run->began, .omega_before = y[OMEGA], .rubbed = y[RUBBED]};
+    *hit = (struct direct_hit){.time = run->began, .omega_before = y[OMEGA], .friction_work = y[RUBBED]};
     hit->kinetic_before = kinetic(run);
     if (row->height[j] * cos(y[THETA]) > row->height[k])
         return "The tip passes above the top of the next domino.";

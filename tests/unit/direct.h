@@ -25,7 +25,7 @@ struct direct_hit {
     double kinetic;        /* of all moving dominoes just after */
     double kinetic_before; /* just before; for the first the same as kinetic: nothing is lost there */
     double potential;      /* of all dominoes that have not fallen off, those still upright included */
-    double rubbed;         /* lost to sliding friction in the motion since the start */
+    double friction_work;  /* lost to sliding friction in the motion since the start */
 };
 
 struct direct_result {

@@ -5,12 +5,12 @@
 #include <float.h>
 
 /* The highest of many tilts, dense near both ends of [0, theta_c] and around the falling off. */
-static double brute_force(const struct lean *g, double theta_c)
+static double brute_force(const struct geometry *geometry, double theta_c)
 {
     double highest = 0;
     bool leaves;
     struct tilt leave;
-    assert_status(chain_leave(g, &leaves, &leave, NULL), DOM_OK);
+    assert_status(chain_leave(geometry, &leaves, &leave, NULL), DOM_OK);
     double edge[3] = {0, leaves ? tilt_angle(leave) : theta_c / 2, theta_c};
     for (int piece = 0; piece < 2; piece++) {
         for (int k = 0; k <= 300; k++) {
@@ -18,8 +18,8 @@ static double brute_force(const struct lean *g, double theta_c)
                    theta = edge[piece] + u * (edge[piece + 1] - edge[piece]);
             struct tilt head;
             struct sums sums;
-            assert_status(lean_tilt(g, fmin(theta, theta_c), &head), DOM_OK);
-            assert_status(chain_rise(g, head, &sums, NULL), DOM_OK);
+            assert_status(geometry_tilt(geometry, fmin(theta, theta_c), &head), DOM_OK);
+            assert_status(chain_energy_change(geometry, head, &sums, NULL), DOM_OK);
             highest = fmax(highest, sums.dH);
         }
     }
@@ -31,14 +31,14 @@ static double brute_force(const struct lean *g, double theta_c)
  * the tilt may be from the top (TOP_TOL), and not higher.  Roundings are those that the sum reports, a few of
  * the height, and of a tilt on a slope at an edge of [0, theta_c].
  */
-static double height_off(const struct lean *g, double theta_c, const struct barrier *barrier)
+static double height_off(const struct geometry *geometry, double theta_c, const struct barrier *barrier)
 {
     struct tilt top;
     struct sums at, error, bend;
-    assert_status(lean_tilt(g, fmin(barrier->theta_m, theta_c), &top), DOM_OK);
-    assert_status(chain_rise(g, top, &at, &error), DOM_OK);
-    assert_status(chain_bend_from(g, (struct tilt){0, 1, 0}, top, &bend), DOM_OK);
-    double step = TOP_TOL(g) * barrier->theta_m, noise = error.dH + 8 * DBL_EPSILON * fabs(at.dH),
+    assert_status(geometry_tilt(geometry, fmin(barrier->theta_m, theta_c), &top), DOM_OK);
+    assert_status(chain_energy_change(geometry, top, &at, &error), DOM_OK);
+    assert_status(chain_second_derivative_from(geometry, (struct tilt){0, 1, 0}, top, &bend), DOM_OK);
+    double step = TOP_TOL(geometry) * barrier->theta_m, noise = error.dH + 8 * DBL_EPSILON * fabs(at.dH),
            edge = 4 * DBL_EPSILON * fabs(bend.H1) * barrier->theta_m,
            bend_down = fmax(-bend.H2, 0) * step * step / 2, off = barrier->height - at.dH;
     if (off >= 0)
@@ -54,15 +54,15 @@ static void no_tilt_is_higher(void **state)
     int hills = 0;
     for (int i = 0; i < 500; i++) {
         struct dom_train train = random_train(&seed);
-        struct lean g;
+        struct geometry geometry;
         struct barrier barrier;
-        assert_status(lean_make(&train, &g), DOM_OK);
-        double theta_c = tilt_angle(g.c), brute = brute_force(&g, theta_c);
-        assert_status(barrier_search(&g, theta_c, TOP_TOL(&g), &barrier), DOM_OK);
+        assert_status(geometry_make(&train, &geometry), DOM_OK);
+        double theta_c = tilt_angle(geometry.c), brute = brute_force(&geometry, theta_c);
+        assert_status(barrier_search(&geometry, theta_c, TOP_TOL(&geometry), &barrier), DOM_OK);
         if (!(barrier.height >= brute * (1 - 1e-13)))
             fail_msg("s %.17g r %.17g d %.17g q %.17g: barrier %.17g, but %.17g is there", (double)train.s,
                      (double)train.r, (double)train.d, (double)train.q, barrier.height, brute);
-        double off = height_off(&g, theta_c, &barrier);
+        double off = height_off(&geometry, theta_c, &barrier);
         if (!(off >= -1 && off <= 1))
             fail_msg(
                 "s %.17g r %.17g d %.17g q %.17g: barrier %.17g is not the height at %.17g: %g times what "

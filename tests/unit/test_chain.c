@@ -9,24 +9,24 @@ enum { TRAINS = 400 };
 static const struct tilt upright = {0, 1, 0};
 
 /* A random endless train, and a tilt of its head before theta_c. */
-static struct lean random_lean(uint64_t *seed, double tol, struct tilt *head)
+static struct geometry random_geometry(uint64_t *seed, double tol, struct tilt *head)
 {
     struct dom_train train = random_train(seed);
-    struct lean g;
+    struct geometry geometry;
     train.tol = tol;
-    assert_status(lean_make(&train, &g), DOM_OK);
-    *head = tilt_half(half_of_tilt(g.c) * random_unit(seed));
-    return g;
+    assert_status(geometry_make(&train, &geometry), DOM_OK);
+    *head = tilt_half(half_of_tilt(geometry.c) * random_unit(seed));
+    return geometry;
 }
 
 /* Differences are relative to what the terms of the sum add up to, r^-(q i) h' theta_i' and so on: a pass
  * ends by those. */
-static void assert_same(const char *what, const struct lean *g, double a, double b, double scale,
+static void assert_same(const char *what, const struct geometry *geometry, double a, double b, double scale,
                         double bound)
 {
     if (!(fabs(a - b) <= bound * scale))
-        fail_msg("s %.17g r %.17g d %.17g q %.17g: %s %.17g and %.17g, %.2g of %.2g", g->s, g->r, g->d, g->q,
-                 what, a, b, fabs(a - b) / scale, scale);
+        fail_msg("s %.17g r %.17g d %.17g q %.17g: %s %.17g and %.17g, %.2g of %.2g", geometry->s,
+                 geometry->r, geometry->d, geometry->q, what, a, b, fabs(a - b) / scale, scale);
 }
 
 /* H2, H3, ... of the far tail are derivatives at theta_inf: the closed form must be the whole train to its
@@ -39,15 +39,16 @@ static void the_far_tail_is_the_train(void **state)
     for (int i = 0; i < 3 * TRAINS; i++) {
         const double tol = i % 3 == 0 ? 1e-15 : i % 3 == 1 ? 1e-12 : 1e-6;
         struct tilt head;
-        struct lean g = random_lean(&seed, tol, &head), fine = g;
+        struct geometry geometry = random_geometry(&seed, tol, &head), fine = geometry;
         struct sums closed, whole = {0}, e = {0};
         fine.tol = 1e-15;
-        assert_status(chain_rise(&g, head, &closed, NULL), DOM_OK);
-        assert_status(rise_between(&fine, upright, head, half_of_tilt(head), PASS_ERROR, &whole, &e), DOM_OK);
+        assert_status(chain_energy_change(&geometry, head, &closed, NULL), DOM_OK);
+        assert_status(energy_change_between(&fine, upright, head, half_of_tilt(head), PASS_ERROR, &whole, &e),
+                      DOM_OK);
         /* dH may cancel: then a pass is right to the rounding of its terms, as e says. */
-        assert_same("dH", &g, closed.dH, whole.dH, fabs(whole.dH) + e.dH / tol, 2 * tol);
-        assert_same("H1", &g, closed.H1, whole.H1, fabs(whole.H1) + e.H1 / tol, 2 * tol);
-        assert_same("J", &g, closed.J, whole.J, whole.J, 2 * tol + 1e-14);
+        assert_same("dH", &geometry, closed.dH, whole.dH, fabs(whole.dH) + e.dH / tol, 2 * tol);
+        assert_same("H1", &geometry, closed.H1, whole.H1, fabs(whole.H1) + e.H1 / tol, 2 * tol);
+        assert_same("J", &geometry, closed.J, whole.J, whole.J, 2 * tol + 1e-14);
         shorter += closed.n < whole.n * 2 / 3;
     }
     print_message("# passes shorter by a third: %d of %d\n", shorter, 3 * TRAINS);
@@ -56,16 +57,16 @@ static void the_far_tail_is_the_train(void **state)
 
 /* What far_add says of the train behind two dominoes at theta_inf - e and theta_inf - 2 e, less what it is.
  */
-static void far_errors(const struct lean *g, double e, struct sums *off)
+static void far_errors(const struct geometry *geometry, double e, struct sums *off)
 {
-    double theta = tilt_angle(g->inf);
-    struct link a = link_head(g, tilt_make(sin(theta - e), cos(theta - e)));
-    struct link b = link_head(g, tilt_make(sin(theta - 2 * e), cos(theta - 2 * e)));
+    double theta = tilt_angle(geometry->inf);
+    struct link a = link_head(geometry, tilt_make(sin(theta - e), cos(theta - e)));
+    struct link b = link_head(geometry, tilt_make(sin(theta - 2 * e), cos(theta - 2 * e)));
     struct sum_state closed = {0};
     struct sums whole, between;
-    far_add(g, &closed, &a, &b, tan(e / 2));
-    assert_status(chain_sum(g, a.tilt, &whole), DOM_OK);
-    assert_status(chain_bend_from(g, b.tilt, a.tilt, &between), DOM_OK);
+    far_add(geometry, &closed, &a, &b, tan(e / 2));
+    assert_status(chain_sum(geometry, a.tilt, &whole), DOM_OK);
+    assert_status(chain_second_derivative_from(geometry, b.tilt, a.tilt, &between), DOM_OK);
     *off = (struct sums){.J = closed.J.sum - whole.J,
                          .H1 = closed.H1.sum - whole.H1,
                          .H2 = far_H2(&a, 0) - between.H2,
@@ -85,17 +86,17 @@ static void the_far_tail_has_its_order(void **state)
     for (int q = 3; q <= 4; q++)
         for (double s = 0.02; s < 0.3; s *= 1.7) {
             struct dom_train train = dom_train_default();
-            struct lean g;
+            struct geometry geometry;
             struct sums coarse, fine;
             train.s = s;
             train.q = q;
             train.r = 1 + s / 2;
             train.tol = 1e-15;
-            assert_status(lean_make(&train, &g), DOM_OK);
-            assert_false(g.falls_off);
-            double e = g.inf.x / 64;
-            far_errors(&g, e, &coarse);
-            far_errors(&g, e / 2, &fine);
+            assert_status(geometry_make(&train, &geometry), DOM_OK);
+            assert_false(geometry.detaches);
+            double e = geometry.inf.x / 64;
+            far_errors(&geometry, e, &coarse);
+            far_errors(&geometry, e / 2, &fine);
             const double order[] = {order_of(coarse.J, fine.J, 1e-13), order_of(coarse.H1, fine.H1, 1e-13),
                                     order_of(coarse.H2, fine.H2, 1e-13), order_of(coarse.dH, fine.dH, 1e-14)};
             static const double expected[] = {3, 3, 1, 4};
@@ -113,21 +114,21 @@ static void shared_passes_are_the_same(void **state)
     int both = 0;
     for (int i = 0; i < TRAINS; i++) {
         struct tilt head;
-        struct lean g = random_lean(&seed, 1e-13, &head);
+        struct geometry geometry = random_geometry(&seed, 1e-13, &head);
         struct sums fall, at_c, e, up, near, down = {0};
-        assert_status(chain_fall(&g, &fall, NULL), DOM_OK);
-        assert_status(chain_rise(&g, g.c, &at_c, &e), DOM_OK);
-        assert_same("dH at theta_c", &g, fall.dH, at_c.dH, fabs(at_c.dH) + 1e13 * e.dH, 1e-13);
-        assert_same("J at theta_c", &g, fall.J, at_c.J, at_c.J, 1e-12);
-        if (g.falls_off)
+        assert_status(chain_fall(&geometry, &fall, NULL), DOM_OK);
+        assert_status(chain_energy_change(&geometry, geometry.c, &at_c, &e), DOM_OK);
+        assert_same("dH at theta_c", &geometry, fall.dH, at_c.dH, fabs(at_c.dH) + 1e13 * e.dH, 1e-13);
+        assert_same("J at theta_c", &geometry, fall.J, at_c.J, at_c.J, 1e-12);
+        if (geometry.detaches)
             continue;
-        assert_status(chain_bend_from(&g, upright, head, &up), DOM_OK);
-        assert_status(chain_both(&g, head, &near, &down), DOM_OK);
-        assert_status(chain_rise(&g, head, &at_c, &e), DOM_OK);
-        assert_same("dH of both", &g, near.dH, up.dH, fabs(up.dH) + 1e13 * e.dH, 2e-13);
-        assert_same("H1 of both", &g, near.H1, up.H1, fabs(up.H1) + 1e13 * e.H1, 2e-13);
-        assert_same("H2 of both", &g, near.H2, up.H2, fabs(up.H2), 1e-9);
-        assert_same("fall of both", &g, down.dH, fall.dH, fabs(fall.dH), 1e-11);
+        assert_status(chain_second_derivative_from(&geometry, upright, head, &up), DOM_OK);
+        assert_status(chain_both(&geometry, head, &near, &down), DOM_OK);
+        assert_status(chain_energy_change(&geometry, head, &at_c, &e), DOM_OK);
+        assert_same("dH of both", &geometry, near.dH, up.dH, fabs(up.dH) + 1e13 * e.dH, 2e-13);
+        assert_same("H1 of both", &geometry, near.H1, up.H1, fabs(up.H1) + 1e13 * e.H1, 2e-13);
+        assert_same("H2 of both", &geometry, near.H2, up.H2, fabs(up.H2), 1e-9);
+        assert_same("fall of both", &geometry, down.dH, fall.dH, fabs(fall.dH), 1e-11);
         both++;
     }
     assert_true(both > TRAINS / 10);
@@ -141,18 +142,19 @@ static void H2_is_the_slope_of_H1(void **state)
     int compared = 0;
     for (int i = 0; i < TRAINS; i++) {
         struct tilt head;
-        struct lean g = random_lean(&seed, 1e-15, &head);
-        double theta = tilt_angle(head), h = 1e-5 * fmin(theta, tilt_angle(g.c) - theta);
+        struct geometry geometry = random_geometry(&seed, 1e-15, &head);
+        double theta = tilt_angle(head), h = 1e-5 * fmin(theta, tilt_angle(geometry.c) - theta);
         struct sums at, below, above;
         struct tilt lo = tilt_make(sin(theta - h), cos(theta - h)),
                     hi = tilt_make(sin(theta + h), cos(theta + h));
-        assert_status(chain_bend_from(&g, upright, head, &at), DOM_OK);
-        assert_status(chain_sum(&g, lo, &below), DOM_OK);
-        assert_status(chain_sum(&g, hi, &above), DOM_OK);
-        if (below.n != above.n && g.falls_off) /* somebody leaves in between: H'' jumps */
+        assert_status(chain_second_derivative_from(&geometry, upright, head, &at), DOM_OK);
+        assert_status(chain_sum(&geometry, lo, &below), DOM_OK);
+        assert_status(chain_sum(&geometry, hi, &above), DOM_OK);
+        if (below.n != above.n && geometry.detaches) /* somebody leaves in between: H'' jumps */
             continue;
-        double noise = 1e-15 * (fabs(at.H1) + g.reach) / h;
-        assert_same("H2", &g, at.H2, (above.H1 - below.H1) / (2 * h), fabs(at.H2) + noise / 1e-4, 1e-4);
+        double noise = 1e-15 * (fabs(at.H1) + geometry.reach) / h;
+        assert_same("H2", &geometry, at.H2, (above.H1 - below.H1) / (2 * h), fabs(at.H2) + noise / 1e-4,
+                    1e-4);
         compared++;
     }
     assert_true(compared > TRAINS * 9 / 10);
@@ -166,21 +168,23 @@ static void one_top_where_it_is_said(void **state)
     int single = 0;
     for (int i = 0; i < 10 * TRAINS; i++) {
         struct tilt head;
-        struct lean g = random_lean(&seed, 1e-12, &head);
+        struct geometry geometry = random_geometry(&seed, 1e-12, &head);
         struct barrier b;
         if (i % 4 == 0)
-            g.n = 2;
-        assert_status(barrier_search(&g, tilt_angle(g.c), TOP_TOL(&g), &b), DOM_OK);
-        assert_true(b.height <= barrier_most(&g) * (1 + 1e-14));
-        if (!barrier_single(&g))
+            geometry.n = 2;
+        assert_status(barrier_search(&geometry, tilt_angle(geometry.c), TOP_TOL(&geometry), &b), DOM_OK);
+        assert_true(b.height <= barrier_most(&geometry) * (1 + 1e-14));
+        if (!barrier_single(&geometry))
             continue;
         single++;
         for (int k = 0; k <= 16; k++) {
             struct sums at;
-            assert_status(chain_bend_from(&g, upright, tilt_half(half_of_u(&g) * k / 16), &at), DOM_OK);
+            assert_status(chain_second_derivative_from(&geometry, upright,
+                                                       tilt_half(half_of_u(&geometry) * k / 16), &at),
+                          DOM_OK);
             if (!(at.H2 < 0))
-                fail_msg("s %.17g r %.17g d %.17g q %.17g: H2 = %g at %d/16 of theta_u", g.s, g.r, g.d, g.q,
-                         at.H2, k);
+                fail_msg("s %.17g r %.17g d %.17g q %.17g: H2 = %g at %d/16 of theta_u", geometry.s,
+                         geometry.r, geometry.d, geometry.q, at.H2, k);
         }
     }
     print_message("# one top for sure: %d of %d\n", single, 10 * TRAINS);

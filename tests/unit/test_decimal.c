@@ -4,7 +4,7 @@
 
 #include "answer/cell.h"
 #include "language/decimal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #undef fabs
 #undef pow
 
@@ -23,8 +23,8 @@ static double random_double(int k)
     if (k % 4 == 0)
         return ldexp((double)(random_bits() % 64), (int)(random_bits() % 90) - 45);
     if (k % 4 == 1)
-        return (double)(random_bits() % 1000000) / wide(pow)(10, (double)(random_bits() % 12));
-    return (k % 8 < 4 ? 1 : -1) * fraction * wide(pow)(10, size);
+        return (double)(random_bits() % 1000000) / quad(pow)(10, (double)(random_bits() % 12));
+    return (k % 8 < 4 ? 1 : -1) * fraction * quad(pow)(10, size);
 }
 
 static void one_text(double value)
@@ -35,7 +35,7 @@ static void one_text(double value)
         if (decimal_text(value, digits, quick))
             assert_string_equal(quick, printed);
         else
-            assert_false(wide(fabs)(value) >= 1.5e-11 && wide(fabs)(value) < 1e15);
+            assert_false(quad(fabs)(value) >= 1.5e-11 && quad(fabs)(value) < 1e15);
     }
 }
 
@@ -94,9 +94,9 @@ static void hard_numbers(void **state)
         one_text(-hard[i]);
     }
     for (int e = -40; e <= 52; e++) {
-        double power = ldexp(1, e), ten = wide(pow)(10, e / 3.0);
-        double near[] = {power, nextafter(power, 0), nextafter(power, HUGE_VAL), wide(round)(ten),
-                         nextafter(wide(round)(ten), 0)};
+        double power = ldexp(1, e), ten = quad(pow)(10, e / 3.0);
+        double near[] = {power, nextafter(power, 0), nextafter(power, HUGE_VAL), quad(round)(ten),
+                         nextafter(quad(round)(ten), 0)};
         for (size_t i = 0; i < sizeof near / sizeof *near; i++) {
             one_text(near[i]);
             one_shortest(near[i]);
@@ -114,21 +114,21 @@ static void hard_numbers(void **state)
 #if defined DOM_REAL_FLOAT128
 extern int strfromf128(char *restrict text, size_t size, const char *restrict format, dom_real value);
 
-static void print_wide(char *text, size_t size, int digits, dom_real value)
+static void print_quad(char *text, size_t size, int digits, dom_real value)
 {
     char format[16];
     snprintf(format, sizeof format, "%%.%dg", digits);
     strfromf128(text, size, format, value);
 }
 #else
-static void print_wide(char *text, size_t size, int digits, dom_real value)
+static void print_quad(char *text, size_t size, int digits, dom_real value)
 {
     snprintf(text, size, "%.*Lg", digits, value);
 }
 #endif
 
 /* Wider numbers in few digits, those close to a tie too, which no double tells. */
-static void wide_numbers(void **state)
+static void quad_numbers(void **state)
 {
     (void)state;
     char quick[WIDE_TEXT], printed[64];
@@ -141,8 +141,8 @@ static void wide_numbers(void **state)
         else
             value = (dom_real)(double)((float)(k % 1000) + 0.5F) + (k % 2 ? 1 : -1) * (dom_real)1e-25;
         for (int digits = 1; digits <= 20; digits++) {
-            print_wide(printed, sizeof printed, digits, value);
-            assert_string_equal(wide_text(value, digits, quick), printed);
+            print_quad(printed, sizeof printed, digits, value);
+            assert_string_equal(quad_text(value, digits, quick), printed);
         }
     }
 }
@@ -166,7 +166,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_numbers),
         cmocka_unit_test(hard_numbers),
-        cmocka_unit_test(wide_numbers),
+        cmocka_unit_test(quad_numbers),
         cmocka_unit_test(cells_return),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

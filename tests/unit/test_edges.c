@@ -119,7 +119,7 @@ static void reached_with_the_last_tip(void **state)
     for (int k = 0; k < 6; k++) {
         assert_near("barrier", at.fall[k].barrier, (double)before.fall[k].barrier, 1e-4);
         assert_near("duration", at.fall[k].duration, (double)before.fall[k].duration, 1e-4);
-        assert_true(at.fall[k].rubbed == 0);
+        assert_true(at.fall[k].friction_work == 0);
     }
 }
 

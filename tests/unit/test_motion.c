@@ -224,7 +224,7 @@ static void time_is_the_sum_of_slowness(void **state)
 {
     (void)state;
     uint64_t seed = 47;
-    int passed = 0, stopped = 0, rubbed = 0;
+    int passed = 0, stopped = 0, friction_work = 0;
     for (int i = 0; i < 800; i++) {
         struct dom_train train;
         struct dom_event events[DOM_EVENTS_MAX];
@@ -254,10 +254,10 @@ static void time_is_the_sum_of_slowness(void **state)
         assert_status(dom_cycle_state(&train, end - h, &s, NULL), DOM_OK);
         assert_near("the rest", events[n - 1].time - s.time, 2 * h / sqrt((double)s.omegasq), 1e-3);
         stopped++;
-        rubbed += train.mu > 0;
+        friction_work += train.mu > 0;
     }
-    print_message("# %d tilts, %d stops, %d with friction\n", passed, stopped, rubbed);
-    assert_true(passed > 60 && stopped > 15 && rubbed > 5);
+    print_message("# %d tilts, %d stops, %d with friction\n", passed, stopped, friction_work);
+    assert_true(passed > 60 && stopped > 15 && friction_work > 5);
 }
 
 /* Of a train that stops just below the top: double against quad. */

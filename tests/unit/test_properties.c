@@ -13,12 +13,12 @@ static void inertia_shifts_by_one(void **state)
     uint64_t seed = 1;
     for (int i = 0; i < TRAINS; i++) {
         struct dom_train train = random_train(&seed);
-        struct lean lean;
+        struct geometry geometry;
         struct sums at_0, at_c;
-        assert_status(lean_make(&train, &lean), DOM_OK);
-        assert_status(chain_sum(&lean, (struct tilt){0, 1, 0}, &at_0), DOM_OK);
-        assert_status(chain_sum(&lean, lean.c, &at_c), DOM_OK);
-        assert_near("J(0)", at_0.J, 1 + lean.inertia * at_c.J, 1e-13);
+        assert_status(geometry_make(&train, &geometry), DOM_OK);
+        assert_status(chain_sum(&geometry, (struct tilt){0, 1, 0}, &at_0), DOM_OK);
+        assert_status(chain_sum(&geometry, geometry.c, &at_c), DOM_OK);
+        assert_near("J(0)", at_0.J, 1 + geometry.inertia * at_c.J, 1e-13);
     }
 }
 
@@ -33,16 +33,16 @@ static void slope_is_derivative_of_energy(void **state)
     int checked = 0;
     for (int i = 0; i < TRAINS; i++) {
         struct dom_train train = random_train(&seed);
-        struct lean g;
+        struct geometry geometry;
         struct sums left, here, right;
-        assert_status(lean_make(&train, &g), DOM_OK);
-        double theta_c = tilt_angle(g.c), theta = theta_c * (0.1 + 0.8 * random_unit(&seed)),
+        assert_status(geometry_make(&train, &geometry), DOM_OK);
+        double theta_c = tilt_angle(geometry.c), theta = theta_c * (0.1 + 0.8 * random_unit(&seed)),
                h = 1e-5 * theta;
-        if (g.falls_off && fabs(theta - tilt_angle(g.leave)) < 0.05 * theta_c)
+        if (geometry.detaches && fabs(theta - tilt_angle(geometry.leave)) < 0.05 * theta_c)
             continue;
-        chain_rise(&g, tilt_make(sin(theta - h), cos(theta - h)), &left, NULL);
-        chain_rise(&g, tilt_make(sin(theta), cos(theta)), &here, NULL);
-        chain_rise(&g, tilt_make(sin(theta + h), cos(theta + h)), &right, NULL);
+        chain_energy_change(&geometry, tilt_make(sin(theta - h), cos(theta - h)), &left, NULL);
+        chain_energy_change(&geometry, tilt_make(sin(theta), cos(theta)), &here, NULL);
+        chain_energy_change(&geometry, tilt_make(sin(theta + h), cos(theta + h)), &right, NULL);
         double scale = fabs(here.H1) + train.d + sin(theta);
         if (!(fabs((right.dH - left.dH) / (2 * h) - here.H1) <= 1e-5 * scale))
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: %g, not %g", (double)train.s,
@@ -63,22 +63,22 @@ static void energy_agrees_with_its_definition(void **state)
     uint64_t seed = 3;
     for (int i = 0; i < TRAINS; i++) {
         struct dom_train train = random_train(&seed);
-        struct lean g;
+        struct geometry geometry;
         struct sums sums;
-        assert_status(lean_make(&train, &g), DOM_OK);
-        double theta = random_unit(&seed) * tilt_angle(g.c), H[2] = {0, 0}, size = 0;
+        assert_status(geometry_make(&train, &geometry), DOM_OK);
+        double theta = random_unit(&seed) * tilt_angle(geometry.c), H[2] = {0, 0}, size = 0;
         struct tilt head = tilt_make(sin(theta), cos(theta));
-        assert_status(chain_rise(&g, head, &sums, NULL), DOM_OK);
+        assert_status(chain_energy_change(&geometry, head, &sums, NULL), DOM_OK);
         for (int k = 0; k < 2; k++) {
-            struct link link = link_head(&g, k ? head : (struct tilt){0, 1, 0});
+            struct link link = link_head(&geometry, k ? head : (struct tilt){0, 1, 0});
             for (size_t n = 0; n < 4000; n++) {
                 struct tilt t = link.tilt;
-                H[k] += link.weight * (t.y + g.d * t.x);
+                H[k] += link.weight * (t.y + geometry.d * t.x);
                 size += link.weight;
                 if (!link.leads) {
                     /* Fallen off before, they stand at theta_f in both sums, down to no weight. */
-                    for (double w = link.weight * g.weight; n < 4000; n++, w *= g.weight) {
-                        H[k] += w * (g.f.y + g.d * g.f.x);
+                    for (double w = link.weight * geometry.weight; n < 4000; n++, w *= geometry.weight) {
+                        H[k] += w * (geometry.f.y + geometry.d * geometry.f.x);
                         size += w;
                     }
                     break;
@@ -87,7 +87,7 @@ static void energy_agrees_with_its_definition(void **state)
             }
         }
         /* What 4000 dominoes leave out is below rounding here, since s >= 3e-3. */
-        if (!(fabs(H[1] - H[0] - sums.dH) <= 4e-15 * size * (1 + g.d)))
+        if (!(fabs(H[1] - H[0] - sums.dH) <= 4e-15 * size * (1 + geometry.d)))
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: dH %.17g, by definition %.17g",
                      (double)train.s, (double)train.r, (double)train.d, (double)train.q, theta, sums.dH,
                      H[1] - H[0]);
@@ -145,7 +145,7 @@ static void cycle_closes(void **state)
         J_c = energy.J;
         T *= J_c;
         assert_near("collision", T * sqrt(train.r * w), launch.J0 * sqrt(launch.omegasq), 1e-11);
-        assert_near("keeps", launch.keeps * sqrt(train.r * w), sqrt(launch.omegasq), 1e-11);
+        assert_near("keeps", launch.velocity_ratio * sqrt(train.r * w), sqrt(launch.omegasq), 1e-11);
         closed++;
     }
     assert_true(closed > TRAINS / 4);
@@ -335,15 +335,15 @@ static void tolerance_decides_the_work(void **state)
     size_t total[4] = {0};
     for (int i = 0; i < TRAINS; i++) {
         struct dom_train train = random_train(&seed);
-        struct lean g;
+        struct geometry geometry;
         struct sums exact, sums;
-        assert_status(lean_make(&train, &g), DOM_OK);
-        double theta = random_unit(&seed) * tilt_angle(g.c);
+        assert_status(geometry_make(&train, &geometry), DOM_OK);
+        double theta = random_unit(&seed) * tilt_angle(geometry.c);
         struct tilt head = tilt_make(sin(theta), cos(theta));
-        assert_status(chain_rise(&g, head, &exact, NULL), DOM_OK);
+        assert_status(chain_energy_change(&geometry, head, &exact, NULL), DOM_OK);
         for (int k = 0; k < 4; k++) {
-            g.tol = tols[k];
-            assert_status(chain_rise(&g, head, &sums, NULL), DOM_OK);
+            geometry.tol = tols[k];
+            assert_status(chain_energy_change(&geometry, head, &sums, NULL), DOM_OK);
             assert_near("J at tol", sums.J, exact.J, tols[k]);
             assert_near("dH at tol", sums.dH, exact.dH, tols[k]);
             total[k] += sums.n;

@@ -24,8 +24,8 @@ static void check_geometry(const struct csv *csv, const struct dom_train *train,
     assert_near("theta_c", angles.theta_c, csv_number(csv, "theta_c"), bound);
     assert_near("theta_f", angles.theta_f, csv_number(csv, "theta_f"), bound);
     double leave = csv_number(csv, "theta_leave");
-    assert_int_equal(angles.falls_off, !isnan(leave));
-    if (angles.falls_off)
+    assert_int_equal(angles.detaches, !isnan(leave));
+    if (angles.detaches)
         assert_near("theta_leave", angles.theta_leave, leave, bound);
     assert_status(dom_contact_find(train, theta, &first, NULL), DOM_OK);
     assert_near("theta_1", first.theta_1, csv_number(csv, "theta_1"), bound);

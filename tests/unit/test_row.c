@@ -118,7 +118,7 @@ static void near_here(const char *what, const struct run *run, size_t k, double 
  */
 static void compare(const struct run *run, const struct newton *n, size_t hits)
 {
-    double rubbed = 0, spare = INFINITY;
+    double friction_work = 0, spare = INFINITY;
     for (size_t k = 0; k < hits; k++) {
         const struct dom_fall *f = &run->fall[k];
         const struct direct_hit *h = &n->hit[k];
@@ -127,8 +127,9 @@ static void compare(const struct run *run, const struct newton *n, size_t hits)
         near_here("omega", run, k, f->omega, h->omega, h->omega, bound);
         near_here("kinetic", run, k, f->kinetic, h->kinetic, h->kinetic, bound);
         near_here("lost", run, k, f->lost, h->kinetic_before - h->kinetic, h->kinetic_before, bound);
-        near_here("rubbed", run, k, rubbed, h->rubbed, h->kinetic_before + rubbed, bound);
-        rubbed += (double)f->rubbed;
+        near_here("rubbed", run, k, friction_work, h->friction_work, h->kinetic_before + friction_work,
+                  bound);
+        friction_work += (double)f->friction_work;
         if (f->kinetic > 0)
             spare = fmin(spare, fabs((double)(f->margin / f->kinetic)));
     }
@@ -341,14 +342,14 @@ static void energy_is_kept(void **state)
             if (next->moving != f->moving + 1)
                 continue;
             double rises = potential(&run, k, f->moving, f->theta) - potential(&run, k, f->moving, 0);
-            double open = (double)(f->kinetic - f->rubbed - next->kinetic - next->lost) - rises;
+            double open = (double)(f->kinetic - f->friction_work - next->kinetic - next->lost) - rises;
             double size = (double)f->kinetic + fabs(rises);
-            if (!(fabs(open) <= 1e-12 * size) || next->lost < 0 || f->rubbed < -1e-12 * size)
+            if (!(fabs(open) <= 1e-12 * size) || next->lost < 0 || f->friction_work < -1e-12 * size)
                 fail_msg("domino %zu: open %g of %g, lost %g, rubbed %g", k + 1, open, size,
-                         (double)next->lost, (double)f->rubbed);
+                         (double)next->lost, (double)f->friction_work);
             assert_near("the margin", f->kinetic - f->barrier, f->margin, 1e-9);
             if (run.row.mu == 0)
-                assert_true(fabs((double)f->rubbed) <= 1e-12 * size);
+                assert_true(fabs((double)f->friction_work) <= 1e-12 * size);
             checked++;
         }
     }

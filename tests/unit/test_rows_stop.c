@@ -48,7 +48,7 @@ static void make_row(struct run *run, double size[][3], size_t count, double pus
  * tilt.  Whoever is turned back by its leader has fallen off, and stays as high as it was, and so do those
  * that lean on it.
  */
-static double highest_rise(const struct run *run, size_t k, size_t moving)
+static double highest_energy_change(const struct run *run, size_t k, size_t moving)
 {
     double end = k + 1 < run->row.count ? asin(run->domino[k + 1].gap / run->domino[k].height) : M_PI_2;
     double first = k + 1 - moving, at_most[MOST] = {0}, start = 0, top = 0, before[2] = {0};
@@ -127,7 +127,7 @@ static void short_of_the_highest_everywhere(void **state)
             continue;
         const struct dom_fall *last = &run.fall[run.falls - 1];
         size_t before = run.falls > 1 ? run.fall[run.falls - 2].moving : 0;
-        double rise = highest_rise(&run, run.falls - 1, last->moving);
+        double rise = highest_energy_change(&run, run.falls - 1, last->moving);
         double bound = run.row.precision == DOM_FLOAT ? 2e-4 : 1e-6;
         if (!(fabs(rise - (double)last->barrier) <= bound * fmax(rise, last->kinetic)))
             fail_msg("row %d: barrier %.10g, on a grid %.10g", i, (double)last->barrier, rise);

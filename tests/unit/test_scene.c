@@ -116,7 +116,7 @@ static void contacts_are_on_back_faces(void **state)
             here++;
         }
         /* Where followers fall off, the head may be alone by then. */
-        assert_true(here > 0 || v.angles.falls_off || v.scene.count == 3);
+        assert_true(here > 0 || v.angles.detaches || v.scene.count == 3);
         contacts += here;
     }
     print_message("# %d contacts, at most %.2g of the bound off\n", contacts, most);
@@ -264,7 +264,7 @@ static void what_has_fallen_off_lies(void **state)
     train.r = 1.84;
     train.q = 3;
     assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
-    assert_true(angles.falls_off && angles.theta_leave < 1);
+    assert_true(angles.detaches && angles.theta_leave < 1);
     assert_status(scene_make(&train, 1, 0, &scene), DOM_OK);
     assert_false(scene.domino[1].touched);
     assert_true(scene.count > 4);

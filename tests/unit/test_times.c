@@ -108,7 +108,7 @@ static void stops_have_times(void **state)
 {
     (void)state;
     uint64_t seed = 82;
-    int stops = 0, at_reach = 0, rubbed = 0;
+    int stops = 0, at_reach = 0, friction_work = 0;
     for (int i = 0; i < 1500; i++) {
         struct dom_train train;
         struct dom_event events[DOM_EVENTS_MAX];
@@ -133,10 +133,10 @@ static void stops_have_times(void **state)
             fail_train("time", &train, (double)stop, (double)events[n - 1].time, 0);
         stops++;
         at_reach += i % 5 == 0;
-        rubbed += train.mu > 0;
+        friction_work += train.mu > 0;
     }
-    print_message("# %d stops, %d at the reach, %d with friction\n", stops, at_reach, rubbed);
-    assert_true(stops > 200 && at_reach > 50 && rubbed > 80);
+    print_message("# %d stops, %d at the reach, %d with friction\n", stops, at_reach, friction_work);
+    assert_true(stops > 200 && at_reach > 50 && friction_work > 80);
 }
 
 /* Slight motions with friction that are used up at once: double and float against quad. */

@@ -15,7 +15,7 @@ enum { GSL_SAMPLES = 16, GSL_ITERATIONS = 200, GSL_INTERVALS = 1000 };
 
 struct gsl_context {
     const struct dom_train *train;
-    struct lean lean;
+    struct geometry geometry;
     double kinetic;
     enum dom_status status;
 };
@@ -26,9 +26,9 @@ static double gsl_depth(double theta, void *context)
     struct gsl_context *c = context;
     struct tilt head;
     struct sums at = {0};
-    c->status = lean_tilt(&c->lean, theta, &head);
+    c->status = geometry_tilt(&c->geometry, theta, &head);
     if (c->status == DOM_OK)
-        c->status = chain_rise(&c->lean, head, &at, NULL);
+        c->status = chain_energy_change(&c->geometry, head, &at, NULL);
     return -at.dH;
 }
 
@@ -55,7 +55,7 @@ static enum dom_status gsl_polish(struct gsl_context *c, double left, double mid
 
 static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
 {
-    double theta_c = tilt_angle(c->lean.c), step = theta_c / GSL_SAMPLES;
+    double theta_c = tilt_angle(c->geometry.c), step = theta_c / GSL_SAMPLES;
     int top = 0;
     *b = (struct barrier){.theta_m = 0, .height = 0};
     c->status = DOM_OK;
@@ -80,9 +80,9 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
 static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier *b)
 {
     struct launch launch = {0};
-    enum dom_status status = lean_set(&c->lean, (double)c->train->s, r);
+    enum dom_status status = geometry_set(&c->geometry, (double)c->train->s, r);
     if (status == DOM_OK)
-        status = collision_launch(&c->lean, c->train->fuel, &launch, NULL);
+        status = collision_launch(&c->geometry, c->train->fuel, &launch, NULL);
     if (status == DOM_OK)
         status = gsl_barrier(c, b);
     c->kinetic = launch.kinetic;
@@ -92,7 +92,7 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
 static enum dom_status gsl_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
                                         struct dom_barrier *error)
 {
-    struct gsl_context c = {.train = train, .lean = lean_read(train)};
+    struct gsl_context c = {.train = train, .geometry = geometry_read(train)};
     struct barrier b;
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     if (status != DOM_OK || error)
@@ -134,7 +134,7 @@ static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_
     if (error)
         return DOM_NO_METHOD;
     quiet_begin();
-    struct gsl_context c = {.train = train, .lean = lean_read(train)};
+    struct gsl_context c = {.train = train, .geometry = geometry_read(train)};
     double reach = 1 / (double)train->s, r = reach, at_1 = gsl_margin(1, &c);
     enum dom_end ends = DOM_END_REACH;
     if (c.status == DOM_OK && at_1 < 0) {
@@ -157,9 +157,9 @@ static double gsl_slowness(double theta, void *context)
     struct gsl_context *c = context;
     struct tilt head;
     struct sums at = {.J = 1};
-    c->status = lean_tilt(&c->lean, theta, &head);
+    c->status = geometry_tilt(&c->geometry, theta, &head);
     if (c->status == DOM_OK)
-        c->status = chain_rise(&c->lean, head, &at, NULL);
+        c->status = chain_energy_change(&c->geometry, head, &at, NULL);
     return sqrt(at.J / (c->kinetic - at.dH));
 }
 
@@ -167,7 +167,7 @@ static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_rea
 {
     if (error)
         return DOM_NO_METHOD;
-    struct gsl_context c = {.train = train, .lean = lean_read(train)};
+    struct gsl_context c = {.train = train, .geometry = geometry_read(train)};
     struct barrier b;
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     if (status != DOM_OK || c.kinetic < b.height)
@@ -178,8 +178,8 @@ static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_rea
     gsl_function f = {gsl_slowness, &c};
     quiet_begin();
     double value = 0, estimate = 0, tol = fmax((double)train->tol, 50 * REAL_EPSILON);
-    int code =
-        gsl_integration_qags(&f, 0, tilt_angle(c.lean.c), 0, tol, GSL_INTERVALS, space, &value, &estimate);
+    int code = gsl_integration_qags(&f, 0, tilt_angle(c.geometry.c), 0, tol, GSL_INTERVALS, space, &value,
+                                    &estimate);
     quiet_end();
     gsl_integration_workspace_free(space);
     if (c.status == DOM_OK && code == GSL_SUCCESS)

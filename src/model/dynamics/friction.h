@@ -41,7 +41,7 @@ struct flow {
      * A(0) - 1 = r^-(q+1) S_1(0) A(theta_c): of the momentum of the train the collision keeps A(0) - 1 of
      * A(0). It is not positive where friction locks: the force on the struck domino passes behind its hinge.
      */
-    real T;
+    real inertia_ratio;
     real J0, J_c; /* J(0), and J(theta_c) of the hitting train */
 };
 
@@ -49,7 +49,7 @@ struct flow {
 #define FLOW(name) struct flow name __attribute__((cleanup(flow_free))) = {.solution = {.panel = NULL}}
 KERNEL void flow_free(struct flow *flow);
 
-struct law {
+struct equation_of_motion {
     real A, B, C;
     /* Of all terms, whatever their signs, and more where an arm b cancels: what roundings are relative to. */
     real A_size, B_size, C_size;
@@ -57,41 +57,43 @@ struct law {
     size_t n;   /* dominoes followed */
 };
 
-KERNEL enum dom_status friction_law(const struct lean *lean, struct tilt head, struct law *law);
+KERNEL enum dom_status friction_equation_of_motion(const struct geometry *geometry, struct tilt head,
+                                                   struct equation_of_motion *equation_of_motion);
 
 /* C alone, which vanishes at the top of a barrier; at tol = 1 its sign is right, from few dominoes. */
-KERNEL enum dom_status friction_drive(const struct lean *lean, struct tilt head, real tol, real *C);
+KERNEL enum dom_status friction_drive(const struct geometry *geometry, struct tilt head, real tol, real *C);
 
 /* The flow of the lean over [0, theta_c], unless it is there already, with the edges between smooth parts. */
-KERNEL enum dom_status friction_flow(const struct lean *lean);
+KERNEL enum dom_status friction_flow(const struct geometry *geometry);
 
 /*
  * The same over [lo, *hi] alone, with u from lo on, and J there in the place of J(0).  DOM_LOCKS: A vanishes
  * before *hi, which becomes the last tilt before that, to the tolerance; the flow holds up to there.
  */
-KERNEL enum dom_status friction_flow_piece(const struct lean *lean, real J, real lo, real *hi);
+KERNEL enum dom_status friction_flow_piece(const struct geometry *geometry, real J, real lo, real *hi);
 
 /*
  * A slight motion from lo, the tilt `from`, that is used up before *hi is lost in the rounding of the whole
  * flow: then this one becomes that of the first part alone, and *hi its end.
  */
-KERNEL enum dom_status friction_flow_spent(const struct lean *lean, struct tilt from, real lo, real omegasq,
-                                           real *hi);
+KERNEL enum dom_status friction_flow_spent(const struct geometry *geometry, struct tilt from, real lo,
+                                           real omegasq, real *hi);
 
 /* ln G and u at a tilt of the head. */
-KERNEL void friction_at(const struct lean *lean, real theta, real *ln_G, real *u);
+KERNEL void friction_at(const struct geometry *geometry, real theta, real *ln_G, real *u);
 
 /* du/dtheta there. */
-KERNEL enum dom_status friction_rate(const struct lean *lean, struct tilt head, real theta, real *rate);
+KERNEL enum dom_status friction_rate(const struct geometry *geometry, struct tilt head, real theta,
+                                     real *rate);
 
 /* J(0) u: the kinetic energy that it takes to come to a tilt. */
-KERNEL real friction_climb(const struct lean *lean, real theta);
+KERNEL real friction_climb(const struct geometry *geometry, real theta);
 
 /* w at the tilt `by` before `end`, of a motion that is used up there: G (u(end) - u), where nothing cancels.
  */
-KERNEL real friction_left(const struct lean *lean, real end, real by);
+KERNEL real friction_left(const struct geometry *geometry, real end, real by);
 
 /* w = G (w(0) - u) at a tilt. */
-KERNEL real friction_omegasq(const struct lean *lean, real omegasq_0, real theta);
+KERNEL real friction_omegasq(const struct geometry *geometry, real omegasq_0, real theta);
 
 #endif

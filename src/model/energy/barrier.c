@@ -17,16 +17,16 @@ static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30
                                                         0.69134f, 0.85355f, 0.96194f};
 
 struct slope_context {
-    const struct lean *lean;
+    const struct geometry *geometry;
     struct tilt from; /* heights are over that of the train there */
     real known;       /* a top that is not climbed again, tan(theta / 2); negative for none */
     enum dom_status status;
 };
 
 /* With friction it is u that rises and falls: C in the place of -H'/2. */
-static enum dom_status rubbing_slope(const struct lean *g, struct tilt head, real tol, real *slope)
+static enum dom_status rubbing_slope(const struct geometry *geometry, struct tilt head, real tol, real *slope)
 {
-    enum dom_status status = friction_drive(g, head, tol, slope);
+    enum dom_status status = friction_drive(geometry, head, tol, slope);
     *slope *= -2;
     return status;
 }
@@ -35,10 +35,10 @@ static enum dom_status rubbing_slope(const struct lean *g, struct tilt head, rea
 static real slope_of_H(real p, void *context)
 {
     struct slope_context *c = context;
-    const struct lean *g = c->lean;
+    const struct geometry *geometry = c->geometry;
     struct sums sums = {0};
-    c->status =
-        g->mu > 0 ? rubbing_slope(g, tilt_half(p), g->tol, &sums.H1) : chain_sum(g, tilt_half(p), &sums);
+    c->status = geometry->mu > 0 ? rubbing_slope(geometry, tilt_half(p), geometry->tol, &sums.H1)
+                                 : chain_sum(geometry, tilt_half(p), &sums);
     return c->status == DOM_OK ? sums.H1 : REAL_NAN;
 }
 
@@ -46,8 +46,8 @@ static real slope_of_H(real p, void *context)
 static real rises(real p, struct slope_context *c)
 {
     real H1 = 0;
-    c->status = c->lean->mu > 0 ? rubbing_slope(c->lean, tilt_half(p), 1, &H1)
-                                : chain_sign(c->lean, tilt_half(p), &H1);
+    c->status = c->geometry->mu > 0 ? rubbing_slope(c->geometry, tilt_half(p), 1, &H1)
+                                    : chain_sign(c->geometry, tilt_half(p), &H1);
     return H1;
 }
 
@@ -64,10 +64,10 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
 {
     struct sums sums = {0};
     enum dom_status status = DOM_OK;
-    if (c->lean->mu > 0)
-        sums.dH = friction_climb(c->lean, 2 * atan(p));
+    if (c->geometry->mu > 0)
+        sums.dH = friction_climb(c->geometry, 2 * atan(p));
     else
-        status = chain_rise_from(c->lean, c->from, tilt_half(p), &sums);
+        status = chain_energy_change_from(c->geometry, c->from, tilt_half(p), &sums);
     if (status == DOM_OK)
         barrier_keep(b, p, sums.dH);
     return status;
@@ -90,16 +90,16 @@ static void top_step(struct top *top, struct sums at)
     bool up = at.H1 > 0;
     top->rises = top->rises || up;
     top->falls = top->falls || !up;
-    real turn = -at.H1 / at.H2, next = p + turn * (1 + p * p) / 2;
+    real contact = -at.H1 / at.H2, next = p + contact * (1 + p * p) / 2;
     if (p == (up ? top->hi : top->lo)) { /* the end is the top */
         next = p;
-        turn = 0;
+        contact = 0;
     }
     *(up ? &top->lo : &top->hi) = p;
-    bool newton = turn == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi);
+    bool newton = contact == 0 || (at.H2 < 0 && next >= top->lo && next <= top->hi);
     if (!newton)
         next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
-    top->height = newton ? at.dH + at.H1 * turn / 2 : at.dH;
+    top->height = newton ? at.dH + at.H1 * contact / 2 : at.dH;
     top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / next;
     top->p = next;
 }
@@ -118,7 +118,7 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         if (at)
             here = *at;
         else
-            status = chain_bend_from(c->lean, c->from, tilt_half(top->p), &here);
+            status = chain_second_derivative_from(c->geometry, c->from, tilt_half(top->p), &here);
         if (status != DOM_OK)
             return status;
         at = NULL;
@@ -143,7 +143,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     if (c->status != DOM_OK)
         return;
     struct sample next = {p, rises(p, c)};
-    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && c->lean->mu > 0) {
+    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && c->geometry->mu > 0) {
         real half = 0;
         enum num_status status =
             num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &half);
@@ -162,15 +162,15 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
 }
 
 /* Behind theta_u the head falls, and all of its followers are behind it: H falls as well. */
-static bool falls_behind(const struct lean *g)
+static bool falls_behind(const struct geometry *geometry)
 {
-    return g->mu == 0 && !g->behind && g->c.x > g->d * g->c.y;
+    return geometry->mu == 0 && !geometry->behind && geometry->c.x > geometry->d * geometry->c.y;
 }
 
 /* tan(theta_u / 2), tan theta_u = d (b2). */
-static real half_of_u(const struct lean *g)
+static real half_of_u(const struct geometry *geometry)
 {
-    return g->d / (1 + g->reach);
+    return geometry->d / (1 + geometry->reach);
 }
 
 /*
@@ -180,10 +180,11 @@ static real half_of_u(const struct lean *g)
  * the concavity than the sum of r^(-q i) times that, where the sum of i w^i is w / (1 - w)^2.  One that
  * leaves only takes less.
  */
-KERNEL bool barrier_single(const struct lean *g)
+KERNEL bool barrier_single(const struct geometry *geometry)
 {
-    real apart = 1 - g->weight;
-    return falls_behind(g) && g->rL * g->weight < apart * apart * sqrt(g->leave_at);
+    real apart = 1 - geometry->weight;
+    return falls_behind(geometry) &&
+           geometry->rL * geometry->weight < apart * apart * sqrt(geometry->leave_at);
 }
 
 /*
@@ -193,13 +194,13 @@ KERNEL bool barrier_single(const struct lean *g)
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool upright, real tol,
                                     struct barrier *b)
 {
-    const struct lean *g = c->lean;
-    if (c->from.x == 0 && falls_behind(g))
-        hi = fmin(hi, half_of_u(g));
+    const struct geometry *geometry = c->geometry;
+    if (c->from.x == 0 && falls_behind(geometry))
+        hi = fmin(hi, half_of_u(geometry));
     if (hi <= lo)
         return DOM_OK;
     struct sample last = {lo, rises(lo, c)};
-    real finest = (g->short_of > 0 ? fmin(g->d, sqrt(g->short_of)) : g->d) / 32;
+    real finest = (geometry->short_of > 0 ? fmin(geometry->d, sqrt(geometry->short_of)) : geometry->d) / 32;
     for (real p = finest; upright && p < (real)sample_place[0] * (hi - lo) && p > lo; p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
     for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
@@ -210,12 +211,12 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-KERNEL enum dom_status barrier_piece(const struct lean *g, struct tilt from, real lo, real hi,
+KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
                                      struct barrier *b)
 {
-    struct slope_context c = {.lean = g, .from = from, .known = -1};
+    struct slope_context c = {.geometry = geometry, .from = from, .known = -1};
     *b = (struct barrier){.theta_m = lo, .half = half_of_tilt(from), .edge = {lo, hi}, .edges = 2};
-    enum dom_status status = barrier_scan(&c, b->half, tan(hi / 2), lo == 0, g->tol / 8, b);
+    enum dom_status status = barrier_scan(&c, b->half, tan(hi / 2), lo == 0, geometry->tol / 8, b);
     if (b->height > 0)
         b->theta_m = fmin(2 * atan(b->half), hi);
     return status;
@@ -230,13 +231,14 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
 }
 
 /* Of all smooth pieces, where b->half is known already, if it is not 0. */
-static enum dom_status barrier_pieces(const struct lean *g, real end, real tol, struct barrier *b)
+static enum dom_status barrier_pieces(const struct geometry *geometry, real end, real tol, struct barrier *b)
 {
-    enum dom_status status = chain_edges(g, end, b->edge, &b->edges);
-    struct slope_context c = {.lean = g, .from = standing, .known = b->half > 0 ? b->half : -1};
+    enum dom_status status = chain_edges(geometry, end, b->edge, &b->edges);
+    struct slope_context c = {.geometry = geometry, .from = standing, .known = b->half > 0 ? b->half : -1};
     real lo = b->edge[0];
-    if (status == DOM_OK && barrier_single(g))
-        status = c.known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(g)), tol, b);
+    if (status == DOM_OK && barrier_single(geometry))
+        status =
+            c.known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(geometry)), tol, b);
     else
         for (int i = 1; status == DOM_OK && i < b->edges; i++) {
             real hi = tan(b->edge[i] / 2);
@@ -247,58 +249,60 @@ static enum dom_status barrier_pieces(const struct lean *g, real end, real tol, 
     return status;
 }
 
-KERNEL enum dom_status barrier_search(const struct lean *g, real end, real tol, struct barrier *barrier)
+KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
+                                      struct barrier *barrier)
 {
-    enum dom_status status = g->mu > 0 ? friction_flow(g) : DOM_OK;
+    enum dom_status status = geometry->mu > 0 ? friction_flow(geometry) : DOM_OK;
     *barrier = (struct barrier){.theta_m = 0, .height = 0};
-    return status == DOM_OK ? barrier_pieces(g, end, tol, barrier) : status;
+    return status == DOM_OK ? barrier_pieces(geometry, end, tol, barrier) : status;
 }
 
-KERNEL enum dom_status barrier_tops(const struct lean *g, struct barrier *b)
+KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b)
 {
     struct barrier tops = *b;
     if (tops.height <= 0) /* upright it stands higher */
         tops.height = tops.half = 0;
-    enum dom_status status =
-        barrier_single(g) ? DOM_OK : barrier_pieces(g, tilt_angle(g->c), TOP_TOL(g), &tops);
+    enum dom_status status = barrier_single(geometry) ? DOM_OK
+                                                      : barrier_pieces(geometry, tilt_angle(geometry->c),
+                                                                       TOP_TOL(geometry), &tops);
     if (status == DOM_OK)
         *b = tops;
     return status;
 }
 
 /* tan(theta / 2) of the last tilt at which H may rise. */
-static real half_of_highest(const struct lean *g)
+static real half_of_highest(const struct geometry *geometry)
 {
-    return falls_behind(g) ? half_of_u(g) : half_of_tilt(g->c);
+    return falls_behind(geometry) ? half_of_u(geometry) : half_of_tilt(geometry->c);
 }
 
-static real half_near(const struct lean *g, const struct barrier *b)
+static real half_near(const struct geometry *geometry, const struct barrier *b)
 {
-    real last = half_of_highest(g);
+    real last = half_of_highest(geometry);
     return b->half > 0 ? fmin(b->half, last) : last / 2;
 }
 
-KERNEL struct tilt barrier_near(const struct lean *g, const struct barrier *b)
+KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b)
 {
-    return tilt_half(half_near(g, b));
+    return tilt_half(half_near(geometry, b));
 }
 
-KERNEL bool barrier_follow(const struct lean *g, const struct sums *at, struct barrier *b)
+KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, struct barrier *b)
 {
-    struct slope_context c = {.lean = g, .from = standing, .known = -1};
-    struct top top = {.hi = half_of_highest(g), .p = half_near(g, b)};
-    if (barrier_climb(&c, at, &top, TOP_TOL(g)) != DOM_OK)
+    struct slope_context c = {.geometry = geometry, .from = standing, .known = -1};
+    struct top top = {.hi = half_of_highest(geometry), .p = half_near(geometry, b)};
+    if (barrier_climb(&c, at, &top, TOP_TOL(geometry)) != DOM_OK)
         return false;
     b->half = top.p;
     b->height = top.height;
     return true;
 }
 
-KERNEL real barrier_most(const struct lean *g)
+KERNEL real barrier_most(const struct geometry *geometry)
 {
     /* Every domino moves no farther than to where its follower was at first, and weighs no less: all together
      * they rise by less than one from upright to theta_u would, h(theta_u) - 1. */
-    return g->d * half_of_u(g);
+    return geometry->d * half_of_u(geometry);
 }
 
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)
@@ -311,39 +315,41 @@ KERNEL real balance_tol(real tol, real left, real whole)
     return left > whole / 4 ? tol : fmin(tol, fmax(tol * left / whole, 4 * REAL_EPSILON));
 }
 
-KERNEL enum dom_status barrier_balance(struct lean *g, enum dom_fuel fuel, real end, struct launch *launch,
-                                       struct launch *error, struct barrier *b)
+KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
+                                       struct launch *launch, struct launch *error, struct barrier *b)
 {
     real asked;
     do {
-        enum dom_status status = collision_launch(g, fuel, launch, error);
+        enum dom_status status = collision_launch(geometry, fuel, launch, error);
         if (status == DOM_OK)
-            status = barrier_search(g, end, g->tol / 8, b);
+            status = barrier_search(geometry, end, geometry->tol / 8, b);
         if (status != DOM_OK || launch->fuel <= 0)
             return status;
-        asked = g->tol;
-        g->tol = balance_tol(asked, fabs(launch->kinetic - b->height), launch->kinetic);
-    } while (g->tol < asked / 4);
+        asked = geometry->tol;
+        geometry->tol = balance_tol(asked, fabs(launch->kinetic - b->height), launch->kinetic);
+    } while (geometry->tol < asked / 4);
     return DOM_OK;
 }
 
-KERNEL real barrier_width(const struct lean *g, struct tilt from, const struct barrier *b, real margin)
+KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
+                          real margin)
 {
     struct sums at;
-    if (g->mu > 0 || b->height <= 0 || chain_bend_from(g, from, tilt_half(b->half), &at) != DOM_OK)
+    if (geometry->mu > 0 || b->height <= 0 ||
+        chain_second_derivative_from(geometry, from, tilt_half(b->half), &at) != DOM_OK)
         return REAL_NAN;
     bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
 /* H' at a tilt: its sign, 0 where rounding hides it, and its size. */
-static enum dom_status sure_slope(const struct lean *g, real theta, int *sign, real *size)
+static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
     struct tilt head;
     struct sums at, e;
-    enum dom_status status = lean_tilt(g, theta, &head);
+    enum dom_status status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(g, head, &at, &e);
+        status = chain_energy_change(geometry, head, &at, &e);
     if (status != DOM_OK)
         return status;
     *sign = at.H1 > e.H1 ? 1 : at.H1 < -e.H1 ? -1 : 0;
@@ -356,18 +362,18 @@ static enum dom_status sure_slope(const struct lean *g, real theta, int *sign, r
  * sure this far behind, or there the cycle begins or ends.  By H'' that is where H' has changed by twice what
  * may be wrong with it; where H'' jumps or vanishes, the distance is doubled until it is.
  */
-static enum dom_status top_error(const struct lean *g, real theta, real first, real last, real *error,
-                                 real *steepest)
+static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
+                                 real *error, real *steepest)
 {
     struct tilt head;
     struct sums at;
     int sign = 0;
     real size = 0, least = 8 * UNIT * theta;
-    enum dom_status status = sure_slope(g, theta, &sign, steepest);
+    enum dom_status status = sure_slope(geometry, theta, &sign, steepest);
     if (status == DOM_OK)
-        status = lean_tilt(g, theta, &head);
+        status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = chain_bend_from(g, standing, head, &at);
+        status = chain_second_derivative_from(geometry, standing, head, &at);
     if (status != DOM_OK)
         return status;
     *error = least;
@@ -379,10 +385,10 @@ static enum dom_status top_error(const struct lean *g, real theta, real first, r
         real lo = theta - off, hi = theta + off;
         int before = 1, behind = -1;
         if (lo > first)
-            status = sure_slope(g, lo, &before, &size);
+            status = sure_slope(geometry, lo, &before, &size);
         *steepest = fmax(*steepest, size);
         if (status == DOM_OK && hi < last)
-            status = sure_slope(g, hi, &behind, &size);
+            status = sure_slope(geometry, hi, &behind, &size);
         if (status != DOM_OK)
             return status;
         *steepest = fmax(*steepest, size);
@@ -392,22 +398,24 @@ static enum dom_status top_error(const struct lean *g, real theta, real first, r
     return DOM_OK;
 }
 
-KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier *b, struct barrier *error)
+KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *b,
+                                     struct barrier *error)
 {
     struct tilt head;
     struct sums at, e;
     real steepest = 0;
     *error = (struct barrier){.theta_m = 0, .height = 0};
-    if (g->mu > 0)
+    if (geometry->mu > 0)
         error->theta_m = error->height = REAL_NAN;
-    if (g->mu > 0)
+    if (geometry->mu > 0)
         return DOM_OK;
     real first = b->edge[0], theta = fmax(b->theta_m, first);
-    enum dom_status status = top_error(g, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
+    enum dom_status status =
+        top_error(geometry, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
     if (status == DOM_OK)
-        status = lean_tilt(g, theta, &head);
+        status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(g, head, &at, &e);
+        status = chain_energy_change(geometry, head, &at, &e);
     if (status == DOM_OK && error->theta_m > 0)
         error->height = e.dH + steepest * error->theta_m;
     return status;
@@ -416,17 +424,18 @@ KERNEL enum dom_status barrier_error(const struct lean *g, const struct barrier 
 KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
                                     struct dom_barrier *error)
 {
-    struct lean g;
+    struct geometry geometry;
     struct barrier b, b_error;
     struct launch l, l_error;
     FLOW(flow);
-    enum dom_status status = lean_make(train, &g);
+    enum dom_status status = geometry_make(train, &geometry);
     if (status == DOM_OK)
-        lean_flow(&g, &flow);
+        geometry_flow(&geometry, &flow);
     if (status == DOM_OK)
-        status = barrier_balance(&g, train->fuel, tilt_angle(g.c), &l, error ? &l_error : NULL, &b);
+        status =
+            barrier_balance(&geometry, train->fuel, tilt_angle(geometry.c), &l, error ? &l_error : NULL, &b);
     if (status == DOM_OK && error)
-        status = barrier_error(&g, &b, &b_error);
+        status = barrier_error(&geometry, &b, &b_error);
     if (status != DOM_OK)
         return status;
     enum dom_status verdict = barrier_verdict(&l, &b);

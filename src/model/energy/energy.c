@@ -1,43 +1,47 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "energy/energy.h"
 
-KERNEL real energy_fuel_paper(const struct lean *g)
+KERNEL real energy_fuel_paper(const struct geometry *geometry)
 {
-    real s = g->s, d = g->d;
+    real s = geometry->s, d = geometry->d;
     /* 1 - h(theta_f) = sin theta_f (tan(theta_f / 2) - d). */
-    if (g->falls_off)
-        return g->f.x * (g->f.x / (1 + g->f.y) - d);
+    if (geometry->detaches)
+        return geometry->f.x * (geometry->f.x / (1 + geometry->f.y) - d);
     /* 1 - h(theta_inf), rationalized: it keeps its digits near P = 0, s = 2 d^3 / (1 - d^2). */
-    return s * fma(s, (1 - d) * (1 + d), -2 * d * d * d) / (g->L * (s + d * g->L * g->inf.x));
+    return s * fma(s, (1 - d) * (1 + d), -2 * d * d * d) /
+           (geometry->L * (s + d * geometry->L * geometry->inf.x));
 }
 
 /* Of the above: the roundings of the two terms whose difference it is, and the error of theta_f. */
-static real fuel_paper_error(const struct lean *g)
+static real fuel_paper_error(const struct geometry *geometry)
 {
-    real s = g->s, d = g->d;
-    if (g->falls_off) {
-        real rises = d * g->f.y + g->f.x, half = g->f.x / (1 + g->f.y);
-        return rises * lean_error_f(g) + 12 * UNIT * g->f.x * (half + d);
+    real s = geometry->s, d = geometry->d;
+    if (geometry->detaches) {
+        real rises = d * geometry->f.y + geometry->f.x, half = geometry->f.x / (1 + geometry->f.y);
+        return rises * geometry_error_f(geometry) + 12 * UNIT * geometry->f.x * (half + d);
     }
     real made_of = s * fabs((1 - d) * (1 + d)) + 2 * d * d * d;
-    return 4 * UNIT * s * made_of / (g->L * (s + d * g->L * g->inf.x)) +
-           10 * UNIT * fabs(energy_fuel_paper(g));
+    return 4 * UNIT * s * made_of / (geometry->L * (s + d * geometry->L * geometry->inf.x)) +
+           10 * UNIT * fabs(energy_fuel_paper(geometry));
 }
 
-KERNEL struct fuel fuel_of(const struct lean *g, const struct sums *at_c)
+KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c)
 {
-    return (struct fuel){.exact = -at_c->dH, .paper = energy_fuel_paper(g), .T = g->inertia * at_c->J};
+    return (struct fuel){.exact = -at_c->dH,
+                         .paper = energy_fuel_paper(geometry),
+                         .inertia_ratio = geometry->inertia * at_c->J};
 }
 
-KERNEL enum dom_status energy_fuel(const struct lean *g, struct fuel *fuel, struct fuel *error)
+KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error)
 {
     struct sums at_c, e;
-    enum dom_status status = chain_fall(g, &at_c, error ? &e : NULL);
+    enum dom_status status = chain_fall(geometry, &at_c, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
-    *fuel = fuel_of(g, &at_c);
+    *fuel = fuel_of(geometry, &at_c);
     if (error) {
-        *error = (struct fuel){e.dH, fuel_paper_error(g), g->inertia * e.J + 4 * UNIT * fuel->T};
+        *error = (struct fuel){e.dH, fuel_paper_error(geometry),
+                               geometry->inertia * e.J + 4 * UNIT * fuel->inertia_ratio};
     }
     return DOM_OK;
 }
@@ -47,11 +51,11 @@ KERNEL enum dom_status energy_fuel(const struct lean *g, struct fuel *fuel, stru
 KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
                                  struct dom_fuels *error)
 {
-    struct lean g;
+    struct geometry geometry;
     struct fuel fuel, e;
-    enum dom_status status = lean_make(train, &g);
+    enum dom_status status = geometry_make(train, &geometry);
     if (status == DOM_OK)
-        status = energy_fuel(&g, &fuel, error ? &e : NULL);
+        status = energy_fuel(&geometry, &fuel, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *fuels = (struct dom_fuels){.exact = fuel.exact, .paper = fuel.paper};
@@ -63,19 +67,20 @@ KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels
 KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta, struct dom_energy *energy,
                                    struct dom_energy *error)
 {
-    struct lean g;
+    struct geometry geometry;
     struct tilt head;
     struct sums at, e;
     struct fuel fuel, fuel_error;
-    enum dom_status status = lean_make_tilted(train, theta, &g, &head);
+    enum dom_status status = geometry_make_tilted(train, theta, &geometry, &head);
     if (status == DOM_OK)
-        status = chain_rise(&g, head, &at, error ? &e : NULL);
+        status = chain_energy_change(&geometry, head, &at, error ? &e : NULL);
     if (status == DOM_OK)
-        status = energy_fuel(&g, &fuel, error ? &fuel_error : NULL);
+        status = energy_fuel(&geometry, &fuel, error ? &fuel_error : NULL);
     if (status != DOM_OK)
         return status;
-    *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = 1 + fuel.T};
+    *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = 1 + fuel.inertia_ratio};
     if (error)
-        *error = (struct dom_energy){.dH = e.dH, .J = e.J, .J0 = fuel_error.T + UNIT * (1 + fuel.T)};
+        *error = (struct dom_energy){
+            .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};
     return DOM_OK;
 }

@@ -2,46 +2,48 @@
 #include "geometry/bound.h"
 
 /* Of Y, the arm and the step of the lean on this domino. */
-static void bound_lean(const struct lean *g, const struct link *k, struct bound *b)
+static void bound_geometry(const struct geometry *geometry, const struct link *k, struct bound *b)
 {
     b->Y = b->arm = b->step = 0;
     if (!k->leads)
         return;
     if (k->tilt.x == 0) {
-        b->Y = b->arm = 6 * UNIT * k->turn.Y;
+        b->Y = b->arm = 6 * UNIT * k->contact.Y;
         return;
     }
-    real X = fabs(k->turn.X), Y = k->turn.Y, arm = k->turn.arm, rLx = g->r * g->L * k->tilt.x;
-    real of_rLx = g->r * g->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
+    real X = fabs(k->contact.X), Y = k->contact.Y, arm = k->contact.arm,
+         rLx = geometry->r * geometry->L * k->tilt.x;
+    real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    if (2 * rLx <= Y) { /* as in lean_turn: the slope is 1 - r L x / Y, in which little of Y counts */
+    if (2 * rLx <= Y) { /* as in geometry_contact: the slope is 1 - r L x / Y, in which little of Y counts */
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
         return;
     }
-    real part = g->leave_by * (k->tilt.x * b->angle + 6 * UNIT * k->tilt.v) + 4 * UNIT * g->leave_at;
+    real part =
+        geometry->leave_by * (k->tilt.x * b->angle + 6 * UNIT * k->tilt.v) + 4 * UNIT * geometry->leave_at;
     b->arm = (part + arm * (b->Y + of_rLx)) / (Y + rLx) + 2 * UNIT * arm;
     b->step = (b->arm + k->step * b->Y) / Y + UNIT * k->step;
 }
 
-KERNEL struct bound bound_head(const struct lean *g, const struct link *head, real angle)
+KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle)
 {
     struct bound b = {.angle = angle};
-    bound_lean(g, head, &b);
+    bound_geometry(geometry, head, &b);
     return b;
 }
 
-KERNEL void bound_next(const struct lean *g, const struct link *leader, const struct link *follower,
-                       struct bound *b)
+KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
+                       const struct link *follower, struct bound *b)
 {
     /* X and Y each carry 4 units of the positive terms that they are made of. */
-    real made_of = g->r * (g->s + g->L * leader->tilt.v);
-    real turn = 4 * UNIT * leader->turn.Y * (made_of + fabs(leader->turn.X));
-    b->angle = leader->step * b->angle + turn + 5 * UNIT * follower->tilt.x;
+    real made_of = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
+    real contact = 4 * UNIT * leader->contact.Y * (made_of + fabs(leader->contact.X));
+    b->angle = leader->step * b->angle + contact + 5 * UNIT * follower->tilt.x;
     b->slope = leader->step * b->slope + leader->slope * b->step + UNIT * follower->slope;
     b->weight += 3 * UNIT;
     b->inertia += 4 * UNIT;
-    bound_lean(g, follower, b);
+    bound_geometry(geometry, follower, b);
 }
 
 KERNEL real bound_J(const struct link *k, const struct bound *b)
@@ -50,38 +52,40 @@ KERNEL real bound_J(const struct link *k, const struct bound *b)
     return k->inertia * (slope * (2 * b->slope + slope * (b->inertia + 3 * UNIT)) + b->slope * b->slope);
 }
 
-KERNEL real bound_H1(const struct lean *g, const struct link *k, const struct bound *b)
+KERNEL real bound_H1(const struct geometry *geometry, const struct link *k, const struct bound *b)
 {
-    real lift = g->d * k->tilt.y - k->tilt.x, made_of = g->d * k->tilt.y + k->tilt.x;
-    real lift_error = (g->d * k->tilt.x + k->tilt.y) * b->angle + 3 * UNIT * made_of;
+    real lift = geometry->d * k->tilt.y - k->tilt.x, made_of = geometry->d * k->tilt.y + k->tilt.x;
+    real lift_error = (geometry->d * k->tilt.x + k->tilt.y) * b->angle + 3 * UNIT * made_of;
     return k->weight *
            (fabs(lift) * (b->slope + k->slope * (b->weight + 2 * UNIT)) + (k->slope + b->slope) * lift_error);
 }
 
-KERNEL real bound_rise(const struct lean *g, struct tilt a, struct tilt b, real angle_a, real angle_b, real t,
-                       real t_error)
+KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
+                                real angle_b, real t, real t_error)
 {
-    real cosines = g->d * (a.y + b.y), sines = a.x + b.x;
-    real lift_error =
-        (g->d * a.x + a.y) * angle_a + (g->d * b.x + b.y) * angle_b + 4 * UNIT * (cosines + sines);
+    real cosines = geometry->d * (a.y + b.y), sines = a.x + b.x;
+    real lift_error = (geometry->d * a.x + a.y) * angle_a + (geometry->d * b.x + b.y) * angle_b +
+                      4 * UNIT * (cosines + sines);
     return fabs(cosines - sines) * t_error + (fabs(t) + t_error) * lift_error;
 }
 
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error)
 {
-    real Y = a->turn.Y + b->turn.Y, F = (a->turn.arm + b->turn.arm) / Y;
+    real Y = a->contact.Y + b->contact.Y, F = (a->contact.arm + b->contact.arm) / Y;
     if (t == 0)
         return t_error;
     real of_F = (bound_a->arm + bound_b->arm + F * (bound_a->Y + bound_b->Y)) / Y + 3 * UNIT * F;
     return F * (t_error + 6 * UNIT * fabs(t)) + fabs(t) * (1 + t * t) * of_F;
 }
 
-KERNEL real bound_leaving(const struct lean *g, const struct link *leader, const struct bound *b, real t_f)
+KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader, const struct bound *b,
+                          real t_f)
 {
-    real rL = g->r * g->L, x = leader->tilt.x, sines = g->leave.x + x, arm = leader->turn.arm;
+    real rL = geometry->r * geometry->L, x = leader->tilt.x, sines = geometry->leave.x + x,
+         arm = leader->contact.arm;
     if (t_f == 0 || arm == 0)
         return b->arm;
-    real of_whole = (b->Y + rL * leader->tilt.y * b->angle) / (leader->turn.Y + rL * x);
+    real of_whole = (b->Y + rL * leader->tilt.y * b->angle) / (leader->contact.Y + rL * x);
     return fabs(t_f) * (2 * b->arm / arm + 2 * of_whole + leader->tilt.y * b->angle / sines + 24 * UNIT);
 }

@@ -17,26 +17,26 @@ struct bound {
     real inertia;
 };
 
-KERNEL struct bound bound_head(const struct lean *lean, const struct link *head, real angle);
+KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
 
 /* From domino i, as it was before link_next, to domino i + 1, as it is now. */
-KERNEL void bound_next(const struct lean *lean, const struct link *leader, const struct link *follower,
-                       struct bound *bound);
+KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
+                       const struct link *follower, struct bound *bound);
 
 /* Of the terms of J and of dH/dtheta. */
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
-KERNEL real bound_H1(const struct lean *lean, const struct link *link, const struct bound *bound);
+KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 
 /* Of h(A) - h(B) of one domino at the tilts a and b, from t = tan((A - B)/2), with the error of t. */
-KERNEL real bound_rise(const struct lean *lean, struct tilt a, struct tilt b, real angle_a, real angle_b,
-                       real t, real t_error);
+KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
+                                real angle_b, real t, real t_error);
 
-/* Of the t of the followers of a and b (chain_rise). */
+/* Of the t of the followers of a and b (chain_energy_change). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 
-/* Of the half turn t_f of a follower that leaves its leader (chain_rise). */
-KERNEL real bound_leaving(const struct lean *lean, const struct link *leader, const struct bound *bound,
-                          real t_f);
+/* Of the half turn t_f of a follower that leaves its leader (chain_energy_change). */
+KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader,
+                          const struct bound *bound, real t_f);
 
 #endif

@@ -2,18 +2,18 @@
 #include "geometry/chain.h"
 #include "geometry/bound.h"
 
-KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, real *H1)
+KERNEL enum dom_status chain_sign(const struct geometry *geometry, struct tilt head, real *H1)
 {
     struct sum_state a = {0};
     struct sums sums;
-    struct link k = link_head(g, head);
+    struct link k = link_head(geometry, head);
     for (;;) {
-        enum dom_status status = chain_watch(g, k.i);
+        enum dom_status status = chain_watch(geometry, k.i);
         if (status != DOM_OK)
             return status;
         add_H1(&a, &k);
-        if (k.i + 1 >= g->n || !k.leads || done_H1(&a, &k, (real)0.75 / TAIL_SHARE)) {
-            status = sum_result(g, &a, 0, k.i + 1, &sums);
+        if (k.i + 1 >= geometry->n || !k.leads || done_H1(&a, &k, (real)0.75 / TAIL_SHARE)) {
+            status = sum_result(geometry, &a, 0, k.i + 1, &sums);
             *H1 = sums.H1;
             return status;
         }
@@ -21,58 +21,60 @@ KERNEL enum dom_status chain_sign(const struct lean *g, struct tilt head, real *
     }
 }
 
-KERNEL enum dom_status chain_sum(const struct lean *g, struct tilt head, struct sums *sums)
+KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
 {
     struct sum_state a = {0};
-    struct link k = link_head(g, head);
+    struct link k = link_head(geometry, head);
     for (;;) {
-        enum dom_status status = chain_watch(g, k.i);
+        enum dom_status status = chain_watch(geometry, k.i);
         if (status != DOM_OK)
             return status;
         add_J(&a, &k);
         add_H1(&a, &k);
-        if (k.i + 1 >= g->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, g->tol)))
-            return sum_result(g, &a, 0, k.i + 1, sums);
+        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
+            return sum_result(geometry, &a, 0, k.i + 1, sums);
         link_next(&k);
     }
 }
 
-KERNEL enum dom_status chain_leave(const struct lean *g, bool *leaves, struct tilt *head, size_t *domino)
+KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
+                                   size_t *domino)
 {
     *leaves = false;
-    if (!g->falls_off)
+    if (!geometry->detaches)
         return DOM_OK;
-    struct link b = link_head(g, standing);
+    struct link b = link_head(geometry, standing);
     real passed = 1; /* S_i: where dominoes rub it need not vanish with the slope */
     while (b.leads) {
-        enum dom_status status = chain_watch(g, b.i);
+        enum dom_status status = chain_watch(geometry, b.i);
         if (status != DOM_OK)
             return status;
         /* Whether a domino falls off that carries less than rounding changes nothing. */
-        if (b.i + 1 >= g->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
+        if (b.i + 1 >= geometry->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        passed = g->mu > 0 ? passed * fabs(torque_ratio(&b)) : 0;
+        passed = geometry->mu > 0 ? passed * fabs(torque_ratio(&b)) : 0;
         link_next(&b);
     }
     /* Domino b.i has no follower at 0: it falls off when domino b.i - 1 comes to theta_leave. */
-    *head = g->leave;
+    *head = geometry->leave;
     for (size_t i = b.i; i > 1; i--)
-        *head = lean_leader(g, *head);
+        *head = geometry_leader(geometry, *head);
     if (domino)
         *domino = b.i;
     *leaves = true;
     return DOM_OK;
 }
 
-KERNEL enum dom_status chain_edges(const struct lean *g, real end, real edge[CHAIN_EDGES], int *edges)
+KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
+                                   int *edges)
 {
     bool leaves;
     struct tilt leave;
-    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
+    enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
     if (status != DOM_OK)
         return status;
     /* At r s = 1 the follower is gone for every theta > 0: H' jumps at 0, and its right limit counts. */
-    edge[0] = g->short_of == 0 ? fmin(REAL_MIN, end) : 0;
+    edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
     *edges = 1;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
     if (theta_leave > edge[0] && theta_leave < end)
@@ -83,26 +85,27 @@ KERNEL enum dom_status chain_edges(const struct lean *g, real end, real edge[CHA
 
 /* ---- Public ---- */
 
-static struct dom_link link_public(const struct lean *g, const struct link *k)
+static struct dom_link link_public(const struct geometry *geometry, const struct link *k)
 {
-    real b = k->leads ? k->turn.Y / g->r : REAL_NAN; /* (table 1) */
+    real b = k->leads ? k->contact.Y / geometry->r : REAL_NAN; /* (table 1) */
     return (struct dom_link){
         .i = k->i,
         .theta = tilt_angle(k->tilt),
         .slope = k->slope,
-        .arm_a = k->leads ? k->turn.arm / g->r : REAL_NAN,
+        .arm_a = k->leads ? k->contact.arm / geometry->r : REAL_NAN,
         .arm_b = b,
         .weight = k->weight,
     };
 }
 
-static struct dom_link link_error(const struct lean *g, const struct link *k, const struct bound *e)
+static struct dom_link link_error(const struct geometry *geometry, const struct link *k,
+                                  const struct bound *e)
 {
-    real b = k->leads ? e->Y / g->r + UNIT * k->turn.Y / g->r : REAL_NAN;
+    real b = k->leads ? e->Y / geometry->r + UNIT * k->contact.Y / geometry->r : REAL_NAN;
     return (struct dom_link){
         .theta = e->angle + 2 * UNIT * tilt_angle(k->tilt),
         .slope = e->slope,
-        .arm_a = k->leads ? (e->arm + UNIT * k->turn.arm) / g->r : REAL_NAN,
+        .arm_a = k->leads ? (e->arm + UNIT * k->contact.arm) / geometry->r : REAL_NAN,
         .arm_b = b,
         .weight = e->weight * k->weight,
     };
@@ -111,48 +114,49 @@ static struct dom_link link_error(const struct lean *g, const struct link *k, co
 KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta, bool errors,
                                   dom_visit *visit, void *context)
 {
-    struct lean g;
+    struct geometry geometry;
     struct tilt head;
-    enum dom_status status = lean_make_tilted(train, theta, &g, &head);
+    enum dom_status status = geometry_make_tilted(train, theta, &geometry, &head);
     struct sums sums = {0};
     if (status == DOM_OK)
-        status = chain_sum(&g, head, &sums);
+        status = chain_sum(&geometry, head, &sums);
     if (status != DOM_OK)
         return status;
-    struct link k = link_head(&g, head);
-    struct bound e = bound_head(&g, &k, lean_error_head(head));
+    struct link k = link_head(&geometry, head);
+    struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
     for (;;) {
-        if (dom_raised(g.interrupt)) /* rows may be slower to write than to compute */
+        if (dom_raised(geometry.interrupt)) /* rows may be slower to write than to compute */
             return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&g, &k), error;
+        struct dom_link link = link_public(&geometry, &k), error;
         if (errors)
-            error = link_error(&g, &k, &e);
+            error = link_error(&geometry, &k, &e);
         if (!visit(&link, errors ? &error : NULL, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
         struct link leader = k;
         link_next(&k);
         if (errors)
-            bound_next(&g, &leader, &k, &e);
+            bound_next(&geometry, &leader, &k, &e);
     }
 }
 
 KERNEL enum dom_status contact_find(const struct dom_train *train, dom_real theta,
                                     struct dom_contact *contact, struct dom_contact *error)
 {
-    struct lean g;
+    struct geometry geometry;
     struct tilt head;
-    enum dom_status status = lean_make_tilted(train, theta, &g, &head);
+    enum dom_status status = geometry_make_tilted(train, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
-    struct link k = link_head(&g, head), leader = k;
-    struct dom_link link = link_public(&g, &k);
-    struct bound e = bound_head(&g, &k, lean_error_head(head));
-    struct dom_link link_bound = link_error(&g, &k, &e);
+    struct link k = link_head(&geometry, head), leader = k;
+    struct dom_link link = link_public(&geometry, &k);
+    struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
+    struct dom_link link_bound = link_error(&geometry, &k, &e);
     bool leads = k.leads;
-    real theta_1 = tilt_angle(g.f), slope = 0, angle_error = lean_error_f(&g), slope_error = 0;
+    real theta_1 = tilt_angle(geometry.f), slope = 0, angle_error = geometry_error_f(&geometry),
+         slope_error = 0;
     if (leads) {
         link_next(&k);
-        bound_next(&g, &leader, &k, &e);
+        bound_next(&geometry, &leader, &k, &e);
         theta_1 = tilt_angle(k.tilt);
         slope = k.slope;
         angle_error = e.angle;

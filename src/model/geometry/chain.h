@@ -11,36 +11,37 @@
 #include "numerics/numerics.h"
 
 /* The sign of H1 alone, right to rounding, from as few dominoes as show it. */
-KERNEL enum dom_status chain_sign(const struct lean *lean, struct tilt head, real *H1);
+KERNEL enum dom_status chain_sign(const struct geometry *geometry, struct tilt head, real *H1);
 
 /* J and H1. */
-KERNEL enum dom_status chain_sum(const struct lean *lean, struct tilt head, struct sums *sums);
+KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 
 /* J, H1 and dH; and, where error is not NULL, bounds of their errors (bound.h). */
-KERNEL enum dom_status chain_rise(const struct lean *lean, struct tilt head, struct sums *sums,
-                                  struct sums *error);
+KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
+                                           struct sums *sums, struct sums *error);
 
-/* chain_rise at theta_c, of an endless train: with every follower where its leader was, one chain serves. */
-KERNEL enum dom_status chain_fall(const struct lean *lean, struct sums *sums, struct sums *error);
+/* chain_energy_change at theta_c, of an endless train: with every follower where its leader was, one chain
+ * serves. */
+KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error);
 
 /* The same with H(theta) - H(from), of a train that nobody leaves in between, if from is not upright. */
-KERNEL enum dom_status chain_rise_from(const struct lean *lean, struct tilt from, struct tilt head,
-                                       struct sums *sums);
+KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry, struct tilt from,
+                                                struct tilt head, struct sums *sums);
 
 /* The same where the head is `by` farther than `from`, which may be less than what tells the two tilts apart.
  */
-KERNEL enum dom_status chain_rise_by(const struct lean *lean, struct tilt from, struct tilt head, real by,
-                                     struct sums *sums);
+KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,
+                                              struct tilt head, real by, struct sums *sums);
 
 /* With H2 as well. */
-KERNEL enum dom_status chain_bend_from(const struct lean *lean, struct tilt from, struct tilt head,
-                                       struct sums *sums);
+KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geometry, struct tilt from,
+                                                    struct tilt head, struct sums *sums);
 
 /*
- * chain_bend_from upright and chain_fall in one pass, where square roots of one chain are taken while those
- * of another wait: of an endless train from which nobody falls off.
+ * chain_second_derivative_from upright and chain_fall in one pass, where square roots of one chain are taken
+ * while those of another wait: of an endless train from which nobody falls off.
  */
-KERNEL enum dom_status chain_both(const struct lean *lean, struct tilt head, struct sums *sums,
+KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *fall);
 
 /*
@@ -48,14 +49,16 @@ KERNEL enum dom_status chain_both(const struct lean *lean, struct tilt head, str
  * the cycle.  domino, unless NULL, gets its number.  One at most does: the train at theta_c is the train at
  * 0, shifted by one.
  */
-KERNEL enum dom_status chain_leave(const struct lean *lean, bool *leaves, struct tilt *head, size_t *domino);
+KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
+                                   size_t *domino);
 
 /*
  * The tilts between which a train moves smoothly: edge[0] = 0, where a domino falls off before end, if one
  * does, and end; returns how many in *edges.
  */
 enum { CHAIN_EDGES = 3 };
-KERNEL enum dom_status chain_edges(const struct lean *lean, real end, real edge[CHAIN_EDGES], int *edges);
+KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
+                                   int *edges);
 
 /* What a search ends with: the model's own status, if its function failed, else the solver's. */
 static inline enum dom_status model_status(enum dom_status own, enum num_status solver)

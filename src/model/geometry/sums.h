@@ -6,10 +6,11 @@
 #include "geometry/link.h"
 
 struct sums {
-    real J;    /* (c2) */
-    real H1;   /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
-    real H2;   /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_bend_from */
-    real dH;   /* H(theta) - H(0), or from another tilt; only from chain_rise */
+    real J;  /* (c2) */
+    real H1; /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
+    real H2; /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_second_derivative_from
+              */
+    real dH; /* H(theta) - H(0), or from another tilt; only from chain_energy_change */
     real left; /* the part of it in a follower that has left during the cycle */
     size_t n;  /* dominoes followed */
 };
@@ -55,29 +56,29 @@ KERNEL real series_error(const struct series *s, bool ended)
     return 2 * UNIT * (fabs(s->sum) + UNIT * s->size) + tail;
 }
 
-KERNEL void chain_count(const struct lean *g, size_t n)
+KERNEL void chain_count(const struct geometry *geometry, size_t n)
 {
-    if (g->effort)
-        *g->effort += n;
-    if (!g->work)
+    if (geometry->effort)
+        *geometry->effort += n;
+    if (!geometry->work)
         return;
-    g->work->passes++;
-    g->work->dominoes += n;
-    g->work->longest = n > g->work->longest ? n : g->work->longest;
+    geometry->work->passes++;
+    geometry->work->dominoes += n;
+    geometry->work->longest = n > geometry->work->longest ? n : geometry->work->longest;
 }
 
 /* Checks every few thousand dominoes for an interrupt, and that the pass is not too long. */
-KERNEL_LOOP enum dom_status chain_watch(const struct lean *g, size_t i)
+KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
     if (i % 4096 != 0)
         return DOM_OK;
-    if (dom_raised(g->interrupt))
+    if (dom_raised(geometry->interrupt))
         return DOM_INTERRUPTED;
-    if (g->effort && *g->effort + i > g->effort_most)
+    if (geometry->effort && *geometry->effort + i > geometry->effort_most)
         return DOM_TOO_LONG;
     if (i < LINKS_MAX)
         return DOM_OK;
-    chain_count(g, i); /* a pass without a result costs as much */
+    chain_count(geometry, i); /* a pass without a result costs as much */
     return DOM_TOO_LONG;
 }
 
@@ -93,20 +94,21 @@ KERNEL_LOOP void add_J(struct sum_state *a, const struct link *k)
 
 KERNEL_LOOP void add_H1(struct sum_state *a, const struct link *k)
 {
-    series_add(&a->H1, k->weight * k->slope * (k->lean->d * k->tilt.y - k->tilt.x));
+    series_add(&a->H1, k->weight * k->slope * (k->geometry->d * k->tilt.y - k->tilt.x));
 }
 
 KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)
 {
-    const struct lean *g = k->lean;
+    const struct geometry *geometry = k->geometry;
     return series_done(&a->J, k->inertia * k->slope * k->slope,
-                       fmax(g->inertia * k->step * k->step, g->decay_J), g->tol);
+                       fmax(geometry->inertia * k->step * k->step, geometry->decay_J), geometry->tol);
 }
 
 KERNEL_LOOP bool done_H1(struct sum_state *a, const struct link *k, real tol)
 {
-    const struct lean *g = k->lean;
-    return series_done(&a->H1, k->weight * k->slope * g->reach, fmax(g->weight * k->step, g->decay), tol);
+    const struct geometry *geometry = k->geometry;
+    return series_done(&a->H1, k->weight * k->slope * geometry->reach,
+                       fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
 KERNEL struct sums sums_of(const struct sum_state *a, real H2, size_t n)
@@ -124,10 +126,10 @@ KERNEL bool sums_finite(const struct sums *sums)
     return isfinite(sums->J) && isfinite(sums->H1) && isfinite(sums->dH);
 }
 
-KERNEL enum dom_status sum_result(const struct lean *g, const struct sum_state *a, real H2, size_t n,
-                                  struct sums *sums)
+KERNEL enum dom_status sum_result(const struct geometry *geometry, const struct sum_state *a, real H2,
+                                  size_t n, struct sums *sums)
 {
-    chain_count(g, n);
+    chain_count(geometry, n);
     *sums = sums_of(a, H2, n);
     return sums_finite(sums) ? DOM_OK : DOM_NOT_FINITE;
 }

@@ -55,7 +55,7 @@ static real search_at(struct search *b, real s)
 static enum dom_status margin_of_s(struct margin_context *c, real s, real r, struct margin *m)
 {
     c->s = s;
-    *m = margin_rough(c, r, fmax((real)1e-6, c->lean.tol));
+    *m = margin_rough(c, r, fmax((real)1e-6, c->geometry.tol));
     if (c->status == DOM_NO_FUEL) {
         *m = (struct margin){.kinetic = -1};
         c->status = DOM_OK;
@@ -67,12 +67,12 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
-    struct lean at_lo = c->lean, at_hi = c->lean;
+    struct geometry at_lo = c->geometry, at_hi = c->geometry;
     struct strip strip;
     *stops = false;
-    enum dom_status status = lean_set(&at_lo, lo, r);
+    enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
-        status = lean_set(&at_hi, hi, r);
+        status = geometry_set(&at_hi, hi, r);
     /* At r = 1 the fuels agree, and P increases with s where it is positive. */
     if (status == DOM_OK && r == 1 && energy_fuel_paper(&at_hi) <= 0) {
         *stops = true;
@@ -116,8 +116,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
  * an end. */
 static real search_finest(const struct search *b)
 {
-    const struct lean *g = &b->c->lean;
-    real done = (real)*g->effort / (real)g->effort_most;
+    const struct geometry *geometry = &b->c->geometry;
+    real done = (real)*geometry->effort / (real)geometry->effort_most;
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
@@ -137,17 +137,17 @@ static enum dom_status search_between(struct search *b, real lo, real hi, real w
         if (k == 1 && (witness >= b->r_max || witness * hi > 1))
             break;
         status = margin_of_s(c, lo, r, &m);
-        if (status == DOM_OK && margin_left(&m) < 0)
+        if (status == DOM_OK && margin_value(&m) < 0)
             status = search_stops(c, lo, hi, r, &m, &stops);
     }
     if (status != DOM_OK || stops)
         return status;
     real middle = sqrt(lo * hi);
     status = margin_of_s(c, middle, fmax(b->r_max, 1), &m);
-    bool above = status == DOM_OK && margin_left(&m) >= 0;
+    bool above = status == DOM_OK && margin_value(&m) >= 0;
     if (above && witness < b->r_max) {
         status = margin_of_s(c, middle, witness, &m);
-        above = status == DOM_OK && margin_left(&m) >= 0;
+        above = status == DOM_OK && margin_value(&m) >= 0;
     }
     if (above) {
         real r_max = search_at(b, middle);
@@ -237,10 +237,10 @@ static void search_step(struct search *b)
     b->finer = 1;
     if (!(h > 0) || s + 4 * h >= 1 / r)
         return;
-    real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->lean);
+    real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->geometry);
     for (real share = 1; share > (real)1e-5 && b->c->status == DOM_OK; share /= 4) {
         real next = margin_slope_by(b->c, s, r, h * share / 4);
-        real wrong = fabs(next - last) + 16 * fmax(b->c->lean.tol, REAL_EPSILON) * K / (h * share);
+        real wrong = fabs(next - last) + 16 * fmax(b->c->geometry.tol, REAL_EPSILON) * K / (h * share);
         if (wrong < least) {
             least = wrong;
             b->finer = share;
@@ -255,7 +255,7 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
     real s = b->s, low = 0, high = 0, width;
-    c->lean.tol = (real)c->train->tol;
+    c->geometry.tol = (real)c->train->tol;
     /* As far away as it takes to be lower on both sides. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
@@ -279,7 +279,7 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
         return model_status(c->status, solver);
     search_at(b, top);
     /* The slope of the margin is a difference: it needs all digits. */
-    c->lean.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
+    c->geometry.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
     search_step(b);
     /* Values alone fix a smooth top to the root of their noise; a bracket of its slope begins beyond that. */
     for (width = 16 * sqrt(fmax(tol, REAL_EPSILON)); c->status == DOM_OK && width < (real)0.02; width *= 4) {
@@ -330,7 +330,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth && c->train->mu == 0) {
         real h = slope_step(s, r) * b->finer, width = 4 * h;
-        real bend = fabs(top_slope(s + width, b) - top_slope(s - width, b)) / (2 * width);
+        real second_derivative = fabs(top_slope(s + width, b) - top_slope(s - width, b)) / (2 * width);
         c->s = s;
         c->errors = true;
         margin_at(r, c);
@@ -341,7 +341,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         /* An r that is wrong moves the slope, too. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
-        s_error += 2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / bend;
+        s_error +=
+            2 * UNIT * s + (fabs(slope) + rule + (real)2.1 * wrong / h + by_r * r_error) / second_derivative;
     }
     if (c->status == DOM_OK && status == DOM_OK)
         r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));

@@ -71,13 +71,14 @@ static enum dom_status limit_fall(struct margin_context *c, const struct edge *f
 }
 
 /* First r >= from at which the margin is not negative, if there is one. */
-static enum dom_status limit_rise(struct margin_context *c, real from, struct edge *edge, bool *found)
+static enum dom_status limit_energy_change(struct margin_context *c, real from, struct edge *edge,
+                                           bool *found)
 {
     if (c->train->mu == 0)
-        return scan_rise(c, from, edge, found);
+        return scan_energy_change(c, from, edge, found);
     struct edge before;
     *edge = (struct edge){from, margin_sign(c, from)};
-    *found = c->status == DOM_OK && margin_left(&edge->margin) >= 0;
+    *found = c->status == DOM_OK && margin_value(&edge->margin) >= 0;
     if (c->status != DOM_OK || *found)
         return c->status;
     struct edge first = *edge;
@@ -87,16 +88,16 @@ static enum dom_status limit_rise(struct margin_context *c, real from, struct ed
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit, enum dom_status *why)
 {
     struct edge first = {.r = 1};
-    struct lean g = c->lean;
-    enum dom_status status = lean_set(&g, c->s, 1);
+    struct geometry geometry = c->geometry;
+    enum dom_status status = geometry_set(&geometry, c->s, 1);
     if (status != DOM_OK)
         return c->status = status;
     /* There P has a closed form, and K = P T, T >= 1. */
-    first.margin =
-        (struct margin){.kinetic = energy_fuel_paper(&g), .barrier = barrier_most(&g), .most = true};
+    first.margin = (struct margin){
+        .kinetic = energy_fuel_paper(&geometry), .barrier = barrier_most(&geometry), .most = true};
     if (c->train->mu > 0 || !(first.margin.kinetic > 2 * first.margin.barrier))
         first.margin = margin_sign(c, 1);
-    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_left(&first.margin) < 0)) {
+    if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;
         if (why)
             *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
@@ -116,9 +117,9 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit,
 
 KERNEL void limit_begin(struct margin_context *c, struct dom_work *work)
 {
-    c->lean.work = work;
-    c->lean.effort = &c->effort;
-    c->lean.effort_most = c->train->mu > 0 ? WORK_MOST_RUBBING : WORK_MOST;
+    c->geometry.work = work;
+    c->geometry.effort = &c->effort;
+    c->geometry.effort_most = c->train->mu > 0 ? WORK_MOST_RUBBING : WORK_MOST;
 }
 
 KERNEL void limit_end(const struct dom_train *train, const struct dom_work *work)
@@ -153,10 +154,10 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     bool any;
     *found = no_limit;
     /* (b0): below that growth domino 1 has not tipped over when it hits. */
-    real tips = fmax(c->lean.d / c->lean.reach / c->s, 1);
+    real tips = fmax(c->geometry.d / c->geometry.reach / c->s, 1);
     if (tips > 1 / c->s)
         return DOM_OK;
-    enum dom_status status = limit_rise(c, tips, &edge, &any);
+    enum dom_status status = limit_energy_change(c, tips, &edge, &any);
     return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;
 }
 

@@ -3,11 +3,11 @@
 
 /* The barrier that the kinetic energy is held against, as the context wants it; near: of barrier_near, or
  * NULL. */
-static enum dom_status margin_barrier(const struct lean *g, struct margin_context *c, const struct sums *near,
-                                      struct margin *m)
+static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
+                                      const struct sums *near, struct margin *m)
 {
     struct barrier *b = &c->barrier, b_error = {0};
-    real most = barrier_most(g), sure = 4 * g->tol;
+    real most = barrier_most(geometry), sure = 4 * geometry->tol;
     if (c->how == MARGIN_SIGN && m->kinetic * (1 - sure) > most) {
         m->barrier = most;
         m->most = true;
@@ -19,79 +19,83 @@ static enum dom_status margin_barrier(const struct lean *g, struct margin_contex
     }
     enum dom_status status = DOM_NOT_CONVERGED;
     if (c->how != MARGIN_SURE) {
-        bool top = barrier_follow(g, near, b);
+        bool top = barrier_follow(geometry, near, b);
         m->barrier = fmax(b->height, 0); /* that of the upright train */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
         if (top)
-            status = barrier_tops(g, b);
+            status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
         /* With friction the height is right to the second order of the tilt alone. */
-        status = barrier_search(g, tilt_angle(g->c), c->errors || g->mu > 0 ? g->tol / 8 : TOP_TOL(g), b);
+        status = barrier_search(geometry, tilt_angle(geometry->c),
+                                c->errors || geometry->mu > 0 ? geometry->tol / 8 : TOP_TOL(geometry), b);
     if (status == DOM_OK && c->errors)
-        status = barrier_error(g, b, &b_error);
+        status = barrier_error(geometry, b, &b_error);
     m->barrier = b->height;
     m->error += b_error.height;
     return status;
 }
 
 /* Of the endless train (c8, corrected). */
-static enum dom_status train_margin(const struct lean *g, struct margin_context *c, struct margin *m)
+static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
+                                    struct margin *m)
 {
     struct launch launch, error = {0};
     struct sums near, at_c;
     enum dom_fuel fuel = c->train->fuel;
     enum dom_status status;
-    bool both = c->how == MARGIN_FOLLOW && !g->falls_off;
+    bool both = c->how == MARGIN_FOLLOW && !geometry->detaches;
     /* At r = 1 the fuels agree, and the closed one needs no train. */
-    if (g->r == 1 && g->mu == 0 && energy_fuel_paper(g) <= 0)
+    if (geometry->r == 1 && geometry->mu == 0 && energy_fuel_paper(geometry) <= 0)
         return DOM_NO_FUEL;
     if (both) {
-        status = chain_both(g, barrier_near(g, &c->barrier), &near, &at_c);
+        status = chain_both(geometry, barrier_near(geometry, &c->barrier), &near, &at_c);
         if (status != DOM_OK)
             return status;
-        struct fuel f = fuel_of(g, &at_c);
-        launch = launch_of(g, fuel, &f);
+        struct fuel f = fuel_of(geometry, &at_c);
+        launch = launch_of(geometry, fuel, &f);
     } else {
-        status = collision_launch(g, fuel, &launch, c->errors ? &error : NULL);
+        status = collision_launch(geometry, fuel, &launch, c->errors ? &error : NULL);
     }
-    if (status == DOM_OK && g->r == 1 && launch.fuel <= 0)
+    if (status == DOM_OK && geometry->r == 1 && launch.fuel <= 0)
         return DOM_NO_FUEL;
     *m = (struct margin){.kinetic = launch.kinetic, .error = error.kinetic};
-    return status == DOM_OK ? margin_barrier(g, c, both ? &near : NULL, m) : status;
+    return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
 /* Sine and cosine of theta_c - theta_u: before theta_u domino 1 has not tipped over when it hits (b0). */
-static void pair_tips(const struct lean *g, real *sine, real *cosine)
+static void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
 {
-    real u = g->reach; /* h(theta_u) (b2) */
-    *sine = (g->c.x - g->d * g->c.y) / u;
-    *cosine = (g->c.y + g->d * g->c.x) / u;
+    real u = geometry->reach; /* h(theta_u) (b2) */
+    *sine = (geometry->c.x - geometry->d * geometry->c.y) / u;
+    *cosine = (geometry->c.y + geometry->d * geometry->c.x) / u;
 }
 
-KERNEL real pair_push(const struct lean *g)
+KERNEL real pair_push(const struct geometry *geometry)
 {
     real sine, cosine;
-    pair_tips(g, &sine, &cosine);
-    return sine > 0 ? g->reach * sine * sine / (1 + cosine) : 0;
+    pair_tips(geometry, &sine, &cosine);
+    return sine > 0 ? geometry->reach * sine * sine / (1 + cosine) : 0;
 }
 
 /* Of the pair after the collision (b13). */
-static enum dom_status pair_margin(const struct lean *g, struct margin_context *c, struct margin *m)
+static enum dom_status pair_margin(const struct geometry *geometry, struct margin_context *c,
+                                   struct margin *m)
 {
-    struct lean two = *g;
+    struct geometry two = *geometry;
     two.n = c->dominoes;
-    real u = g->reach, sine, cosine;
-    pair_tips(g, &sine, &cosine);
-    if (g->mu > 0) {
+    real u = geometry->reach, sine, cosine;
+    pair_tips(geometry, &sine, &cosine);
+    if (geometry->mu > 0) {
         enum dom_status status = friction_flow(&two);
         if (status != DOM_OK)
             return status;
     }
-    real k = g->inertia, T = g->mu > 0 ? g->flow->T : k, share = T / (1 + T); /* (b11) */
-    real kinetic = (1 + k) * g->r * pair_push(g) * share * share;
-    real sine_error = UNIT * (5 * g->c.x + 7 * g->d * g->c.y) / u, powers = 24 * UNIT;
+    real k = geometry->inertia, inertia_ratio = geometry->mu > 0 ? geometry->flow->inertia_ratio : k,
+         share = inertia_ratio / (1 + inertia_ratio); /* (b11) */
+    real kinetic = (1 + k) * geometry->r * pair_push(geometry) * share * share;
+    real sine_error = UNIT * (5 * geometry->c.x + 7 * geometry->d * geometry->c.y) / u, powers = 24 * UNIT;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
                   : (struct margin){.kinetic = 0};
     return margin_barrier(&two, c, NULL, m);
@@ -100,7 +104,7 @@ static enum dom_status pair_margin(const struct lean *g, struct margin_context *
 KERNEL struct margin_context margin_of_train(const struct dom_train *train)
 {
     return (struct margin_context){.train = train,
-                                   .lean = lean_read(train),
+                                   .geometry = geometry_read(train),
                                    .s = (real)train->s,
                                    .dominoes = CHAIN_ENDLESS,
                                    .margin = train_margin};
@@ -117,14 +121,14 @@ KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
 /* At the relative tolerance tol. */
 static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
 {
-    struct lean g = c->lean;
+    struct geometry geometry = c->geometry;
     FLOW(flow);
-    g.tol = tol;
-    c->status = lean_set(&g, c->s, r);
+    geometry.tol = tol;
+    c->status = geometry_set(&geometry, c->s, r);
     if (c->status == DOM_OK)
-        lean_flow(&g, &flow);
+        geometry_flow(&geometry, &flow);
     if (c->status == DOM_OK)
-        c->status = c->margin(&g, c, m);
+        c->status = c->margin(&geometry, c, m);
     c->locked = c->status == DOM_LOCKS;
     if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
         c->status = DOM_OK;
@@ -139,7 +143,7 @@ KERNEL real margin_at(real r, void *context)
     struct margin_context *c = context;
     struct margin m = {0};
     c->how = MARGIN_SURE;
-    return margin_to(c, r, c->lean.tol, &m) == DOM_OK ? margin_left(&m) : REAL_NAN;
+    return margin_to(c, r, c->geometry.tol, &m) == DOM_OK ? margin_value(&m) : REAL_NAN;
 }
 
 KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
@@ -155,17 +159,17 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
 KERNEL struct margin margin_sign(struct margin_context *c, real r)
 {
     struct margin m = {.kinetic = REAL_NAN};
-    real tol = fmax(ROUGH, c->lean.tol);
+    real tol = fmax(ROUGH, c->geometry.tol);
     c->how = c->train->mu > 0 ? MARGIN_SURE : MARGIN_SIGN;
     if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
         return m;
     c->how = MARGIN_SURE;
     /* As for barrier_verdict: what the two leave is known as well as they are, so no tolerance turns the
      * verdict.  Where the arithmetic gives nothing finer, what is known already counts. */
-    real asked = c->lean.tol, fine;
+    real asked = c->geometry.tol, fine;
     if (margin_to(c, r, asked, &m) != DOM_OK)
         return m;
-    while ((fine = balance_tol(asked, fabs(margin_left(&m)), fabs(m.kinetic))) < asked / 4) {
+    while ((fine = balance_tol(asked, fabs(margin_value(&m)), fabs(m.kinetic))) < asked / 4) {
         struct margin finer = {.kinetic = REAL_NAN};
         if (margin_to(c, r, fine, &finer) != DOM_OK) {
             c->status = c->status == DOM_NOT_CONVERGED ? DOM_OK : c->status;
@@ -188,7 +192,7 @@ KERNEL real margin_follow(real r, void *context)
 {
     struct margin_context *c = context;
     struct margin m = {0};
-    real tol = c->lean.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
+    real tol = c->geometry.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
     struct followed *last = c->last;
     if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r) /* as the last two tops say */
         c->barrier.half =
@@ -213,11 +217,11 @@ KERNEL real margin_follow(real r, void *context)
 
 KERNEL bool margin_highest(const struct margin_context *c, real r)
 {
-    struct lean g = c->lean;
+    struct geometry geometry = c->geometry;
     struct barrier b = c->nearest;
-    if (lean_set(&g, c->s, r) != DOM_OK)
+    if (geometry_set(&geometry, c->s, r) != DOM_OK)
         return false;
-    g.n = c->dominoes;
-    return barrier_tops(&g, &b) == DOM_OK &&
-           b.height <= c->nearest.height * (1 + fmax(g.tol, 4 * REAL_EPSILON));
+    geometry.n = c->dominoes;
+    return barrier_tops(&geometry, &b) == DOM_OK &&
+           b.height <= c->nearest.height * (1 + fmax(geometry.tol, 4 * REAL_EPSILON));
 }

@@ -15,7 +15,7 @@ struct margin {
     real error;
 };
 
-KERNEL real margin_left(const struct margin *m)
+KERNEL real margin_value(const struct margin *m)
 {
     return m->kinetic - m->barrier;
 }
@@ -23,15 +23,15 @@ KERNEL real margin_left(const struct margin *m)
 /* Between -1 and 1. */
 KERNEL real margin_share(const struct margin *m)
 {
-    return margin_left(m) / (fabs(m->kinetic) + m->barrier + REAL_MIN);
+    return margin_value(m) / (fabs(m->kinetic) + m->barrier + REAL_MIN);
 }
 
 struct margin_context {
     const struct dom_train *train;
-    struct lean lean; /* of the train, for any s and r */
-    size_t dominoes;  /* that are in motion: CHAIN_ENDLESS, or a pair */
+    struct geometry geometry; /* of the train, for any s and r */
+    size_t dominoes;          /* that are in motion: CHAIN_ENDLESS, or a pair */
     real s;
-    enum dom_status (*margin)(const struct lean *, struct margin_context *, struct margin *);
+    enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
     enum {
         MARGIN_SURE,   /* the barrier by a search for all tops */
         MARGIN_SIGN,   /* or, where that has the same sign, for the highest that it can be, or for one of its
@@ -58,7 +58,7 @@ KERNEL struct margin_context margin_of_pair(const struct dom_train *train);
 
 /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation: 0 where domino 1 has not tipped
  * over. */
-KERNEL real pair_push(const struct lean *lean);
+KERNEL real pair_push(const struct geometry *geometry);
 
 /* At r, to the train's tolerance; context is a margin_context. NaN, with its status, where it fails. */
 KERNEL real margin_at(real r, void *context);

@@ -41,19 +41,19 @@ static enum dom_status probe_sample(struct probe *p, real r, struct edge *edge)
 
 static bool probe_kept(const struct probe *p, const struct edge *edge)
 {
-    return (margin_left(&edge->margin) >= 0) == p->positive;
+    return (margin_value(&edge->margin) >= 0) == p->positive;
 }
 
 /*
  * Between two samples, of which the first has the sign: whether the margin keeps it, by the sample between
  * them; the half in doubt first where it comes first.
  */
-static enum dom_status probe_between(struct probe *p, const struct edge *lo, const struct edge *hi, real bend,
-                                     int halves)
+static enum dom_status probe_between(struct probe *p, const struct edge *lo, const struct edge *hi,
+                                     real second_derivative, int halves)
 {
     real at_lo = margin_share(&lo->margin), at_hi = margin_share(&hi->margin);
     bool kept = probe_kept(p, hi);
-    if (kept && fmin(fabs(at_lo), fabs(at_hi)) > PROBE_SAFETY * bend)
+    if (kept && fmin(fabs(at_lo), fabs(at_hi)) > PROBE_SAFETY * second_derivative)
         return DOM_OK;
     if (halves == 0 || hi->r - lo->r <= 64 * REAL_EPSILON * hi->r) {
         if (!kept) {
@@ -77,9 +77,9 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
                                     struct edge *after, bool *found)
 {
     const real reach = 1 / c->s;
-    struct probe p = {.c = c, .positive = margin_left(&from->margin) >= 0, .before = before, .after = after};
+    struct probe p = {.c = c, .positive = margin_value(&from->margin) >= 0, .before = before, .after = after};
     struct edge lo = *from, hi = *from;
-    real bend = 0;
+    real second_derivative = 0;
     enum dom_status status = DOM_OK;
     for (int k = 0; status == DOM_OK && !p.found && hi.r < reach; k++) {
         real r = probe_place(c->s, k);
@@ -93,8 +93,9 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
         /* What the sample before is off the line through its neighbours; nothing is known of the first. */
         real across = hi.r - last.r, part = across > 0 ? (lo.r - last.r) / across : 0;
         real line = margin_share(&last.margin) * (1 - part) + margin_share(&hi.margin) * part;
-        bend = part > 0 ? fabs(margin_share(&lo.margin) - line) : fabs(margin_share(&hi.margin) - line) / 4;
-        status = probe_between(&p, &lo, &hi, bend, PROBE_HALVES);
+        second_derivative =
+            part > 0 ? fabs(margin_share(&lo.margin) - line) : fabs(margin_share(&hi.margin) - line) / 4;
+        status = probe_between(&p, &lo, &hi, second_derivative, PROBE_HALVES);
     }
     *found = p.found;
     return status;

@@ -15,7 +15,7 @@
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
 {
-    real tol = c->lean.tol;
+    real tol = c->geometry.tol;
     enum num_status solver;
     if (c->train->mu == 0) {
         margin_follow_begin(c);
@@ -36,42 +36,42 @@ enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL /* through 0 once, if 
 /* The margin with its barrier to a relative tolerance, where margin_sign may know only one of its tops. */
 static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
 {
-    edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->lean.tol));
+    edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->geometry.tol));
     return c->status;
 }
 
 /* (1 + k) r [k / (1 + k)]^2, which decreases with r: the kinetic energy of the pair over its push (b11). */
-static real pair_keeps(const struct lean *g)
+static real pair_velocity_ratio(const struct geometry *geometry)
 {
-    real k = g->inertia;
-    return g->r * k * k / (1 + k);
+    real k = geometry->inertia;
+    return geometry->r * k * k / (1 + k);
 }
 
 /*
  * K of the pair over a strip.  Its push grows with r, d ln push / d ln r = cot((theta_c - theta_u) / 2) tan
  * theta_c, and what is kept of it shrinks, by 2 q + 1 - (q + 1) k / (1 + k).
  */
-static void pair_strip(const struct lean *lo, const struct lean *hi, struct strip *s)
+static void pair_strip(const struct geometry *lo, const struct geometry *hi, struct strip *s)
 {
     real push_lo = pair_push(lo), push_hi = pair_push(hi), u = lo->reach;
     real sine = (lo->c.x - lo->d * lo->c.y) / u, cosine = (lo->c.y + lo->d * lo->c.x) / u;
-    s->kinetic_least = push_lo * pair_keeps(hi) * (1 - 256 * REAL_EPSILON);
-    s->kinetic_most = push_hi * pair_keeps(lo) * (1 + 256 * REAL_EPSILON);
+    s->kinetic_least = push_lo * pair_velocity_ratio(hi) * (1 - 256 * REAL_EPSILON);
+    s->kinetic_most = push_hi * pair_velocity_ratio(lo) * (1 + 256 * REAL_EPSILON);
     real gains = (1 + cosine) / sine * (hi->c.x / hi->c.y);
     real ages = 2 * lo->q + 1 - (lo->q + 1) * lo->inertia / (1 + lo->inertia), net = gains - ages;
-    s->bends = s->drops + net * (net > 0 ? s->kinetic_most : s->kinetic_least);
-    if (!(sine > 0) || !isfinite(s->bends))
-        s->bends = (real)INFINITY;
+    s->margin_slope = s->drops + net * (net > 0 ? s->kinetic_most : s->kinetic_least);
+    if (!(sine > 0) || !isfinite(s->margin_slope))
+        s->margin_slope = (real)INFINITY;
 }
 
 /* Bounds between two growths. */
 static enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip)
 {
-    struct lean at_lo = c->lean, at_hi = c->lean;
-    real ln_r = log1p((hi - lo) / lo), most = barrier_most(&c->lean);
-    enum dom_status status = lean_set(&at_lo, c->s, lo);
+    struct geometry at_lo = c->geometry, at_hi = c->geometry;
+    real ln_r = log1p((hi - lo) / lo), most = barrier_most(&c->geometry);
+    enum dom_status status = geometry_set(&at_lo, c->s, lo);
     if (status == DOM_OK)
-        status = lean_set(&at_hi, c->s, hi);
+        status = geometry_set(&at_hi, c->s, hi);
     if (status != DOM_OK)
         return status;
     at_lo.n = at_hi.n = c->dominoes;
@@ -90,7 +90,7 @@ static enum dom_status scan_strip(struct margin_context *c, const struct edge *l
                                   enum known *known)
 {
     struct strip strip;
-    real ln_r = log1p((hi->r - lo->r) / lo->r), most = barrier_most(&c->lean);
+    real ln_r = log1p((hi->r - lo->r) / lo->r), most = barrier_most(&c->geometry);
     *known = KNOWN_NOTHING;
     enum dom_status status = scan_bounds(c, lo->r, hi->r, &strip);
     if (status != DOM_OK)
@@ -104,20 +104,20 @@ static enum dom_status scan_strip(struct margin_context *c, const struct edge *l
         hi->margin = margin_sign(c, hi->r);
     if (c->status != DOM_OK)
         return c->status;
-    bool above = margin_left(&hi->margin) >= 0;
-    if (strip.bends < 0) {
+    bool above = margin_value(&hi->margin) >= 0;
+    if (strip.margin_slope < 0) {
         *known = above ? KNOWN_POSITIVE : KNOWN_TO_FALL;
         return DOM_OK;
     }
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
         /* It has risen to its end by no more than strip.bends. */
-        real left = margin_left(&hi->margin), spare = wrong * hi->margin.barrier;
+        real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
-        if (left - spare > strip.bends * ln_r || strip.kinetic_least > barrier)
+        if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)
             *known = KNOWN_POSITIVE;
         else if (wrong <= 8 * SCAN_FINE ||
-                 (left <= strip.bends * ln_r && strip.kinetic_least <= barrier - spare))
+                 (left <= strip.margin_slope * ln_r && strip.kinetic_least <= barrier - spare))
             break;
         else if (scan_sure(c, hi) != DOM_OK)
             return c->status;
@@ -131,8 +131,8 @@ static enum dom_status scan_strip(struct margin_context *c, const struct edge *l
  */
 static real scan_ahead(const struct margin_context *c, const struct edge *from)
 {
-    real most = barrier_most(&c->lean), K = from->margin.kinetic, q = c->lean.q, s = c->s;
-    real matter = 1 / (q * log(from->r) + from->r * sqrt(s * (s + 2 * c->lean.d)));
+    real most = barrier_most(&c->geometry), K = from->margin.kinetic, q = c->geometry.q, s = c->s;
+    real matter = 1 / (q * log(from->r) + from->r * sqrt(s * (s + 2 * c->geometry.d)));
     real falls = 2 * q + 1 + (c->dominoes == 2 ? 0 : q * fmin(matter, 1 / s));
     return (K > most ? log(2 * K / most) : (real)0.5) / falls;
 }
@@ -140,7 +140,8 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
 /* A guess where the margin is 0 between lo and below, as a share of the way. */
 static real scan_share(const struct edge *lo, const struct edge *below, real pull)
 {
-    real up = margin_left(&lo->margin), down = -margin_left(&below->margin) * pull, share = up / (up + down);
+    real up = margin_value(&lo->margin), down = -margin_value(&below->margin) * pull,
+         share = up / (up + down);
     real K = lo->margin.kinetic, K_below = below->margin.kinetic, barrier = below->margin.barrier;
     if (K > 2 * lo->margin.barrier && K_below > 0 && barrier > K_below && K > 2 * barrier)
         share = log(K / barrier) / log(K / K_below) * pull + share * (1 - pull);
@@ -176,11 +177,11 @@ static enum dom_status scan_close(struct margin_context *c, struct scan *scan, r
             scan->strips++;
             if (status != DOM_OK)
                 return status;
-            if (known != KNOWN_NOTHING || margin_left(&next.margin) < 0 ||
+            if (known != KNOWN_NOTHING || margin_value(&next.margin) < 0 ||
                 width <= scan_finest(c, scan) * lo->r)
                 break;
         }
-        bool above = margin_left(&next.margin) >= 0;
+        bool above = margin_value(&next.margin) >= 0;
         *(above ? lo : below) = next;
         pull = above ? pull / 2 : 1;
     }
@@ -198,13 +199,13 @@ static enum dom_status scan_below(struct margin_context *c, const struct edge *l
     if (status != DOM_OK)
         return status;
     real barrier = lo->margin.barrier, ln_r = log1p((hi - lo->r) / lo->r),
-         rises = fmax(strip.bends, 0) * ln_r;
-    *below = strip.kinetic_most == 0 || margin_left(&lo->margin) + rises < 0 ||
-             strip.kinetic_most < strip_barrier_least(&strip, barrier, barrier_most(&c->lean), ln_r);
+         rises = fmax(strip.margin_slope, 0) * ln_r;
+    *below = strip.kinetic_most == 0 || margin_value(&lo->margin) + rises < 0 ||
+             strip.kinetic_most < strip_barrier_least(&strip, barrier, barrier_most(&c->geometry), ln_r);
     return DOM_OK;
 }
 
-KERNEL enum dom_status scan_rise(struct margin_context *c, real from, struct edge *edge, bool *found)
+KERNEL enum dom_status scan_energy_change(struct margin_context *c, real from, struct edge *edge, bool *found)
 {
     const real reach = 1 / c->s;
     struct edge lo = {.r = from}, hi;
@@ -212,7 +213,7 @@ KERNEL enum dom_status scan_rise(struct margin_context *c, real from, struct edg
     *found = false;
     enum dom_status status = scan_sure(c, &lo);
     while (status == DOM_OK && lo.r < reach) {
-        if (margin_left(&lo.margin) >= 0) {
+        if (margin_value(&lo.margin) >= 0) {
             *found = true;
             *edge = lo;
             return DOM_OK;
@@ -230,7 +231,7 @@ KERNEL enum dom_status scan_rise(struct margin_context *c, real from, struct edg
             step = (last ? left : step) / 2;
         }
     }
-    if (status == DOM_OK && margin_left(&lo.margin) >= 0) {
+    if (status == DOM_OK && margin_value(&lo.margin) >= 0) {
         *found = true;
         *edge = lo;
     }
@@ -262,7 +263,7 @@ KERNEL enum dom_status scan_fall(struct margin_context *c, const struct edge *fr
             *ends = DOM_END_BARRIER;
             return scan_root(c, &scan.lo, &hi, r);
         }
-        if (known != KNOWN_POSITIVE && margin_left(&hi.margin) < 0 && step <= 1) {
+        if (known != KNOWN_POSITIVE && margin_value(&hi.margin) < 0 && step <= 1) {
             scan.below = hi;
             *ends = DOM_END_BARRIER;
             return scan_close(c, &scan, r);

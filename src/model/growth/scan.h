@@ -32,6 +32,7 @@ KERNEL enum dom_status scan_fall(struct margin_context *c, const struct edge *fr
  * The first growth from `from` on at which the margin of the pair is not negative, where it is right to
  * SCAN_FINEST or where a band that is as narrow may be missed.
  */
-KERNEL enum dom_status scan_rise(struct margin_context *c, real from, struct edge *edge, bool *found);
+KERNEL enum dom_status scan_energy_change(struct margin_context *c, real from, struct edge *edge,
+                                          bool *found);
 
 #endif

@@ -6,15 +6,15 @@
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
 /* 1 - h(theta). */
-static real strip_fall(const struct lean *g, struct tilt t)
+static real strip_fall(const struct geometry *geometry, struct tilt t)
 {
-    return t.v - g->d * t.x;
+    return t.v - geometry->d * t.x;
 }
 
 /* -dh/dtheta: negative before theta_u. */
-static real strip_sink(const struct lean *g, struct tilt t)
+static real strip_sink(const struct geometry *geometry, struct tilt t)
 {
-    return t.x - g->d * t.y;
+    return t.x - geometry->d * t.y;
 }
 
 /* A follower between its tilts at the two ends. */
@@ -23,12 +23,12 @@ struct between {
     real fall_least, fall_most; /* 1 - h */
 };
 
-static struct between between_of(const struct lean *g, struct tilt lo, struct tilt hi)
+static struct between between_of(const struct geometry *geometry, struct tilt lo, struct tilt hi)
 {
-    real at_lo = strip_fall(g, lo), at_hi = strip_fall(g, hi);
-    bool before = strip_sink(g, hi) <= 0, after = strip_sink(g, lo) >= 0;
+    real at_lo = strip_fall(geometry, lo), at_hi = strip_fall(geometry, hi);
+    bool before = strip_sink(geometry, hi) <= 0, after = strip_sink(geometry, lo) >= 0;
     /* h is highest at theta_u, where it is sqrt(1 + d^2). */
-    real least = after ? at_lo : before ? at_hi : -barrier_most(g);
+    real least = after ? at_lo : before ? at_hi : -barrier_most(geometry);
     return (struct between){lo, hi, least, fmax(at_lo, at_hi)};
 }
 
@@ -36,54 +36,54 @@ static struct between between_of(const struct lean *g, struct tilt lo, struct ti
 struct upright {
     struct link link;
     bool ended; /* this domino and all after it are at theta_f */
-    real weight, inertia, slope, T, next;
+    real weight, inertia, slope, inertia_ratio, next;
 };
 
-static void upright_next(struct upright *u, const struct lean *g)
+static void upright_next(struct upright *u, const struct geometry *geometry)
 {
-    u->weight *= g->weight;
-    u->inertia *= g->inertia;
+    u->weight *= geometry->weight;
+    u->inertia *= geometry->inertia;
     if (!u->ended && u->link.leads) {
         link_next(&u->link);
     } else {
         u->ended = true;
-        u->link.tilt = g->f;
+        u->link.tilt = geometry->f;
         u->link.step = 0;
         u->link.slope = 0;
     }
     u->slope = u->link.slope;
     /* T = sum of r^-(q+1)i theta_i'^2 along the train whose head leans at theta_c: upright, from domino 1 on.
      */
-    u->T += u->inertia * u->slope * u->slope;
+    u->inertia_ratio += u->inertia * u->slope * u->slope;
     real step = u->ended || !u->link.leads ? 0 : u->link.step;
-    real ratio = g->inertia * step * step;
+    real ratio = geometry->inertia * step * step;
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
 /* What a strip adds up; of one in s, d / ds is in the place of d / d ln r. */
 struct strip_sums {
     real least, most;              /* of the fuel */
-    real turn;                     /* of d theta_i(0) / d ln r, at most */
+    real advance;                  /* of d theta_i(0) / d ln r, at most */
     real drops, rests;             /* of strip->drops, and of sum w^i g d theta_i / d ln r */
     real far_rests;                /* of the tail of the latter, times 1 - w */
-    real least_turn;               /* of d theta_i(theta) / d ln r, at the largest tilt, at least */
+    real least_advance;            /* of d theta_i(theta) / d ln r, at the largest tilt, at least */
     real first_drops, first_rests; /* of domino 1, which the sums leave out */
     real ages;                     /* sum i w^i (h_i(0) - h_{i+1}(0)), at least */
     real tilt;                     /* of the head at the top of a barrier, at most */
 };
 
 /* d theta_1 / d ln r, or d theta_1 / ds, at the leader's least tilt and hi: at most over the strip. */
-static real strip_turn(const struct lean *lo, const struct lean *hi, struct tilt leader)
+static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
-    real v = hi->falls_off ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
+    real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
     real by = lo->r < hi->r ? X : hi->r * (1 - v);
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
 /* The same at the leader's largest tilt and lo: at least over the strip. */
-static real strip_least_turn(const struct lean *lo, bool in_r, struct tilt leader)
+static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
-    real v = lo->falls_off ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
+    real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
     real by = in_r ? X : lo->r * (1 - v);
     return X > 0 ? by / sqrt((lo->short_of + lo->rL * v) * (1 + X)) : 0;
 }
@@ -96,11 +96,12 @@ static real strip_least_turn(const struct lean *lo, bool in_r, struct tilt leade
  * h_i(theta))], D = r^q / T + r^q - 1, K = P / D.  Behind theta_u, g_i(theta) - g_i(0) <= h_i(0) D_i,
  * u_i(theta) <= u_i(0) and h_i(0) - h_i(theta) >= g_i(0) D_i; before it, each part counts with its size.
  */
-static void strip_follower(const struct lean *lo, const struct lean *hi, bool in_r, size_t i,
+static void strip_follower(const struct geometry *lo, const struct geometry *hi, bool in_r, size_t i,
                            const struct between *at, real weight, real slope, real least_weight,
                            struct strip_sums *s)
 {
-    real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), moves = s->tilt * slope, u = s->turn;
+    real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), moves = s->tilt * slope,
+         u = s->advance;
     real ages = in_r ? lo->q * (real)i : 0;
     if (g_lo >= 0) {
         real h = 1 - strip_fall(lo, at->lo);
@@ -110,8 +111,8 @@ static void strip_follower(const struct lean *lo, const struct lean *hi, bool in
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
         s->drops +=
-            weight * (lo->reach * moves * u - g_lo * fmax(u - s->least_turn, 0) - ages * g_lo * moves);
-        s->ages += (real)i * weight * g_lo * strip_turn(lo, hi, at->lo); /* asin X <= X / Y */
+            weight * (lo->reach * moves * u - g_lo * fmax(u - s->least_advance, 0) - ages * g_lo * moves);
+        s->ages += (real)i * weight * g_lo * strip_advance(lo, hi, at->lo); /* asin X <= X / Y */
     }
     s->rests += weight * fmax(g_hi, 0) * u;
 }
@@ -121,57 +122,58 @@ static void strip_follower(const struct lean *lo, const struct lean *hi, bool in
  * / d has not risen by K: at the tops that count it leans more, and there the turn is less than upright, and
  * takes from the margin less than that adds to it.
  */
-static real strip_first(const struct lean *lo, const struct lean *hi, const struct between *at, real tilt,
-                        real least_tilt, real c)
+static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
+                        real tilt, real least_tilt, real c)
 {
     real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), h = 1 - strip_fall(lo, at->lo);
     if (g_lo < 0 || !(least_tilt > 0))
         return (real)INFINITY;
-    real u = strip_turn(lo, hi, tilt_make(sin(least_tilt), cos(least_tilt)));
+    real u = strip_advance(lo, hi, tilt_make(sin(least_tilt), cos(least_tilt)));
     real more = u - (1 - c) * lo->c.x / lo->c.y;
     return lo->weight * tilt * fmax(h * u - lo->q * g_lo, 0) +
            (more > 0 ? lo->weight * g_hi : hi->weight * g_lo) * more;
 }
 
 /* The same of all that have not been added, of which i is the first. */
-static void strip_tail(const struct lean *lo, const struct lean *hi, const struct between *at, real weight,
-                       real slope, real step, struct strip_sums *s)
+static void strip_tail(const struct geometry *lo, const struct geometry *hi, const struct between *at,
+                       real weight, real slope, real step, struct strip_sums *s)
 {
-    real next = strip_turn(lo, hi, at->lo),
-         u = step == 0 ? next : fmax(next + step * s->turn, next / (1 - step));
+    real next = strip_advance(lo, hi, at->lo),
+         u = step == 0 ? next : fmax(next + step * s->advance, next / (1 - step));
     real h = fmax(1 - strip_fall(lo, at->lo), 0), far = strip_sink(lo, hi->f);
     s->drops += slope == 0 ? 0 : weight * s->tilt * slope * h * u / (1 - lo->weight * step);
     s->far_rests = weight * far * u;
 }
 
-static void strip_finish(const struct lean *lo, const struct lean *hi, enum dom_fuel fuel,
+static void strip_finish(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                          const struct upright *a, const struct upright *b, const struct between *first,
                          const struct strip_sums *sums, struct strip *s)
 {
-    real T_least = b->T, T_most = a->T + a->next, fallen = -expm1(-hi->q * log1p(hi->r - 1));
-    real D_most = hi->rq / T_least + hi->rq_1, D_least = lo->rq / T_most + lo->rq_1;
+    real inertia_ratio_least = b->inertia_ratio, inertia_ratio_most = a->inertia_ratio + a->next,
+         fallen = -expm1(-hi->q * log1p(hi->r - 1));
+    real D_most = hi->rq / inertia_ratio_least + hi->rq_1, D_least = lo->rq / inertia_ratio_most + lo->rq_1;
     s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
     s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
     s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
     /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases: monotone in T. */
-    real q = lo->q, ages = fmin((2 * q + 1 + q * T_least) / (1 + fallen * T_least),
-                                (2 * q + 1 + q * T_most) / (1 + fallen * T_most));
-    real c = fallen * T_most / (1 + fallen * T_most);
+    real q = lo->q, ages = fmin((2 * q + 1 + q * inertia_ratio_least) / (1 + fallen * inertia_ratio_least),
+                                (2 * q + 1 + q * inertia_ratio_most) / (1 + fallen * inertia_ratio_most));
+    real c = fallen * inertia_ratio_most / (1 + fallen * inertia_ratio_most);
     real kinetic = fmax(s->kinetic_least, 0), rests, head;
     if (fuel == DOM_FUEL_PAPER) { /* its P = 1 - h(theta_f) moves with theta_f alone */
-        rests = hi->falls_off ? strip_sink(hi, hi->f) * strip_turn(lo, hi, hi->leave) / D_least : 0;
+        rests = hi->detaches ? strip_sink(hi, hi->f) * strip_advance(lo, hi, hi->leave) / D_least : 0;
         head = sums->first_drops;
         c = 0;
     } else { /* of the tail c / (1 - w) is needed, which is at most T */
-        rests = c * sums->rests + T_most * sums->far_rests - q * sums->ages / D_most;
+        rests = c * sums->rests + inertia_ratio_most * sums->far_rests - q * sums->ages / D_most;
         head = sums->first_drops + c * sums->first_rests;
     }
     real by_tilt = strip_first(lo, hi, first, sums->tilt, kinetic / lo->d, c);
     head = isfinite(head) ? fmin(head, by_tilt) : by_tilt;
-    s->bends = sums->drops + head + rests;
-    s->bends += fabs(s->bends) * STRIP_SLACK - kinetic * ages;
-    if (!isfinite(s->bends))
-        s->bends = (real)INFINITY;
+    s->margin_slope = sums->drops + head + rests;
+    s->margin_slope += fabs(s->margin_slope) * STRIP_SLACK - kinetic * ages;
+    if (!isfinite(s->margin_slope))
+        s->margin_slope = (real)INFINITY;
 }
 
 /*
@@ -180,34 +182,34 @@ static void strip_finish(const struct lean *lo, const struct lean *hi, enum dom_
  * the first is at least what it is with each factor at its own end of the strip, theta_1' at the largest
  * tilt.
  */
-static real strip_top(const struct lean *lo, const struct lean *hi, struct tilt first)
+static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
     if (!(lo->c.x > lo->d * lo->c.y))
         return tilt_angle(hi->c);
-    real top = atan(lo->d), g = strip_sink(lo, first);
+    real top = atan(lo->d), geometry = strip_sink(lo, first);
     for (int k = 0; k < 2 && top > 0; k++) {
         struct tilt head = tilt_make(sin(top), cos(top));
-        if (hi->falls_off && head.v >= hi->leave.v)
+        if (hi->detaches && head.v >= hi->leave.v)
             break;
-        top = fmax(atan(lo->d) - hi->weight * lean_turn(hi, head).step * g / lo->reach, 0);
+        top = fmax(atan(lo->d) - hi->weight * geometry_contact(hi, head).step * geometry / lo->reach, 0);
     }
     return top;
 }
 
 /* Counts a pass down both corners; a domino there takes as long as some ten of a plain pass. */
-static void strip_count(const struct lean *lo, size_t n)
+static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);
     if (lo->effort)
         *lo->effort += 10 * n;
 }
 
-KERNEL enum dom_status strip_walk(const struct lean *lo, const struct lean *hi, enum dom_fuel fuel,
+KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip)
 {
     struct upright a = {.link = link_head(lo, standing), .weight = 1, .inertia = 1};
     struct upright b = {.link = link_head(hi, standing), .weight = 1, .inertia = 1};
-    struct strip_sums sums = {.turn = strip_turn(lo, hi, standing)};
+    struct strip_sums sums = {.advance = strip_advance(lo, hi, standing)};
     struct strip s = {.grows = 1};
     real most = barrier_most(lo);
     tol = fmax(tol, 64 * REAL_EPSILON);
@@ -223,13 +225,13 @@ KERNEL enum dom_status strip_walk(const struct lean *lo, const struct lean *hi, 
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,
                                 .grows = (real)INFINITY,
                                 .drops = (real)INFINITY,
-                                .bends = (real)INFINITY};
+                                .margin_slope = (real)INFINITY};
         return DOM_OK;
     }
     struct tilt highest = tilt_make(sin(sums.tilt), cos(sums.tilt));
     struct link top = link_head(hi, highest);
     bool early = strip_sink(lo, at.lo) < 0;
-    sums.least_turn = strip_least_turn(lo, lo->r < hi->r, highest);
+    sums.least_advance = strip_least_advance(lo, lo->r < hi->r, highest);
     if (early && top.leads)
         link_next(&top);
     else
@@ -253,7 +255,7 @@ KERNEL enum dom_status strip_walk(const struct lean *lo, const struct lean *hi, 
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
         real least = fuel == DOM_FUEL_PAPER ? paper : sums.least;
-        real divisor = hi->rq / b.T + hi->rq_1, kinetic = least / divisor * (1 - STRIP_SLACK);
+        real divisor = hi->rq / b.inertia_ratio + hi->rq_1, kinetic = least / divisor * (1 - STRIP_SLACK);
         if (after && kinetic > enough) {
             *strip = (struct strip){.kinetic_least = kinetic, .clear = true};
             strip_count(lo, i);
@@ -262,8 +264,8 @@ KERNEL enum dom_status strip_walk(const struct lean *lo, const struct lean *hi, 
         bool ends = a.ended && b.ended;
         /* Below the last a rounded chain comes to rest before its end. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
-        bool done = settled && fmax(after ? rest : 0, rest_hi) <= small && (never || a.next <= tol * a.T) &&
-                    b.next <= tol * b.T;
+        bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
+                    (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
         if (i >= lo->n - 1 || ends || done) {
             if (fuel == DOM_FUEL_PAPER) {
                 sums.least = paper;
@@ -283,15 +285,15 @@ KERNEL enum dom_status strip_walk(const struct lean *lo, const struct lean *hi, 
             return DOM_OK;
         }
         real step = a.ended || !a.link.leads ? 0 : a.link.step;
-        sums.turn = strip_turn(lo, hi, at.lo) + (step > 0 ? step * sums.turn : 0);
+        sums.advance = strip_advance(lo, hi, at.lo) + (step > 0 ? step * sums.advance : 0);
         if (early) {
-            sums.least_turn =
-                strip_least_turn(lo, lo->r < hi->r, top.tilt) + (top.leads ? top.step * sums.least_turn : 0);
+            sums.least_advance = strip_least_advance(lo, lo->r < hi->r, top.tilt) +
+                                 (top.leads ? top.step * sums.least_advance : 0);
             early = top.leads && g_lo < 0;
             if (early)
                 link_next(&top);
         } else {
-            sums.least_turn = 0;
+            sums.least_advance = 0;
         }
         real least_weight = b.weight, most_weight = a.weight;
         upright_next(&a, lo);

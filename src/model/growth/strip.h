@@ -24,9 +24,9 @@ struct strip {
      * where one stands before theta_u.
      */
     real grows;
-    real cut;   /* what the followers beyond those of `grows` can still lose */
-    real drops; /* bound of -d barrier / d ln r, or of -d barrier / ds, over the strip, >= 0 */
-    real bends; /* bound of d margin / d ln r from above, over the strip; of a strip in r */
+    real cut;          /* what the followers beyond those of `grows` can still lose */
+    real drops;        /* bound of -d barrier / d ln r, or of -d barrier / ds, over the strip, >= 0 */
+    real margin_slope; /* bound of d margin / d ln r from above, over the strip; of a strip in r */
     bool clear; /* K exceeds `enough` over the strip: the walk ended there, and only kinetic_least is set */
 };
 
@@ -35,7 +35,7 @@ struct strip {
  * as K > enough is known for all of them; tol: what the tails of the chains may take from K. DOM_INTERRUPTED,
  * DOM_TOO_LONG as every walk.  Without friction.
  */
-KERNEL enum dom_status strip_walk(const struct lean *lo, const struct lean *hi, enum dom_fuel fuel,
+KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
 
 /*

@@ -22,9 +22,9 @@ static real stop_width(const struct motion *m)
 {
     struct tilt rest;
     struct sums at;
-    const struct lean *g = &m->cycle.lean;
-    if (g->mu > 0 || lean_tilt(g, m->end, &rest) != DOM_OK ||
-        chain_bend_from(g, standing, rest, &at) != DOM_OK || !(at.H2 < 0))
+    const struct geometry *geometry = &m->cycle.geometry;
+    if (geometry->mu > 0 || geometry_tilt(geometry, m->end, &rest) != DOM_OK ||
+        chain_second_derivative_from(geometry, standing, rest, &at) != DOM_OK || !(at.H2 < 0))
         return REAL_NAN;
     return sqrt(2 * fabs(at.H1 / at.H2) / m->end);
 }
@@ -41,7 +41,7 @@ static enum dom_status tick_make(struct motion *m, struct tick *tick, real *time
         solver = num_peak_series(slowness_before, m, 0, 1, 0, stop_width(m) / m->span, m->tol, &tick->series);
         *time = m->span * num_series_at(&tick->series, 1);
     } else {
-        real width = barrier_width(&c->lean, standing, b, c->launch.kinetic - b->height);
+        real width = barrier_width(&c->geometry, standing, b, c->launch.kinetic - b->height);
         solver = num_peak_series(slowness, c, tick->lo, tick->hi, b->theta_m, width, m->tol, &tick->series);
         *time = num_series_at(&tick->series, tick->hi);
     }

@@ -4,19 +4,19 @@
 /* The barrier over [0, end]. */
 static enum dom_status cycle_climb(struct cycle *cycle, real end)
 {
-    return barrier_search(&cycle->lean, end, cycle->lean.tol / 8, &cycle->barrier);
+    return barrier_search(&cycle->geometry, end, cycle->geometry.tol / 8, &cycle->barrier);
 }
 
 KERNEL enum dom_status cycle_whole(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
                                    bool errors)
 {
-    struct lean *g = &cycle->lean;
+    struct geometry *geometry = &cycle->geometry;
     cycle->status = DOM_OK;
-    enum dom_status status = lean_make(train, g);
+    enum dom_status status = geometry_make(train, geometry);
     if (status == DOM_OK)
-        lean_flow(g, flow);
+        geometry_flow(geometry, flow);
     if (status == DOM_OK)
-        status = barrier_balance(g, train->fuel, tilt_angle(g->c), &cycle->launch,
+        status = barrier_balance(geometry, train->fuel, tilt_angle(geometry->c), &cycle->launch,
                                  errors ? &cycle->launch_error : NULL, &cycle->barrier);
     if (status != DOM_OK)
         return status;
@@ -33,15 +33,15 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real theta, real *
 {
     struct tilt head;
     struct sums at = {0}, e = {0};
-    enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
-    if (status == DOM_OK && cycle->lean.mu > 0) {
-        *omegasq = friction_omegasq(&cycle->lean, cycle->launch.omegasq, theta);
+    enum dom_status status = geometry_tilt(&cycle->geometry, theta, &head);
+    if (status == DOM_OK && cycle->geometry.mu > 0) {
+        *omegasq = friction_omegasq(&cycle->geometry, cycle->launch.omegasq, theta);
         if (error)
             *error = REAL_NAN;
         return DOM_OK;
     }
     if (status == DOM_OK)
-        status = chain_rise(&cycle->lean, head, &at, error ? &e : NULL);
+        status = chain_energy_change(&cycle->geometry, head, &at, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *omegasq = (cycle->launch.kinetic - at.dH) / at.J;
@@ -61,16 +61,17 @@ static real energy_short(real theta, void *context)
 /* A slight motion that is used up before anybody falls off: *hi becomes a tilt soon behind the stop. */
 static enum dom_status rubbing_spent(const struct cycle *cycle, real *hi)
 {
-    const struct lean *g = &cycle->lean;
+    const struct geometry *geometry = &cycle->geometry;
     const struct barrier *b = &cycle->barrier;
     real first = fmin(*hi, b->edge[1]), spent = first;
-    enum dom_status status = friction_flow_spent(g, standing, b->edge[0], cycle->launch.omegasq, &spent);
+    enum dom_status status =
+        friction_flow_spent(geometry, standing, b->edge[0], cycle->launch.omegasq, &spent);
     if (status != DOM_OK || spent < first || first == *hi) {
         *hi = spent;
         return status;
     }
-    g->flow->solution.panels = 0; /* it goes on over the edge: the whole flow is needed again */
-    return friction_flow(g);
+    geometry->flow->solution.panels = 0; /* it goes on over the edge: the whole flow is needed again */
+    return friction_flow(geometry);
 }
 
 /*
@@ -81,17 +82,17 @@ KERNEL enum dom_status cycle_rest(struct cycle cycle, real *theta)
 {
     const struct barrier *b = &cycle.barrier;
     real lo = b->edge[0], hi = b->theta_m;
-    enum dom_status status = cycle.lean.mu > 0 ? rubbing_spent(&cycle, &hi) : DOM_OK;
+    enum dom_status status = cycle.geometry.mu > 0 ? rubbing_spent(&cycle, &hi) : DOM_OK;
     if (status != DOM_OK)
         return status;
-    enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.lean.tol / 8, theta);
+    enum num_status solver = num_root(energy_short, &cycle, lo, hi, cycle.geometry.tol / 8, theta);
     return model_status(cycle.status, solver);
 }
 
 /* The tilt where the cycle ends: theta_c, or where the train comes to rest. */
 KERNEL enum dom_status cycle_end(const struct cycle *cycle, real *end)
 {
-    *end = tilt_angle(cycle->lean.c);
+    *end = tilt_angle(cycle->geometry.c);
     return cycle_stops(cycle) ? cycle_rest(*cycle, end) : DOM_OK;
 }
 
@@ -122,15 +123,15 @@ KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real the
         enum dom_status status = cycle_whole(&finer, &flow, &cycle, error != NULL);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return status;
-        enum dom_status tilt_status = lean_tilt(&cycle.lean, theta, &head);
+        enum dom_status tilt_status = geometry_tilt(&cycle.geometry, theta, &head);
         if (tilt_status != DOM_OK || status != DOM_OK)
             return tilt_status != DOM_OK ? tilt_status : status;
         status = cycle_speed_within(&cycle, theta, &w, error ? &w_error : NULL);
         if (status != DOM_OK)
             return status;
         /* What is left near a stop is known as well as was asked only from finer sums. */
-        real needed = balance_tol(cycle.lean.tol, w, cycle.launch.omegasq);
-        if (w == 0 || !(needed < cycle.lean.tol / 4))
+        real needed = balance_tol(cycle.geometry.tol, w, cycle.launch.omegasq);
+        if (w == 0 || !(needed < cycle.geometry.tol / 4))
             break;
         finer.tol = needed;
     }
@@ -148,12 +149,12 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
 {
     struct tilt head;
     struct sums at = {0}, e = {0};
-    enum dom_status status = lean_tilt(&cycle->lean, theta, &head);
+    enum dom_status status = geometry_tilt(&cycle->geometry, theta, &head);
     if (status == DOM_OK)
-        status = chain_rise(&cycle->lean, head, &at, &e);
+        status = chain_energy_change(&cycle->geometry, head, &at, &e);
     if (status == DOM_OK)
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
-                     (1 + 4 * cycle->lean.tol) + /* to second order in a loose tolerance */
+                     (1 + 4 * cycle->geometry.tol) + /* to second order in a loose tolerance */
                  4 * UNIT * theta;
     if (energy)
         *energy = fabs(at.H1) * (real)*error;
@@ -172,7 +173,7 @@ KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta
     if (!cycle_stops(&cycle))
         return DOM_OK;
     status = cycle_rest(cycle, &stop);
-    if (status == DOM_OK && error && cycle.lean.mu > 0)
+    if (status == DOM_OK && error && cycle.geometry.mu > 0)
         *error = DOM_NAN;
     else if (status == DOM_OK && error)
         status = stop_error(&cycle, stop, error, NULL);
@@ -208,7 +209,7 @@ KERNEL enum dom_status cycle_integral(struct cycle *cycle, num_function *f, real
                                       real *sum, real *error)
 {
     const struct barrier *b = &cycle->barrier;
-    real width = barrier_width(&cycle->lean, standing, b, cycle->launch.kinetic - b->height);
+    real width = barrier_width(&cycle->geometry, standing, b, cycle->launch.kinetic - b->height);
     *sum = 0;
     for (int i = 1; i < b->edges; i++) {
         real lo = fmax(b->edge[i - 1], from), hi = fmin(b->edge[i], to), part = 0, part_error = 0;
@@ -240,10 +241,10 @@ KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *d
     real noise = 8 * REAL_EPSILON * cycle.launch.kinetic / margin;
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;
-    real sum, sum_error = 0, of_speed = 0, end = tilt_angle(cycle.lean.c);
+    real sum, sum_error = 0, of_speed = 0, end = tilt_angle(cycle.geometry.c);
     real share = fmax((real)train->tol / 8, noise);
     status = cycle_integral(&cycle, slowness, 0, end, share, &sum, error ? &sum_error : NULL);
-    if (cycle.lean.mu > 0)
+    if (cycle.geometry.mu > 0)
         sum_error = REAL_NAN;
     else if (status == DOM_OK && error)
         status = cycle_integral(&cycle, slowness_error, 0, end, (real)0.125, &of_speed, NULL);

@@ -8,7 +8,7 @@
 
 /* A cycle that has begun: the train, its kinetic energy after the collision, and its barrier. */
 struct cycle {
-    struct lean lean;
+    struct geometry geometry;
     struct barrier barrier;
     struct launch launch, launch_error;
     enum dom_status status; /* of the function that is being integrated or searched */

@@ -8,7 +8,7 @@
 
 #include "motion/forces.h"
 
-struct need {
+struct required_friction {
     real motion, theta; /* the most in motion, and the tilt of the head there */
     size_t domino;      /* whose hinge: behind the head */
     real hit;           /* the most in the collision */
@@ -17,13 +17,14 @@ struct need {
 
 /* A chain on its way over [lo, hi], where nobody falls off. */
 struct floor_path {
-    const struct lean *lean;
+    const struct geometry *geometry;
     real lo, hi;
-    enum dom_status (*pace)(real theta, struct tilt *head, struct pace *pace, void *context);
+    enum dom_status (*kinematics)(real theta, struct tilt *head, struct kinematics *kinematics,
+                                  void *context);
     void *context;
 };
 
 /* Raises what is in need to what this path needs; a smooth maximum is right to a millionth. */
-KERNEL enum dom_status floor_over(const struct floor_path *path, struct need *need);
+KERNEL enum dom_status floor_over(const struct floor_path *path, struct required_friction *required_friction);
 
 #endif

@@ -11,21 +11,22 @@
 /* One domino in the moving chain. */
 struct moving {
     struct link link;
-    real bend;           /* theta_i'' = d^2 theta_i / d theta^2 */
-    real size;           /* height over that of the head */
-    real force, impulse; /* of the contact with its follower */
+    real second_derivative; /* theta_i'' = d^2 theta_i / d theta^2 */
+    real size;              /* height over that of the head */
+    real force, impulse;    /* of the contact with its follower */
 };
 
 /* The chain, as far as it goes or as room is left. */
-static size_t moving_list(const struct lean *g, struct tilt head, struct moving *k, size_t room)
+static size_t moving_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
 {
     size_t n = 1;
-    k[0] = (struct moving){.link = link_head(g, head), .bend = 0, .size = 1};
-    for (; n < room && n < g->n && k[n - 1].link.leads; n++) {
+    k[0] = (struct moving){.link = link_head(geometry, head), .second_derivative = 0, .size = 1};
+    for (; n < room && n < geometry->n && k[n - 1].link.leads; n++) {
         k[n].link = k[n - 1].link;
         link_next(&k[n].link);
-        k[n].bend = link_bend(&k[n - 1].link, k[n - 1].bend, &k[n].link);
-        k[n].size = k[n - 1].size / k[n - 1].link.lean->r;
+        k[n].second_derivative =
+            link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative, &k[n].link);
+        k[n].size = k[n - 1].size / k[n - 1].link.geometry->r;
     }
     return n;
 }
@@ -36,28 +37,29 @@ static real geometric(real first, real ratio)
 }
 
 /* From the tail upwards: torques on the followers, and the contacts that carry what is left of them. */
-static void moving_push(const struct lean *g, const struct pace *pace, struct moving *k, size_t n)
+static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
+                        struct moving *k, size_t n)
 {
     real rest = 0, push = 0; /* as torques on domino j */
-    bool endless = g->n == CHAIN_ENDLESS && k[n - 1].link.leads;
+    bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
-        real theta_2 = own->slope * pace->acceleration + k[j].bend * pace->omegasq;
-        real gravity = own->weight * (own->tilt.x - own->lean->d * own->tilt.y) / 2;
-        real share = !own->leads ? 0 : g->mu > 0 ? torque_ratio(own) : own->step; /* a / b */
-        rest = gravity - own->inertia * theta_2 + share * rest;
-        push = own->inertia * own->slope * pace->omega_lost + share * push;
+        real theta_2 = own->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
+        real gravity = own->weight * (own->tilt.x - own->geometry->d * own->tilt.y) / 2;
+        real torque_share = !own->leads ? 0 : geometry->mu > 0 ? torque_ratio(own) : own->step; /* a / b */
+        rest = gravity - own->inertia * theta_2 + torque_share * rest;
+        push = own->inertia * own->slope * kinematics->omega_lost + torque_share * push;
         if (j + 1 == n && endless) { /* what comes behind is alike: its torques are a geometric series */
-            rest = geometric(rest, g->weight * share);
-            push = geometric(push, g->inertia * own->step * share);
+            rest = geometric(rest, geometry->weight * torque_share);
+            push = geometric(push, geometry->inertia * own->step * torque_share);
         }
-        real rb = g->mu > 0 ? contact_arm_b(leader) : leader->turn.Y,
-             arm_b = rb / leader->lean->r * k[j - 1].size;
+        real rb = geometry->mu > 0 ? contact_arm_b(leader) : leader->contact.Y,
+             arm_b = rb / leader->geometry->r * k[j - 1].size;
         /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */
-        if (j == 1 && leader->tilt.x == 0 && g->short_of <= REAL_EPSILON)
+        if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
-        k[j - 1].impulse = pace->hit && arm_b > 0 ? push / arm_b : REAL_NAN;
+        k[j - 1].impulse = kinematics->hit && arm_b > 0 ? push / arm_b : REAL_NAN;
     }
 }
 
@@ -68,7 +70,7 @@ struct push {
 
 static struct push push_on(const struct moving *k, real normal)
 {
-    real mu = k->link.lean->mu;
+    real mu = k->link.geometry->mu;
     struct tilt t = k->link.tilt;
     return (struct push){normal * (t.y - mu * t.x), normal * (-t.x - mu * t.y)};
 }
@@ -78,27 +80,27 @@ static struct push push_on(const struct moving *k, real normal)
  * and gravity leave to the floor.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned, real d_head,
-                       const struct pace *pace, struct held *held)
+                       const struct kinematics *kinematics, struct hinge_load *hinge_load)
 {
     const struct link *own = &k->link;
     real tausq = (1 + d_head * d_head) / 3; /* in h/g of the head */
-    real mass = own->weight / k->size, d = own->lean->d, across = (own->tilt.x - d * own->tilt.y) / 2,
+    real mass = own->weight / k->size, d = own->geometry->d, across = (own->tilt.x - d * own->tilt.y) / 2,
          up = (own->tilt.y + d * own->tilt.x) / 2, momentum = mass * k->size / tausq;
-    real theta_2 = own->slope * pace->acceleration + k->bend * pace->omegasq;
-    real omegasq = own->slope * own->slope * pace->omegasq;
+    real theta_2 = own->slope * kinematics->acceleration + k->second_derivative * kinematics->omegasq;
+    real omegasq = own->slope * own->slope * kinematics->omegasq;
     struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
-    held->x = momentum * (up * theta_2 - across * omegasq) - from.x + onto.x;
-    held->z = momentum * (-across * theta_2 - up * omegasq) + mass - from.z + onto.z;
-    if (!pace->hit)
+    hinge_load->x = momentum * (up * theta_2 - across * omegasq) - from.x + onto.x;
+    hinge_load->z = momentum * (-across * theta_2 - up * omegasq) + mass - from.z + onto.z;
+    if (!kinematics->hit)
         return;
-    real change = leader ? -own->slope * pace->omega_lost : pace->omega;
+    real change = leader ? -own->slope * kinematics->omega_lost : kinematics->omega;
     from = push_on(k, leaned ? k->impulse : 0);
     onto = leader ? push_on(leader, leader->impulse) : none;
-    held->blow_x = momentum * up * change - from.x + onto.x;
-    held->blow_z = -momentum * across * change - from.z + onto.z;
-    if (isnan(held->blow_x)) /* at r s = 1 no impulse, however large, does: no floor holds that */
-        held->blow_x = (real)INFINITY;
+    hinge_load->impulse_x = momentum * up * change - from.x + onto.x;
+    hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
+    if (isnan(hinge_load->impulse_x)) /* at r s = 1 no impulse, however large, does: no floor holds that */
+        hinge_load->impulse_x = (real)INFINITY;
 }
 
 /* The list with room for n; what was in it is lost. */
@@ -113,29 +115,31 @@ static struct moving *room_for(struct room *room, size_t n)
     return room->list;
 }
 
-KERNEL enum dom_status forces_walk(const struct lean *g, struct tilt head, const struct pace *pace,
-                                   size_t shown, held_visit *visit, void *context)
+KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt head,
+                                   const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
+                                   void *context)
 {
     size_t more = shown < FORCES_MORE ? shown + 64 : FORCES_MORE;
-    size_t room = g->n - shown < more || g->n < shown ? g->n : shown + more;
-    struct room own = {0}, *list = pace->room ? pace->room : &own;
+    size_t room = geometry->n - shown < more || geometry->n < shown ? geometry->n : shown + more;
+    struct room own = {0}, *list = kinematics->room ? kinematics->room : &own;
     struct moving *k = room_for(list, room);
     if (!k)
         return DOM_NO_MEMORY;
-    size_t n = moving_list(g, head, k, room);
-    moving_push(g, pace, k, n);
+    size_t n = moving_list(geometry, head, k, room);
+    moving_push(geometry, kinematics, k, n);
     for (size_t i = 0; i < n && i < shown; i++) {
-        struct held held = {
+        struct hinge_load hinge_load = {
             .link = &k[i].link,
             .size = k[i].size,
             .leaned = i + 1 < n,
             .force = i + 1 < n ? k[i].force : REAL_NAN,
             .impulse = i + 1 < n ? k[i].impulse : REAL_NAN,
         };
-        held.x = held.z = held.blow_x = held.blow_z = REAL_NAN;
-        if (pace->floor)
-            hinge_find(&k[i], i > 0 ? &k[i - 1] : NULL, held.leaned, g->d, pace, &held);
-        if (!visit(&held, context))
+        hinge_load.x = hinge_load.z = hinge_load.impulse_x = hinge_load.impulse_z = REAL_NAN;
+        if (kinematics->floor)
+            hinge_find(&k[i], i > 0 ? &k[i - 1] : NULL, hinge_load.leaned, geometry->d, kinematics,
+                       &hinge_load);
+        if (!visit(&hinge_load, context))
             break;
     }
     free(own.list);
@@ -152,17 +156,20 @@ KERNEL real forces_needed(real x, real z)
 /* ---- Of a train ---- */
 
 /* The old train's domino j - 1 is this one's j: in the collision its theta_j' omega falls to J-1 of J. */
-KERNEL enum dom_status motion_pace(struct motion *m, real theta, struct tilt head, struct pace *pace)
+KERNEL enum dom_status motion_kinematics(struct motion *m, real theta, struct tilt head,
+                                         struct kinematics *kinematics)
 {
-    const struct lean *g = &m->cycle.lean;
-    enum dom_status status = cycle_speed(&m->cycle, theta, &pace->omegasq, NULL);
-    pace->room = &m->room;
-    pace->omegasq = fmax(pace->omegasq, 0);
+    const struct geometry *geometry = &m->cycle.geometry;
+    enum dom_status status = cycle_speed(&m->cycle, theta, &kinematics->omegasq, NULL);
+    kinematics->room = &m->room;
+    kinematics->omegasq = fmax(kinematics->omegasq, 0);
     if (status == DOM_OK)
-        status = motion_acceleration(g, head, pace->omegasq, &pace->acceleration, &pace->n);
-    pace->hit = theta == 0;
-    pace->omega = sqrt(m->cycle.launch.omegasq);
-    pace->omega_lost = pace->omega / (g->mu > 0 ? g->flow->T : m->cycle.launch.J0 - 1);
+        status = motion_acceleration(geometry, head, kinematics->omegasq, &kinematics->acceleration,
+                                     &kinematics->n);
+    kinematics->hit = theta == 0;
+    kinematics->omega = sqrt(m->cycle.launch.omegasq);
+    kinematics->omega_lost =
+        kinematics->omega / (geometry->mu > 0 ? geometry->flow->inertia_ratio : m->cycle.launch.J0 - 1);
     return status;
 }
 
@@ -171,14 +178,14 @@ struct force_context {
     void *context;
 };
 
-static bool force_visit(const struct held *held, void *context)
+static bool force_visit(const struct hinge_load *hinge_load, void *context)
 {
     struct force_context *c = context;
     struct dom_force force = {
-        .i = held->link->i,
-        .force = held->force,
-        .of_own = held->force * held->size / held->link->weight,
-        .impulse = held->impulse,
+        .i = hinge_load->link->i,
+        .force = hinge_load->force,
+        .of_own = hinge_load->force * hinge_load->size / hinge_load->link->weight,
+        .impulse = hinge_load->impulse,
     };
     return c->visit(&force, c->context);
 }
@@ -189,18 +196,18 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
     struct motion m;
     FLOW(flow);
     struct tilt head = {0, 1, 0};
-    struct pace pace = {0};
+    struct kinematics kinematics = {0};
     real theta = (real)theta_;
     enum dom_status status = motion_begin(train, &flow, &m, false);
     if (status == DOM_OK)
-        status = lean_tilt(&m.cycle.lean, theta, &head);
+        status = geometry_tilt(&m.cycle.geometry, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
         status = DOM_STOPS;
     if (status == DOM_OK)
-        status = motion_pace(&m, fmin(theta, m.end), head, &pace);
+        status = motion_kinematics(&m, fmin(theta, m.end), head, &kinematics);
     struct force_context c = {visit, context};
     if (status == DOM_OK)
-        status = forces_walk(&m.cycle.lean, head, &pace, pace.n, force_visit, &c);
+        status = forces_walk(&m.cycle.geometry, head, &kinematics, kinematics.n, force_visit, &c);
     motion_end(&m);
     return status;
 }
@@ -215,20 +222,20 @@ struct least_context {
     enum dom_status status;
 };
 
-static bool least_seen(const struct held *held, void *context)
+static bool least_seen(const struct hinge_load *hinge_load, void *context)
 {
     struct least_context *c = context;
-    if (!held->leaned)
+    if (!hinge_load->leaned)
         return true;
-    real force = held->force * held->size / held->link->weight;
+    real force = hinge_load->force * hinge_load->size / hinge_load->link->weight;
     c->force = fmin(force, c->force);
     if (force < c->least) {
         c->least = force;
         c->least_theta = c->theta;
-        c->domino = held->link->i;
+        c->domino = hinge_load->link->i;
     }
-    if (isfinite(held->impulse))
-        c->impulse = fmin(held->impulse, c->impulse);
+    if (isfinite(hinge_load->impulse))
+        c->impulse = fmin(hinge_load->impulse, c->impulse);
     return true;
 }
 
@@ -237,16 +244,16 @@ static real least_at(real theta, void *context)
 {
     struct least_context *c = context;
     struct tilt head;
-    struct pace pace = {0};
-    const struct lean *g = &c->motion.cycle.lean;
+    struct kinematics kinematics = {0};
+    const struct geometry *geometry = &c->motion.cycle.geometry;
     c->theta = theta;
     c->force = (real)INFINITY;
-    c->status = lean_tilt(g, theta, &head);
+    c->status = geometry_tilt(geometry, theta, &head);
     if (c->status == DOM_OK)
-        c->status = motion_pace(&c->motion, theta, head, &pace);
-    c->dominoes = pace.n;
+        c->status = motion_kinematics(&c->motion, theta, head, &kinematics);
+    c->dominoes = kinematics.n;
     if (c->status == DOM_OK)
-        c->status = forces_walk(g, head, &pace, pace.n, least_seen, c);
+        c->status = forces_walk(geometry, head, &kinematics, kinematics.n, least_seen, c);
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
@@ -291,8 +298,8 @@ KERNEL enum dom_status cycle_least_force(const struct dom_train *train, struct d
     if (status != DOM_OK)
         return status;
     const struct barrier *b = &c.motion.cycle.barrier;
-    struct lean *g = &c.motion.cycle.lean;
-    g->tol = fmax(g->tol, FORCES_TOL);
+    struct geometry *geometry = &c.motion.cycle.geometry;
+    geometry->tol = fmax(geometry->tol, FORCES_TOL);
     /* A force jumps where a follower leaves: up to there and from there. */
     for (int i = 1; i < b->edges && status == DOM_OK; i++) {
         const real inside = 16 * REAL_EPSILON;

@@ -10,7 +10,7 @@
 #include "motion/motion.h"
 
 /* How a chain moves: tau^2 omega^2 and tau^2 times the acceleration of its head; g.n dominoes at most. */
-struct pace {
+struct kinematics {
     real omegasq, acceleration;
     size_t n; /* dominoes that matter */
     /* Of a collision, at theta = 0: tau omega of the head behind it, and what is lost of it by followers. */
@@ -24,22 +24,24 @@ struct pace {
 #define FORCES_TOL ((real)1e-6)
 
 /* Forces in m g of the head, impulses in m g tau of it; x forward, z up. */
-struct held {
+struct hinge_load {
     const struct link *link;
-    real size;           /* height over that of the head */
-    bool leaned;         /* on by a follower, with: */
-    real force, impulse; /* normal to its back face */
-    real x, z;           /* from the floor, at the hinge */
-    real blow_x, blow_z; /* the same in the collision */
+    real size;                 /* height over that of the head */
+    bool leaned;               /* on by a follower, with: */
+    real force, impulse;       /* normal to its back face */
+    real x, z;                 /* from the floor, at the hinge */
+    real impulse_x, impulse_z; /* the same in the collision */
 };
 
 /* Visits at most `shown` dominoes from the head down; false ends it. */
-typedef bool held_visit(const struct held *held, void *context);
-KERNEL enum dom_status forces_walk(const struct lean *lean, struct tilt head, const struct pace *pace,
-                                   size_t shown, held_visit *visit, void *context);
+typedef bool hinge_load_visit(const struct hinge_load *hinge_load, void *context);
+KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt head,
+                                   const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
+                                   void *context);
 
 /* How a train moves at a tilt of its head. */
-KERNEL enum dom_status motion_pace(struct motion *motion, real theta, struct tilt head, struct pace *pace);
+KERNEL enum dom_status motion_kinematics(struct motion *motion, real theta, struct tilt head,
+                                         struct kinematics *kinematics);
 
 /* |x| / z of the floor's force: the friction that a hinge needs; infinite where the domino is lifted. */
 KERNEL real forces_needed(real x, real z);

@@ -40,13 +40,13 @@ KERNEL real slowness_before(real x, void *context)
     /* At the stop it is flat, to rounding, where the energy that is left would underflow. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), theta = m->end - delta, left = 0;
-    c->status = lean_tilt(&c->lean, theta, &head);
-    if (c->status == DOM_OK && c->lean.mu > 0)
-        left = friction_left(&c->lean, m->end, delta); /* w, as J w with J = 1 */
+    c->status = geometry_tilt(&c->geometry, theta, &head);
+    if (c->status == DOM_OK && c->geometry.mu > 0)
+        left = friction_left(&c->geometry, m->end, delta); /* w, as J w with J = 1 */
     else if (c->status == DOM_OK)
-        c->status = lean_tilt(&c->lean, m->end, &rest);
-    if (c->status == DOM_OK && c->lean.mu == 0) {
-        c->status = chain_rise_by(&c->lean, rest, head, -delta, &at);
+        c->status = geometry_tilt(&c->geometry, m->end, &rest);
+    if (c->status == DOM_OK && c->geometry.mu == 0) {
+        c->status = chain_energy_change_by(&c->geometry, rest, head, -delta, &at);
         left = -at.dH;
     }
     return c->status == DOM_OK && left > 0 ? 2 * m->end * u * sqrt(at.J / left) : REAL_NAN;
@@ -86,7 +86,7 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *e
     bool leaves;
     struct tilt leave;
     size_t domino = 0;
-    enum dom_status status = chain_leave(&m->cycle.lean, &leaves, &leave, &domino);
+    enum dom_status status = chain_leave(&m->cycle.geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
     real top = m->cycle.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
@@ -127,55 +127,56 @@ KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_ev
 /* ---- Accelerations ---- */
 
 /* The rest of J, H1 and J'/2 from this domino on, where it is near enough to theta_inf (far_near). */
-static bool acceleration_closes(const struct link *k, real bend, struct sum_state *a, real *half_J1)
+static bool acceleration_closes(const struct link *k, real second_derivative, struct sum_state *a,
+                                real *half_J1)
 {
-    const struct lean *g = k->lean;
-    const struct far *far = &g->far;
-    if (g->n != CHAIN_ENDLESS || g->falls_off || g->behind)
+    const struct geometry *geometry = k->geometry;
+    const struct far *far = &geometry->far;
+    if (geometry->n != CHAIN_ENDLESS || geometry->detaches || geometry->behind)
         return false;
-    real e = far_off(g, k->tilt), H1 = k->weight * k->slope, J = k->inertia * k->slope * k->slope;
-    if (e > g->inf.x / 16 || !far_done(&a->H1, H1 * far->H1, H1 * far->H3 * e * e, g->tol) ||
-        !far_done(&a->J, J * far->J0, J * far->J2 * e * e, g->tol))
+    real e = far_off(geometry, k->tilt), H1 = k->weight * k->slope, J = k->inertia * k->slope * k->slope;
+    if (e > geometry->inf.x / 16 || !far_done(&a->H1, H1 * far->H1, H1 * far->H3 * e * e, geometry->tol) ||
+        !far_done(&a->J, J * far->J0, J * far->J2 * e * e, geometry->tol))
         return false;
     real J_far = far->J0 - far->J1 * e + far->J2 * e * e / 2, J1_far = far->J1 - far->J2 * e;
     series_add(&a->H1, H1 * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
     series_add(&a->J, J * J_far);
-    *half_J1 += k->inertia * k->slope * (bend * J_far + k->slope * k->slope * J1_far / 2);
+    *half_J1 += k->inertia * k->slope * (second_derivative * J_far + k->slope * k->slope * J1_far / 2);
     return true;
 }
 
 /* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w.  *n, unless NULL: the
  * dominoes that matter. */
-KERNEL enum dom_status motion_acceleration(const struct lean *g, struct tilt head, real w, real *acceleration,
-                                           size_t *n)
+KERNEL enum dom_status motion_acceleration(const struct geometry *geometry, struct tilt head, real w,
+                                           real *acceleration, size_t *n)
 {
     struct sum_state a = {0};
     struct sums at;
-    struct law law;
-    struct link k = link_head(g, head);
-    real half_J1 = 0, bend = 0;
+    struct equation_of_motion equation_of_motion;
+    struct link k = link_head(geometry, head);
+    real half_J1 = 0, second_derivative = 0;
     for (;;) {
-        enum dom_status status = chain_watch(g, k.i);
+        enum dom_status status = chain_watch(geometry, k.i);
         if (status != DOM_OK)
             return status;
-        if (!n && acceleration_closes(&k, bend, &a, &half_J1))
+        if (!n && acceleration_closes(&k, second_derivative, &a, &half_J1))
             break;
         add_J(&a, &k);
         add_H1(&a, &k);
-        half_J1 += k.inertia * k.slope * bend;
-        if (k.i + 1 >= g->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, g->tol)))
+        half_J1 += k.inertia * k.slope * second_derivative;
+        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
             break;
         struct link leader = k;
         link_next(&k);
-        bend = link_bend(&leader, bend, &k);
+        second_derivative = link_second_derivative(&leader, second_derivative, &k);
     }
-    enum dom_status status = sum_result(g, &a, 0, k.i + 1, &at);
+    enum dom_status status = sum_result(geometry, &a, 0, k.i + 1, &at);
     if (n)
         *n = at.n;
     *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
-    if (status == DOM_OK && g->mu > 0) {
-        status = friction_law(g, head, &law);
-        *acceleration = (law.C - law.B * w) / law.A;
+    if (status == DOM_OK && geometry->mu > 0) {
+        status = friction_equation_of_motion(geometry, head, &equation_of_motion);
+        *acceleration = (equation_of_motion.C - equation_of_motion.B * w) / equation_of_motion.A;
     }
     return status;
 }
@@ -207,19 +208,19 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
 }
 
 /* At the tilt where a follower leaves, which rounding may set before or behind it, it has left. */
-static enum dom_status fallen_energy(const struct lean *g, real theta, real *left)
+static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;
     bool leaves;
     struct tilt leave, head;
     struct sums at;
-    enum dom_status status = chain_leave(g, &leaves, &leave, NULL);
+    enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
     real fall = leaves ? tilt_angle(leave) : 0;
     if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
         return status;
-    status = lean_tilt(g, fmin(fall * (1 + near), tilt_angle(g->c)), &head);
+    status = geometry_tilt(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &head);
     if (status == DOM_OK)
-        status = chain_rise(g, head, &at, NULL);
+        status = chain_energy_change(geometry, head, &at, NULL);
     if (status == DOM_OK)
         *left = at.left;
     return status;
@@ -234,33 +235,34 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     struct sums at, e = {0};
     struct fuel fuel, fuel_error = {0};
     real omegasq = 0, omegasq_error = 0, acceleration = 0;
-    enum dom_status status = lean_tilt(&c->lean, theta, &head);
+    enum dom_status status = geometry_tilt(&c->geometry, theta, &head);
     if (status == DOM_OK && theta > m->end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
     theta = fmin(theta, m->end);
-    bool rubs = c->lean.mu > 0;
+    bool rubs = c->geometry.mu > 0;
     if (status == DOM_OK)
-        status = chain_rise(&c->lean, head, &at, error ? &e : NULL);
+        status = chain_energy_change(&c->geometry, head, &at, error ? &e : NULL);
     if (status == DOM_OK)
         status = cycle_speed(c, theta, &omegasq, error ? &omegasq_error : NULL);
     /* At the stop it is 0, which rounding hides. */
     bool rests = m->stops && theta >= m->end * (1 - 4 * REAL_EPSILON);
     omegasq = rests ? 0 : fmax(omegasq, 0);
     if (status == DOM_OK)
-        status = fallen_energy(&c->lean, theta, &at.left);
+        status = fallen_energy(&c->geometry, theta, &at.left);
     if (status == DOM_OK && isnan(time))
         status = motion_time(m, 0, theta, &time);
     if (status == DOM_OK)
-        status = motion_acceleration(&c->lean, head, omegasq, &acceleration, NULL);
+        status = motion_acceleration(&c->geometry, head, omegasq, &acceleration, NULL);
     if (status == DOM_OK)
-        status = energy_fuel(&c->lean, &fuel, error ? &fuel_error : NULL);
+        status = energy_fuel(&c->geometry, &fuel, error ? &fuel_error : NULL);
     if (status != DOM_OK)
         return status;
     /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
-    real keeps = c->launch.keeps;
-    real after = rubs ? c->lean.flow->J_c * c->launch.omegasq / (c->lean.r * keeps * keeps)
-                      : c->launch.kinetic + fuel.exact;
-    real before = c->lean.weight * after, J0 = c->launch.J0;
+    real velocity_ratio = c->launch.velocity_ratio;
+    real after =
+        rubs ? c->geometry.flow->J_c * c->launch.omegasq / (c->geometry.r * velocity_ratio * velocity_ratio)
+             : c->launch.kinetic + fuel.exact;
+    real before = c->geometry.weight * after, J0 = c->launch.J0;
     *state = (struct dom_state){
         .theta = theta,
         .time = time,
@@ -271,12 +273,12 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         .fallen = at.left,
         .before = before,
         .lost = rubs ? before - c->launch.kinetic : before / J0,
-        .rubbed = rubs && theta > 0 ? c->launch.kinetic - at.dH - at.J * omegasq : 0,
+        .friction_work = rubs && theta > 0 ? c->launch.kinetic - at.dH - at.J * omegasq : 0,
     };
     if (!error)
         return DOM_OK;
     real of_time = 0, of_kinetic = c->launch_error.kinetic;
-    real of_before = c->lean.weight * (of_kinetic + fuel_error.exact) + 5 * UNIT * before;
+    real of_before = c->geometry.weight * (of_kinetic + fuel_error.exact) + 5 * UNIT * before;
     if (rubs)
         of_time = REAL_NAN;
     else

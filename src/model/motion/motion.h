@@ -43,7 +43,7 @@ KERNEL enum dom_status motion_events(const struct motion *motion, struct dom_eve
  * tau^2 times the angular acceleration of the head at a tilt, where tau^2 omega^2 is w: half of dw/dtheta,
  * from (c3) differentiated; *n, unless NULL, gets the dominoes that matter.
  */
-KERNEL enum dom_status motion_acceleration(const struct lean *lean, struct tilt head, real w,
+KERNEL enum dom_status motion_acceleration(const struct geometry *geometry, struct tilt head, real w,
                                            real *acceleration, size_t *n);
 
 /* The state at a tilt; time NaN where it is not known yet. */

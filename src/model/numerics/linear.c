@@ -152,9 +152,10 @@ static real series_moved(const real *series, int n, real x, real by)
     real y = x - by, T = 1, T_next = y, moved = 0, moved_next = by, sum = 0;
     for (int k = 1; k < n; k++) {
         sum += series[k] * moved_next;
-        real T_then = 2 * y * T_next - T, moved_then = 2 * x * moved_next + 2 * by * T_next - moved;
+        real inertia_ratio_then = 2 * y * T_next - T,
+             moved_then = 2 * x * moved_next + 2 * by * T_next - moved;
         T = T_next;
-        T_next = T_then;
+        T_next = inertia_ratio_then;
         moved = moved_next;
         moved_next = moved_then;
     }

@@ -7,14 +7,14 @@
  *
  * Inside, the head of the moment is the unit, as everywhere in here: its height, m g h / 2, tau.
  */
-#include "motion/stretch.h"
+#include "motion/segment.h"
 #include <stdlib.h>
 
 /* ---- The row as a chain ---- */
 
 struct row {
     const struct dom_row *asked;
-    struct lean *lean; /* of domino k as a head, and as a follower of k + 1 */
+    struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
     struct flow *flow;
 };
 
@@ -28,34 +28,36 @@ static struct block block_of(const struct dom_row *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
-    real g = (real)row->g;
-    return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d)), m * g * h / 2};
+    real geometry = (real)row->g;
+    return (struct block){h, d, m, sqrt(h / (3 * geometry) * (1 + d * d)), m * geometry * h / 2};
 }
 
 /* The joint of domino k with k - 1, its follower, and how much of the row is behind it. */
-static void joint_make(const struct dom_row *row, size_t k, const struct lean *follower, struct lean *g)
+static void joint_make(const struct dom_row *row, size_t k, const struct geometry *follower,
+                       struct geometry *geometry)
 {
     struct block own = block_of(row, k), behind = block_of(row, k - 1);
     real gap = (real)row->domino[k].gap;
-    g->r = own.height / behind.height;
-    g->s = gap / own.height;
-    g->L = g->s + own.d;
-    g->rs = gap / behind.height;
-    g->rL = g->r * g->L;
-    g->short_of = fmax((behind.height - gap) / behind.height, 0);
-    g->leave_at = g->short_of * (1 + gap / behind.height);
-    g->leave_by = 2 * g->d * g->L * g->r * g->r;
-    real v = g->leave_at / g->leave_by;
-    g->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
-    g->weight = behind.mass / own.mass / g->r;
-    g->inertia = g->weight / g->r * (1 + behind.d * behind.d) / (1 + own.d * own.d);
-    g->behind = follower;
+    geometry->r = own.height / behind.height;
+    geometry->s = gap / own.height;
+    geometry->L = geometry->s + own.d;
+    geometry->rs = gap / behind.height;
+    geometry->rL = geometry->r * geometry->L;
+    geometry->short_of = fmax((behind.height - gap) / behind.height, 0);
+    geometry->leave_at = geometry->short_of * (1 + gap / behind.height);
+    geometry->leave_by = 2 * geometry->d * geometry->L * geometry->r * geometry->r;
+    real v = geometry->leave_at / geometry->leave_by;
+    geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
+    geometry->weight = behind.mass / own.mass / geometry->r;
+    geometry->inertia = geometry->weight / geometry->r * (1 + behind.d * behind.d) / (1 + own.d * own.d);
+    geometry->behind = follower;
     /* All behind it, over what it has itself: a bound for what it leaves out to end a sum there. */
-    real weights = g->weight * follower->reach / g->reach * (1 + follower->decay / (1 - follower->decay));
-    real moments = g->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
+    real weights =
+        geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
+    real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     /* 1 where nothing can be left out. */
-    g->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
-    g->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
+    geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
+    geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
 
 /* Where domino k ends as a head: at the next one, or on the floor. */
@@ -71,19 +73,19 @@ static void row_make(struct row *row)
 {
     const struct dom_row *asked = row->asked;
     for (size_t k = 0; k < asked->count; k++) {
-        struct lean *g = &row->lean[k];
-        *g = (struct lean){.tol = (real)asked->tol,
-                           .mu = (real)asked->mu,
-                           .flow = row->flow,
-                           .interrupt = asked->interrupt,
-                           .work = asked->work,
-                           .d = block_of(asked, k).d,
-                           .short_of = 1,
-                           .c = row_end(asked, k),
-                           .n = k + 1};
-        g->reach = hypot(1, g->d);
+        struct geometry *geometry = &row->geometry[k];
+        *geometry = (struct geometry){.tol = (real)asked->tol,
+                                      .mu = (real)asked->mu,
+                                      .flow = row->flow,
+                                      .interrupt = asked->interrupt,
+                                      .work = asked->work,
+                                      .d = block_of(asked, k).d,
+                                      .short_of = 1,
+                                      .c = row_end(asked, k),
+                                      .n = k + 1};
+        geometry->reach = hypot(1, geometry->d);
         if (k > 0)
-            joint_make(asked, k, &row->lean[k - 1], g);
+            joint_make(asked, k, &row->geometry[k - 1], geometry);
     }
 }
 
@@ -113,21 +115,21 @@ static enum dom_status row_check(const struct dom_row *row)
 struct run {
     struct row row;
     bool times;
-    size_t moving; /* dominoes, with the head */
-    real omegasq;  /* of the head at its start, in its tau */
-    real T;        /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 for none */
-    real time;     /* s, so far; NaN where it has no value */
-    real carried;  /* J, of motion before the next collision */
+    size_t moving;      /* dominoes, with the head */
+    real omegasq;       /* of the head at its start, in its tau */
+    real inertia_ratio; /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 for none */
+    real time;          /* s, so far; NaN where it has no value */
+    real carried;       /* J, of motion before the next collision */
     struct dom_verdict verdict;
 };
 
 /* What the stretches of one head add up to, in its units. */
 struct descent {
-    struct stretch st;
+    struct segment st;
     size_t stay;
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    bool stops, locks; /* locks: it moves where friction locks */
-    struct need need;  /* of the floor */
+    bool stops, locks;                          /* locks: it moves where friction locks */
+    struct required_friction required_friction; /* of the floor */
 };
 
 /* Where the motion ends in this stretch. */
@@ -137,9 +139,9 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
     d->stop = d->st.hi;
     if (used_up) {
         d->stops = true;
-        return stretch_rest(&d->st, &d->stop);
+        return segment_rest(&d->st, &d->stop);
     }
-    enum dom_status status = stretch_braked(&d->st, &braked);
+    enum dom_status status = segment_braked(&d->st, &braked);
     d->stops = braked;
     d->locks = !braked;
     return status;
@@ -148,18 +150,18 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
 /* The motion in a stretch, up to where it ends or comes to rest. */
 static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
-    struct stretch *st = &d->st;
+    struct segment *st = &d->st;
     bool ends = d->stops || d->locks;
     real to = ends ? d->stop : st->hi, part = 0, J;
-    struct floor_path path = {&st->g, st->lo, to, stretch_pace, st};
-    enum dom_status status = st->lo < to ? stretch_contact(st, to, &d->least_force) : DOM_OK;
+    struct floor_path path = {&st->geometry, st->lo, to, segment_kinematics, st};
+    enum dom_status status = st->lo < to ? segment_contact(st, to, &d->least_force) : DOM_OK;
     if (status == DOM_OK && floor && st->lo < to)
-        status = floor_over(&path, &d->need);
+        status = floor_over(&path, &d->required_friction);
     if (ends || status != DOM_OK)
         return status;
-    d->climbed += stretch_climbed(st, st->hi, &J);
+    d->climbed += segment_climbed(st, st->hi, &J);
     if (times)
-        status = stretch_time(st, &part);
+        status = segment_time(st, &part);
     d->time += part;
     return status != DOM_OK ? status : st->status;
 }
@@ -168,15 +170,15 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
  * One stretch; the next one is prepared.  What is behind a stop nobody moves through, but it takes energy as
  * well: of all of them together the row is short.
  */
-static enum dom_status descent_stretch(struct descent *d, real end, bool times, bool floor)
+static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
-    struct stretch *st = &d->st, next;
+    struct segment *st = &d->st, next;
     bool over = d->stops;
-    st->g.n = d->stay;
+    st->geometry.n = d->stay;
     st->hi = end;
-    enum dom_status status = stretch_cut(st, &d->stay);
+    enum dom_status status = segment_cut(st, &d->stay);
     if (status == DOM_OK)
-        status = stretch_begin(st);
+        status = segment_begin(st);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
     /* In energy at the launch: with friction not all of it comes as far as here. */
@@ -188,7 +190,7 @@ static enum dom_status descent_stretch(struct descent *d, real end, bool times, 
     }
     /* Before the flow is cut to where it comes to rest. */
     if (!st->locks)
-        status = stretch_next(st, &next);
+        status = segment_next(st, &next);
     if (status == DOM_OK && !over && (used_up || st->locks))
         status = descent_rest(d, used_up);
     if (status == DOM_OK && !over)
@@ -202,25 +204,27 @@ static enum dom_status descent_stretch(struct descent *d, real end, bool times, 
 static enum dom_status head_run(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->row.asked, k);
-    const real end = tilt_angle(run->row.lean[k].c);
-    *d = (struct descent){
-        .st = {.g = run->row.lean[k], .from = standing, .omegasq = run->omegasq, .T = run->T},
-        .stay = run->moving,
-        .least_margin = (real)INFINITY,
-        .least_force = (real)INFINITY};
+    const real end = tilt_angle(run->row.geometry[k].c);
+    *d = (struct descent){.st = {.geometry = run->row.geometry[k],
+                                 .from = standing,
+                                 .omegasq = run->omegasq,
+                                 .inertia_ratio = run->inertia_ratio},
+                          .stay = run->moving,
+                          .least_margin = (real)INFINITY,
+                          .least_force = (real)INFINITY};
     struct sums at;
-    struct lean g = d->st.g;
-    g.n = run->moving;
-    enum dom_status status = chain_sum(&g, d->st.from, &at);
+    struct geometry geometry = d->st.geometry;
+    geometry.n = run->moving;
+    enum dom_status status = chain_sum(&geometry, d->st.from, &at);
     real kinetic = at.J * run->omegasq;
     d->J0 = d->st.J = at.J; /* all there is where the next one is touched already */
     d->st.gain = 1;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
-        status = descent_stretch(d, end, run->times, run->row.asked->floor);
+        status = descent_segment(d, end, run->times, run->row.asked->floor);
     if (status != DOM_OK)
         return status;
     run->moving = d->stay;
-    run->carried = stretch_kinetic(&d->st) * block.unit;
+    run->carried = segment_kinetic(&d->st) * block.unit;
     fall->omega = sqrt(run->omegasq) / block.tau;
     fall->kinetic = kinetic * block.unit;
     fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * block.unit : (real)fall->kinetic;
@@ -229,9 +233,9 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     bool ends = d->stops || d->locks;
     fall->theta = ends ? d->stop : end;
     fall->duration = run->times && !ends ? d->time * block.tau : REAL_NAN;
-    fall->rubbed = ends ? REAL_NAN : 0;
+    fall->friction_work = ends ? REAL_NAN : 0;
     if (!ends && run->row.asked->mu > 0)
-        fall->rubbed = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
+        fall->friction_work = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
     return DOM_OK;
 }
 
@@ -239,24 +243,27 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->row.asked, 0);
-    const struct lean *g = &run->row.lean[0];
-    real u = g->reach, sine = (g->c.x - g->d * g->c.y) / u, cosine = (g->c.y + g->d * g->c.x) / u;
-    real barrier = g->d * g->d / (1 + u) * block.unit;
+    const struct geometry *geometry = &run->row.geometry[0];
+    real u = geometry->reach, sine = (geometry->c.x - geometry->d * geometry->c.y) / u,
+         cosine = (geometry->c.y + geometry->d * geometry->c.x) / u;
+    real barrier = geometry->d * geometry->d / (1 + u) * block.unit;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,
                               .kinetic = barrier,
                               .barrier = barrier,
-                              .theta_m = atan(g->d),
-                              .theta = tilt_angle(g->c),
+                              .theta_m = atan(geometry->d),
+                              .theta = tilt_angle(geometry->c),
                               .moving = 1};
-    *d = (struct descent){.st = {.g = *g, .from = {g->d / u, 1 / u, 1 - 1 / u}, .J = 1, .gain = 1}};
-    d->st.g.mu = 0; /* nothing rubs on it */
-    d->st.lo = atan(g->d);
-    d->st.hi = tilt_angle(g->c);
-    struct floor_path path = {&d->st.g, d->st.lo, d->st.hi, stretch_pace, &d->st};
-    enum dom_status status = run->row.asked->floor && sine > 0 ? floor_over(&path, &d->need) : DOM_OK;
-    d->st.from = g->c;
+    *d = (struct descent){
+        .st = {.geometry = *geometry, .from = {geometry->d / u, 1 / u, 1 - 1 / u}, .J = 1, .gain = 1}};
+    d->st.geometry.mu = 0; /* nothing rubs on it */
+    d->st.lo = atan(geometry->d);
+    d->st.hi = tilt_angle(geometry->c);
+    struct floor_path path = {&d->st.geometry, d->st.lo, d->st.hi, segment_kinematics, &d->st};
+    enum dom_status status =
+        run->row.asked->floor && sine > 0 ? floor_over(&path, &d->required_friction) : DOM_OK;
+    d->st.from = geometry->c;
     d->st.omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0;
     run->carried = d->st.omegasq * block.unit;
     run->verdict.end = sine > 0 ? DOM_ROW_FALLS : DOM_ROW_LEANS;
@@ -273,25 +280,29 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
     const struct dom_domino *own = &run->row.asked->domino[k], *next = own + 1;
-    struct lean *g = &run->row.lean[k + 1];
-    struct law law = {.A = d->st.J};
+    struct geometry *geometry = &run->row.geometry[k + 1];
+    struct equation_of_motion equation_of_motion = {.A = d->st.J};
     enum dom_row_end *end = &run->verdict.end;
     if ((real)next->gap > (real)own->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
-    else if ((real)own->height * d->st.g.c.y > (real)next->height)
+    else if ((real)own->height * d->st.geometry.c.y > (real)next->height)
         *end = DOM_ROW_PASSES;
     if (*end != DOM_ROW_FALLS)
         return DOM_OK;
-    struct link upright = link_head(g, standing);
-    enum dom_status status = g->mu > 0 ? friction_law(&d->st.g, d->st.from, &law) : DOM_OK;
-    real T = g->inertia * law.A * (g->mu > 0 ? torque_ratio(&upright) : 1), keeps = T / (1 + T);
-    if (!(T > 0) && g->mu == 0)
+    struct link upright = link_head(geometry, standing);
+    enum dom_status status =
+        geometry->mu > 0 ? friction_equation_of_motion(&d->st.geometry, d->st.from, &equation_of_motion)
+                         : DOM_OK;
+    real inertia_ratio =
+             geometry->inertia * equation_of_motion.A * (geometry->mu > 0 ? torque_ratio(&upright) : 1),
+         velocity_ratio = inertia_ratio / (1 + inertia_ratio);
+    if (!(inertia_ratio > 0) && geometry->mu == 0)
         return DOM_UNDERFLOW;
-    if (!(T > 0))
+    if (!(inertia_ratio > 0))
         *end = DOM_ROW_LOCKS;
     real slower = block_of(run->row.asked, k + 1).tau / block_of(run->row.asked, k).tau;
-    run->T = T;
-    run->omegasq = keeps * keeps * slower * slower * d->st.omegasq;
+    run->inertia_ratio = inertia_ratio;
+    run->omegasq = velocity_ratio * velocity_ratio * slower * slower * d->st.omegasq;
     run->moving++;
     return status;
 }
@@ -309,17 +320,18 @@ static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool
     }
 }
 
-static void fall_floor(const struct dom_row *row, size_t k, const struct need *need, struct dom_fall *fall)
+static void fall_floor(const struct dom_row *row, size_t k, const struct required_friction *required_friction,
+                       struct dom_fall *fall)
 {
     fall->floor_motion = fall->floor_hit = REAL_NAN;
     if (!row->floor)
         return;
     if (row->work)
         row->work->entered[DOM_EFFECT_floor]++;
-    fall->floor_motion = need->motion;
-    fall->floor_domino = k + 1 - need->domino;
-    fall->floor_hit = need->hit;
-    fall->floor_hit_domino = k + 1 - need->hit_domino;
+    fall->floor_motion = required_friction->motion;
+    fall->floor_domino = k + 1 - required_friction->domino;
+    fall->floor_hit = required_friction->hit;
+    fall->floor_hit_domino = k + 1 - required_friction->hit_domino;
 }
 
 static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *context)
@@ -352,7 +364,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
                                    : d.stops         ? DOM_ROW_STOPS
                                                      : DOM_ROW_LOCKS;
         }
-        fall_floor(run->row.asked, k, &d.need, &fall);
+        fall_floor(run->row.asked, k, &d.required_friction, &fall);
         verdict_add(&run->verdict, &fall, k == 0 && tips);
         more = !visit || visit(&fall, context);
         if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->row.asked->count)
@@ -375,14 +387,14 @@ KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall
     struct run run = {.row = {.asked = asked, .flow = &flow},
                       .times = times,
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
-    run.row.lean = malloc(asked->count * sizeof *run.row.lean);
-    if (!run.row.lean)
+    run.row.geometry = malloc(asked->count * sizeof *run.row.geometry);
+    if (!run.row.geometry)
         return DOM_NO_MEMORY;
     row_make(&run.row);
     status = row_falls(&run, visit, context);
     run.verdict.seconds = times ? run.time : REAL_NAN;
     if (status == DOM_OK)
         *verdict = run.verdict;
-    free(run.row.lean);
+    free(run.row.geometry);
     return status;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/cell.h"
 #include "language/decimal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <stdio.h>
 
 struct cell cell_real(dom_real value)
@@ -53,22 +53,22 @@ static const char *bound_text(dom_real error, char text[WIDE_TEXT])
 {
     if (!isfinite(error))
         return "-"; /* none is known */
-    wide_text(error * (dom_real)1.06, 2, text);
+    quad_text(error * (dom_real)1.06, 2, text);
     return text;
 }
 
 /* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
 static int bound_digits(struct cell cell, int all)
 {
-    dom_real ratio = wide(fabs)(cell.number) / cell.error;
-    int digits = ratio > 1 ? (int)wide_smaller(wide(floor)(wide(log10)(ratio)), 40) + 3 : 2;
+    dom_real ratio = quad(fabs)(cell.number) / cell.error;
+    int digits = ratio > 1 ? (int)quad_smaller(quad(floor)(quad(log10)(ratio)), 40) + 3 : 2;
     return digits < all ? digits : all;
 }
 
 /* What the digits leave out is an error, too. */
 static dom_real printed_error(struct cell cell, const char *number)
 {
-    return cell.error + wide(fabs)(wide_read(number, NULL) - cell.number);
+    return cell.error + quad(fabs)(quad_read(number, NULL) - cell.number);
 }
 
 static const char *real_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT])
@@ -76,10 +76,10 @@ static const char *real_text(struct cell cell, int digits, bool bounds, char tex
     char number[WIDE_TEXT], bound[WIDE_TEXT];
     bool known = bounds && isfinite(cell.error) && cell.digits == 0;
     if (!known)
-        return wide_text(cell.number, cell.digits ? cell.digits : digits, text);
+        return quad_text(cell.number, cell.digits ? cell.digits : digits, text);
     if (cell.error != 0)
         digits = bound_digits(cell, digits);
-    wide_text(cell.number, digits, number);
+    quad_text(cell.number, digits, number);
     dom_real error = printed_error(cell, number);
     if (error > 0)
         snprintf(text, CELL_TEXT, "%s +/- %s", number, bound_text(error, bound));
@@ -94,7 +94,7 @@ const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_
     case CELL_REAL:
         return real_text(cell, digits, bounds, text);
     case CELL_COUNT:
-        return wide_text(cell.number, WIDE_DIGITS, text);
+        return quad_text(cell.number, WIDE_DIGITS, text);
     case CELL_FLAG:
         return cell.number != 0 ? "yes" : "no";
     case CELL_WORD:
@@ -138,7 +138,7 @@ const char *cell_plain(const struct output_style *style, struct cell cell, char 
         return text;
     const char *said = cell_text(cell, few, false, text);
     for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
-        if (rounded(style, wide_read(text, NULL)) != cell.number)
+        if (rounded(style, quad_read(text, NULL)) != cell.number)
             said = cell_text(cell, n, false, text);
     return said;
 }

@@ -3,7 +3,7 @@
 #include "answer/fitted.h"
 #include "io/escape.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <errno.h>
 #include <stdarg.h>
 #include <string.h>
@@ -20,7 +20,7 @@ enum {
 
 dom_real style_angle(const struct output_style *style, dom_real radians)
 {
-    return style->angle == ANGLE_DEG ? radians * (180 / WIDE_PI) : radians;
+    return style->angle == ANGLE_DEG ? radians * (180 / QUAD_PI) : radians;
 }
 
 const char *style_angle_unit(const struct output_style *style)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/costs.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 
 /* ---- Answers that have a tolerance ---- */
 
@@ -120,8 +120,8 @@ static void row_measure(const struct costed *answer, struct dom_train train, con
     row->seconds = terminal_clock() - begun;
     if (row->status != DOM_OK)
         return;
-    dom_real size = cost->value == 0 ? 1 : wide(fabs)(cost->value);
-    row->error = wide_larger(wide(fabs)(value - cost->value), uncertain) / size;
+    dom_real size = cost->value == 0 ? 1 : quad(fabs)(cost->value);
+    row->error = quad_larger(quad(fabs)(value - cost->value), uncertain) / size;
     train.work = NULL;
     row->seconds = least_seconds(answer, &train, row->seconds);
 }

@@ -2,7 +2,7 @@
 /* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
 #include "commands/tables.h"
 #include "interpreter/command.h"
-#include "language/wide.h"
+#include "language/quad.h"
 
 /* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
 static const char *no_fuel(const struct session *session)
@@ -40,7 +40,7 @@ static bool run_thetac(struct session *session, const struct call *call)
     answer_row(call->answer,
                ROW(cell_bound(a.theta_c, e.theta_c), cell_bound(a.theta_u, e.theta_u),
                    cell_bound(a.theta_inf, e.theta_inf), cell_bound(a.theta_f, e.theta_f),
-                   cell_bound(a.theta_leave, e.theta_leave), cell_flag(a.falls_off)),
+                   cell_bound(a.theta_leave, e.theta_leave), cell_flag(a.detaches)),
                NULL);
     return true;
 }
@@ -158,7 +158,7 @@ static const char *stop_reason(const struct session *session, char *reason, size
         snprintf(
             reason, size,
             "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %s %s",
-            wide_text(style_angle(&style, stop), digits, text), style_angle_unit(&style));
+            quad_text(style_angle(&style, stop), digits, text), style_angle_unit(&style));
     else
         snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
     return reason;

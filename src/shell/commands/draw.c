@@ -5,7 +5,7 @@
 #include "commands/walk.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "picture/picture.h"
 #include "picture/scene.h"
 #include <string.h>
@@ -27,8 +27,8 @@ struct canvas {
 
 static void canvas_put(struct canvas *c, struct point p, char mark, bool over)
 {
-    int column = (int)wide(floor)((dom_real)((p.x - c->left) / c->unit));
-    int row = c->height - 1 - (int)wide(floor)((dom_real)(p.y / (2 * c->unit)));
+    int column = (int)quad(floor)((dom_real)((p.x - c->left) / c->unit));
+    int row = c->height - 1 - (int)quad(floor)((dom_real)(p.y / (2 * c->unit)));
     if (column < 0 || column >= c->width || row < 0 || row >= c->height)
         return;
     char *cell = &c->cell[row * c->width + column];
@@ -59,8 +59,8 @@ static void canvas_make(struct canvas *c, const struct scene *scene, double d, i
     c->width = width;
     c->height = height;
     memset(c->cell, ' ', sizeof c->cell);
-    double wide = (scene->right - scene->left) / width, tall = scene->top / (2 * height);
-    c->unit = wide > tall ? wide : tall;
+    double quad = (scene->right - scene->left) / width, tall = scene->top / (2 * height);
+    c->unit = quad > tall ? quad : tall;
     c->left = scene->right - c->unit * width;
     for (int k = 0; k < scene->count; k++)
         canvas_fill(c, &scene->domino[k], d, scene->top);
@@ -86,7 +86,7 @@ static void canvas_ground(const struct canvas *c, FILE *out)
     double step = canvas_step(c);
     memset(ground, '-', (size_t)c->width);
     memset(numbers, ' ', (size_t)c->width + 8);
-    for (double k = (double)wide(ceil)((dom_real)(c->left / step)); k * step < c->left + c->unit * c->width;
+    for (double k = (double)quad(ceil)((dom_real)(c->left / step)); k * step < c->left + c->unit * c->width;
          k++) {
         int at = (int)((k * step - c->left) / c->unit), from = at > 2 ? at - 2 : 0;
         char number[16];
@@ -107,7 +107,7 @@ static void canvas_write(const struct canvas *c, FILE *out)
     double step = canvas_step(c) / 2;
     for (int row = 0; row < c->height; row++) {
         double low = 2 * c->unit * (c->height - 1 - row), high = low + 2 * c->unit;
-        double mark = step * (double)wide(ceil)((dom_real)(low / step));
+        double mark = step * (double)quad(ceil)((dom_real)(low / step));
         const char *line = c->cell + (size_t)row * (size_t)c->width;
         int end = c->width;
         while (end > 0 && line[end - 1] == ' ')
@@ -132,7 +132,7 @@ static const char *title_text(const struct session *session, dom_real theta, con
     struct walk_units units = walk_units(session, walk ? walk->cycle : 1);
     snprintf(text, TITLE_SIZE,
              "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, to scale", letter,
-             (double)theta, (double)(theta * (180 / WIDE_PI)), (double)t->s, (double)t->r, (double)t->d,
+             (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s, (double)t->r, (double)t->d,
              (double)(1000 * units.height));
     return text;
 }

@@ -4,7 +4,7 @@
 #include "commands/walk.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "session/effects.h"
 #include <stdlib.h>
 #include <string.h>

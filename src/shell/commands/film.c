@@ -3,7 +3,7 @@
 #include "commands/film.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "picture/picture.h"
 #include "picture/scene.h"
 #include <string.h>
@@ -31,7 +31,7 @@ struct moment {
 static struct moment moment_at(const struct film *film, double time)
 {
     struct moment m = {.slower = 1, .place = {1, 0}};
-    double root = (double)wide(sqrt)((dom_real)film->r);
+    double root = (double)quad(sqrt)((dom_real)film->r);
     while (m.cycle + 1 < film->cycles && time >= m.begun + film->duration * m.slower) {
         m.begun += film->duration * m.slower;
         m.place.shift += film->pitch * film->r * m.place.scale;
@@ -91,13 +91,13 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->stops = status == DOM_STOPS;
     film->cycles = film->stops ? 1 : film->cycles;
     film->duration = (double)events[count - 1].time;
-    film->top = 1.04 * (double)wide(pow)(t->r, (dom_real)film->cycles);
+    film->top = 1.04 * (double)quad(pow)(t->r, (dom_real)film->cycles);
     struct moment last = moment_at(film, (double)INFINITY);
     film->right = last.place.shift + last.place.scale * film->r * film->pitch + 0.1 * film->top;
     double behind = film->pitch * film->r / (film->r - 1); /* all that stood behind the first head */
     film->left = behind < 1.8 ? -1.05 * behind : -1.8;
     double whole = last.begun + film->duration * last.slower;
-    film->frames = (int)wide(ceil)((dom_real)(FRAMES_FIRST * whole / film->duration));
+    film->frames = (int)quad(ceil)((dom_real)(FRAMES_FIRST * whole / film->duration));
     film->step = whole / film->frames;
     return true;
 }

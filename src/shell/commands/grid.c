@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/grid.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "session/effects.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -145,7 +145,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
     axis->count = (size_t)n;
     if (n == 1 && axis->from != axis->to)
         return session_error(session, "%s: one value cannot cover %s to %s; N is at least 2", name,
-                             wide_shown(axis->from).text, wide_shown(axis->to).text);
+                             quad_shown(axis->from).text, quad_shown(axis->to).text);
     const char *word = skip_blanks(r->at);
     size_t length = strspn(word, "abcdefghijklmnopqrstuvwxyz");
     axis->logarithmic = length == 3 && strncmp(word, "log", length) == 0;
@@ -156,9 +156,9 @@ static bool read_steps(struct reader *r, struct axis *axis)
                session_error(session, "%s: steps of equal ratio need FROM and TO above 0", name);
     }
     dom_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
-    return !axis_whole(axis) || wide(fabs)(step - wide(round)(step)) < (dom_real)1e-9 ||
+    return !axis_whole(axis) || quad(fabs)(step - quad(round)(step)) < (dom_real)1e-9 ||
            session_error(session, "%s has whole numbers only, and %s to %s in %zu values are not", name,
-                         wide_shown(axis->from).text, wide_shown(axis->to).text, axis->count);
+                         quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
 
 static bool read_values(struct reader *r, struct axis *axis)
@@ -213,9 +213,9 @@ dom_real axis_value(const struct axis *axis, size_t k)
     dom_real f = axis->count > 1 ? (dom_real)k / (dom_real)(axis->count - 1) : 0;
     bool end = k == 0 || k == axis->count - 1; /* these are what was typed */
     dom_real value = axis->logarithmic && !end
-                         ? wide(exp)((1 - f) * wide(log)(axis->from) + f * wide(log)(axis->to))
+                         ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
                          : (1 - f) * axis->from + f * axis->to;
-    return axis_whole(axis) ? wide(round)(value) : value;
+    return axis_whole(axis) ? quad(round)(value) : value;
 }
 
 struct cell axis_cell(const struct axis *axis, dom_real value)

@@ -3,7 +3,7 @@
 #include "commands/tables.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "prompt/complete.h"
 #include "session/effects.h"
 #include <ctype.h>
@@ -25,8 +25,8 @@ static int summary_column(void)
     int widest = 0;
     for (const struct command_group *g = command_groups(); g->title; g++)
         for (const struct command *c = g->commands; c->name; c++) {
-            int wide = (int)strlen(command_usage(c, usage));
-            widest = wide > widest ? wide : widest;
+            int quad = (int)strlen(command_usage(c, usage));
+            widest = quad > widest ? quad : widest;
         }
     return widest + 1;
 }

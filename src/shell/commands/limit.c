@@ -2,7 +2,7 @@
 /* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
 #include "commands/tables.h"
 #include "interpreter/command.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "parallel/points.h"
 
 /* The i-th argument, or what stands for it where it is missing. */
@@ -259,7 +259,7 @@ static bool count_kind(struct session *session, const struct call *call, struct 
     }
     if (dom_count_find(train.precision, session->scale.h, height, limit.r_max, &count, NULL) == DOM_OK &&
         isfinite(count.dominoes))
-        snprintf(said, sizeof said, "%s domino%s", wide_text(count.dominoes, WIDE_DIGITS, number),
+        snprintf(said, sizeof said, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
                  count.dominoes == 1 ? "" : "es");
     answer_say(call->answer, "  %-8s %-4s the largest is %.6g (ends by %s): %s", mass_name(train.q, name),
                feasible ? "yes;" : "no;", (double)limit.r_max, dom_end_text(limit.ends), said);
@@ -296,7 +296,7 @@ static bool run_count(struct session *session, const struct call *call)
         return session_no_answer(session,
                                  "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
                                  "in %s precision",
-                                 wide_shown(height).text, wide_shown(first).text, wide_shown(train.r).text,
+                                 quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
                                  dom_arithmetic(train.precision)->name);
     enum dom_status status = count_feasible(&train, &feasible, &why);
     if (status != DOM_OK)
@@ -304,15 +304,15 @@ static bool run_count(struct session *session, const struct call *call)
 
     struct answer *a = call->answer;
     if (count.dominoes == 0)
-        answer_say(a, "No domino is needed: the first is %s m tall already.\n", wide_text(first, 6, tall));
+        answer_say(a, "No domino is needed: the first is %s m tall already.\n", quad_text(first, 6, tall));
     else if (isfinite(count.dominoes))
         answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s m.\n",
-                   wide_text(count.dominoes, WIDE_DIGITS, number), count.dominoes == 1 ? "" : "es",
-                   wide_text(train.r, (int)a->style.digits, growth),
+                   quad_text(count.dominoes, WIDE_DIGITS, number), count.dominoes == 1 ? "" : "es",
+                   quad_text(train.r, (int)a->style.digits, growth),
                    !feasible             ? "would be needed to topple"
                    : count.dominoes == 1 ? "topples"
                                          : "topple",
-                   wide_text(height, 6, tall));
+                   quad_text(height, 6, tall));
     else
         why = "r = 1: the dominoes do not grow, no number of them is enough";
     char reason[160], name[32];

@@ -3,7 +3,7 @@
 #include "commands/mend.h"
 #include "commands/falling.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <stdlib.h>
 
 const struct column mend_columns[] = {
@@ -45,13 +45,13 @@ struct mended {
 /* Between one that falls and one that does not: the last that falls, of few digits. */
 static dom_real mend_edge(struct mend *m, dom_real good, dom_real bad)
 {
-    dom_real digit = wide(pow)(10, wide(floor)(wide(log10)(wide_larger(good, bad)))) * MEND_DIGITS;
-    while (m->status == DOM_OK && wide(fabs)(good - bad) > digit / 8) {
+    dom_real digit = quad(pow)(10, quad(floor)(quad(log10)(quad_larger(good, bad)))) * MEND_DIGITS;
+    while (m->status == DOM_OK && quad(fabs)(good - bad) > digit / 8) {
         dom_real middle = (good + bad) / 2;
         *(falls_with(m, middle) ? &good : &bad) = middle;
     }
     /* Rounded away from the one that does not fall. */
-    dom_real rounded = (good > bad ? wide(ceil)(good / digit) : wide(floor)(good / digit)) * digit;
+    dom_real rounded = (good > bad ? quad(ceil)(good / digit) : quad(floor)(good / digit)) * digit;
     return falls_with(m, rounded) ? rounded : good;
 }
 
@@ -90,7 +90,7 @@ static bool mend_towards(struct mend *m, dom_real end, struct mended *mended)
 static int by_change(const void *a, const void *b)
 {
     const struct mended *x = a, *y = b;
-    dom_real dx = wide(fabs)(x->to - x->gap), dy = wide(fabs)(y->to - y->gap);
+    dom_real dx = quad(fabs)(x->to - x->gap), dy = quad(fabs)(y->to - y->gap);
     return dx < dy ? -1 : dx > dy;
 }
 
@@ -143,15 +143,15 @@ static bool falls_pushed(struct scene_row *scene, dom_real push, enum dom_status
 /* What turns the first over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2. */
 static dom_real push_over_edge(const struct scene_row *scene)
 {
-    dom_real h = scene->domino[0].height, d = scene->domino[0].thickness, reach = wide(sqrt)(h * h + d * d);
-    return wide(sqrt)(3 * scene->row.g * d * d / ((reach + h) * reach * reach));
+    dom_real h = scene->domino[0].height, d = scene->domino[0].thickness, reach = quad(sqrt)(h * h + d * d);
+    return quad(sqrt)(3 * scene->row.g * d * d / ((reach + h) * reach * reach));
 }
 
 /* Rounded up, so that it is still enough. */
 static dom_real few_digits(dom_real value)
 {
-    dom_real digit = wide(pow)(10, wide(floor)(wide(log10)(value)) - 3);
-    return wide(ceil)(value / digit) * digit;
+    dom_real digit = quad(pow)(10, quad(floor)(quad(log10)(value)) - 3);
+    return quad(ceil)(value / digit) * digit;
 }
 
 /* The weakest push found with which all fall, of four digits; NaN where none up to the strongest does. */
@@ -159,9 +159,9 @@ static dom_real push_missing(struct scene_row *scene, enum dom_status *status)
 {
     const dom_real strongest = dom_effect(DOM_EFFECT_push)->argument[0].highest;
     dom_real bad = isnan(scene->row.push) ? 0 : scene->row.push,
-             good = wide_larger(push_over_edge(scene), bad) / 2;
+             good = quad_larger(push_over_edge(scene), bad) / 2;
     do {
-        good = wide_smaller(2 * good, strongest);
+        good = quad_smaller(2 * good, strongest);
         if (falls_pushed(scene, good, status))
             break;
         bad = good;
@@ -211,11 +211,11 @@ static void mend_say(struct answer *a, const struct mended *m, size_t found, boo
     }
     answer_say(a, "%s %s the gap before domino %zu by %.3g mm, from %.5g mm to %.7g mm.",
                pushless ? "Without another push the smallest change:" : "The smallest change:",
-               m->to < m->gap ? "narrow" : "widen", m->k + 1, (double)(1000 * wide(fabs)(m->to - m->gap)),
+               m->to < m->gap ? "narrow" : "widen", m->k + 1, (double)(1000 * quad(fabs)(m->to - m->gap)),
                (double)(1000 * m->gap), (double)(1000 * m->to));
     answer_say(a, "'place %zu %.7g' does it, just so.", m->k + 1, (double)m->to);
     double room = (double)(m->to + (m->until - m->to) / 3);
-    if (wide(fabs)(m->until - m->to) > (dom_real)1e-4 * m->to)
+    if (quad(fabs)(m->until - m->to) > (dom_real)1e-4 * m->to)
         answer_say(a, "All fall up to %.7g mm: 'place %zu %.6g' leaves room for errors.",
                    (double)(1000 * m->until), m->k + 1, room);
 }

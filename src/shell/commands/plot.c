@@ -5,7 +5,7 @@
 #include "commands/tables.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "picture/picture.h"
 #include <string.h>
 
@@ -62,7 +62,7 @@ static void cost_script(FILE *out, const struct session *session, const struct c
         /* A logarithm has no 0: below a unit of its precision nothing is known. */
         if (row->status == DOM_OK)
             fprintf(out, "%.6g %.6g\n", row->seconds,
-                    (double)wide_larger(row->error, (dom_real)dom_arithmetic(row->precision)->epsilon / 4));
+                    (double)quad_larger(row->error, (dom_real)dom_arithmetic(row->precision)->epsilon / 4));
     }
     fprintf(out, "END\n");
     for (int k = 0; k < cost->rows; k++)
@@ -173,7 +173,7 @@ static double limit_top(const struct session *session, const struct limit_table 
     dom_real top = 1, r = session->train.r;
     for (int k = 0; k < SAMPLES; k++)
         for (int c = 0; c < LIMIT_CURVES; c++)
-            top = isfinite(table->r[k][c]) ? wide_larger(top, table->r[k][c]) : top;
+            top = isfinite(table->r[k][c]) ? quad_larger(top, table->r[k][c]) : top;
     if (r > top && r < 2 * top)
         top = r;
     return top > 1 ? (double)(1 + (dom_real)1.15 * (top - 1)) : 2;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/plot_cycle.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "picture/picture.h"
 #include <string.h>
 
@@ -40,7 +40,7 @@ static bool events_find(struct session *session, struct cycle_samples *c)
     c->theta_c = c->end = angles.theta_c;
     /* Of a train that stops, the barrier is what there is to see. */
     if (status == DOM_STOPS)
-        c->end = wide_smaller(c->theta_c, BEYOND_STOP * c->events[c->event_count - 1].theta);
+        c->end = quad_smaller(c->theta_c, BEYOND_STOP * c->events[c->event_count - 1].theta);
     return status == DOM_OK || status == DOM_STOPS || session_status(session, status);
 }
 
@@ -201,7 +201,7 @@ static void omega_script(const struct picture *picture, const struct session *se
             style_angle_unit(&session->style));
     for (int k = 0; k < c->count; k++)
         fprintf(out, "%.8g %.8g\n", shown_angle(session, c->at[k].theta),
-                shown_angle(session, wide(sqrt)(c->at[k].omegasq) / tau));
+                shown_angle(session, quad(sqrt)(c->at[k].omegasq) / tau));
     fprintf(out,
             "END\nplot $cycle using 1:2 with lines lt 1 lw 3 "
             "title ' of the head, h = %.4g mm; the next is sqrt(r) times slower'\n",
@@ -212,7 +212,7 @@ static void omega_row(const struct session *session, const struct sample *at, st
 {
     dom_real tau = dom_scale_tau(&session->scale, session->train.d);
     answer_row(answer,
-               ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(wide(sqrt)(at->omegasq) / tau),
+               ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(quad(sqrt)(at->omegasq) / tau),
                    cell_word(at->event)),
                NULL);
 }

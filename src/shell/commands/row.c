@@ -6,7 +6,7 @@
 #include "commands/walk.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -156,7 +156,7 @@ static const char *needs_text(dom_real needs, char text[WIDE_TEXT])
 {
     if (!isfinite(needs))
         return "more than any friction, since it is lifted off";
-    return wide_text(needs, 4, text);
+    return quad_text(needs, 4, text);
 }
 
 static void floor_say(const struct session *session, struct answer *a, const struct falling *c)
@@ -306,7 +306,7 @@ static enum dom_status rowmax_find(struct session *session, dom_real *r_max)
     enum dom_status status = falls_at(session, 1, &falls);
     *r_max = falls ? reach : DOM_NAN;
     while (status == DOM_OK && falls && good < reach) {
-        bad = wide_smaller(good * ROWMAX_STEP, reach);
+        bad = quad_smaller(good * ROWMAX_STEP, reach);
         status = falls_at(session, bad, &falls);
         good = falls ? bad : good;
     }

@@ -5,7 +5,7 @@
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "session/effects.h"
 #include <errno.h>
 #include <string.h>
@@ -166,7 +166,7 @@ static bool run_print(struct session *session, const struct call *call)
         snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
     }
     if (answer_for_people(call->answer))
-        answer_say(call->answer, "%s%s%s", wide_text(q.value, (int)call->answer->style.digits, number),
+        answer_say(call->answer, "%s%s%s", quad_text(q.value, (int)call->answer->style.digits, number),
                    *unit ? " " : "", unit);
     else
         answer_row(call->answer, ROW(cell_unbounded(q.value), cell_word(unit)), NULL);

@@ -3,7 +3,7 @@
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "interpreter/command.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <string.h>
 
 enum { CYCLES_MAX = 1000 };
@@ -41,8 +41,8 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
         answer_say(answer, "The parameters have changed: the walk begins anew.");
     *w = (struct walk){.train = session->train, .asked = session->train, .cycle = 1};
     /* Its sentences have six digits: they are to be right at any tolerance. */
-    w->train.tol = wide_smaller(w->train.tol,
-                                wide_larger(dom_arithmetic(w->train.precision)->tol_floor, (dom_real)1e-9));
+    w->train.tol = quad_smaller(w->train.tol,
+                                quad_larger(dom_arithmetic(w->train.precision)->tol_floor, (dom_real)1e-9));
     w->verdict = dom_cycle_events(&w->train, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
@@ -76,7 +76,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
         cell_bound((0 - s.fallen) * u.energy, e.fallen * u.energy),
         cell_bound(s.kinetic * u.energy, e.kinetic * u.energy),
         cell_bound(s.climbed * u.energy, e.climbed * u.energy),
-        cell_bound(s.rubbed * u.energy, DOM_NAN),
+        cell_bound(s.friction_work * u.energy, DOM_NAN),
     };
     answer_row(a,
                ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
@@ -87,8 +87,8 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     a->columns = rubbing_columns;
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
-    dom_real open = s.before - s.lost - s.climbed - s.rubbed - s.kinetic;
-    if (wide(fabs)(open) > 100 * w->train.tol * (s.before + wide(fabs)(s.climbed)))
+    dom_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
+    if (quad(fabs)(open) > 100 * w->train.tol * (s.before + quad(fabs)(s.climbed)))
         answer_say(a, "The ledger is open by %.4g %s: the paper's fuel is no balance of energy.",
                    (double)(open * u.energy), u.energy_unit);
     return true;

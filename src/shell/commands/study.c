@@ -5,7 +5,7 @@
 #include "commands/tables.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
 
@@ -87,7 +87,7 @@ static bool run_budget(struct session *session, const struct call *call)
     dom_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
     if (!(share > 0 && share < 1))
         return session_error(session, "P = %s is no probability for this; P is between 0 and 1, such as 0.9",
-                             wide_shown(share).text);
+                             quad_shown(share).text);
     if (!study_make(session, rows, &progress, &scene, &p))
         return false;
     p.progress = NULL; /* how many studies it takes is not known */

@@ -8,8 +8,8 @@
 #include "commands/falling.h"
 #include "interpreter/line.h"
 #include "io/io.h"
+#include "language/quad.h"
 #include "language/text.h"
-#include "language/wide.h"
 #include "parallel/points.h"
 #include <errno.h>
 #include <stdint.h>
@@ -226,8 +226,8 @@ static bool count_read(const char *text, size_t most, size_t *count)
 static bool study_begin(struct pool *p, char *const *field, const char *same)
 {
     char *ends[2];
-    p->sigma = wide_read(field[SIGMA], &ends[0]);
-    p->heights = wide_read(field[HEIGHTS], &ends[1]);
+    p->sigma = quad_read(field[SIGMA], &ends[0]);
+    p->heights = quad_read(field[HEIGHTS], &ends[1]);
     if (*ends[0] || *ends[1] || !count_read(field[DOMINOES], COUNT_MAX, &p->dominoes) || p->dominoes == 0 ||
         !count_read(field[OF], COUNT_MAX, &p->of))
         return wrong(p, "this is no block of a study");

@@ -3,7 +3,7 @@
 #include "commands/grid.h"
 #include "commands/swept.h"
 #include "commands/tables.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "parallel/points.h"
 #include <ctype.h>
 #include <stdint.h>
@@ -87,7 +87,7 @@ struct sweeper {
     struct answer answer;
     struct session point;
     struct swept swept;
-    struct heard heard;
+    struct captured_error captured_error;
     size_t index[AXES_MAX]; /* of the values below */
     dom_real value[AXES_MAX];
     size_t reasons; /* points that have one; the first of them, and what it is */
@@ -115,10 +115,10 @@ static void point_session(struct sweeper *w, FILE *out)
 {
     w->point = *w->base;
     w->point.out = out;
-    w->point.heard = &w->heard;
+    w->point.captured_error = &w->captured_error;
     w->point.threads = 1; /* the points are side by side already */
     w->point.shard.parts = 0;
-    w->heard.text[0] = '\0';
+    w->captured_error.text[0] = '\0';
     grid_put(&w->sweep->grid, w->value, &w->point);
 }
 
@@ -188,10 +188,10 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *a)
         a->style.digits = digits;
     }
     bool done = point_ask(w, a);
-    if (!done && !w->heard.no_answer)
+    if (!done && !w->captured_error.no_answer)
         return false;
     if (!done)
-        point_none(w, k, a, w->heard.text);
+        point_none(w, k, a, w->captured_error.text);
     else if (!w->swept.answered)
         point_none(w, k, a, "nothing is answered here");
     return true;
@@ -240,10 +240,10 @@ static bool echo_called(const struct session *session, const struct sweep *sweep
 {
     const struct command *c = sweep->command;
     struct session scratch = *session;
-    struct heard heard = {.text = ""};
+    struct captured_error captured_error = {.text = ""};
     struct call call = {.count = 0};
     struct reader r = {.session = &scratch, .text = sweep->text, .at = sweep->arguments};
-    scratch.heard = &heard;
+    scratch.captured_error = &captured_error;
     int given = read_arguments(&r, c, &call) ? call.count : call.count + 1; /* it failed at the one behind */
     call_free(&call);
     for (int i = 0; i < given && i < ARGUMENTS_MAX && c->argument[i].kind; i++)
@@ -303,9 +303,9 @@ static bool sweep_error(struct session *session, const struct sweeper *w)
     if (dom_raised(session->train.interrupt))
         return session_status(session, DOM_INTERRUPTED);
     const char *command = session->command;
-    session->column = w->heard.column;
-    session->command = w->heard.command;
-    session_error(session, "%s", w->heard.text);
+    session->column = w->captured_error.column;
+    session->command = w->captured_error.command;
+    session_error(session, "%s", w->captured_error.text);
     session->command = command;
     return false;
 }
@@ -337,7 +337,7 @@ static struct sweeper *sweeper_make(struct session *session, const struct sweep 
 static bool sweep_rows(struct session *session, struct answer *a, struct sweeper *w)
 {
     bool by_point = true, bounds = a->style.errors && a->style.output != OUTPUT_TABLE;
-    if (bounds && !point_like(w) && *w->heard.text && !w->heard.no_answer)
+    if (bounds && !point_like(w) && *w->captured_error.text && !w->captured_error.no_answer)
         return sweep_error(session, w);
     const struct column *own = a->columns;
     a->columns = w->swept.column;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/walk.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "session/session.h"
 #include <string.h>
 
 struct walk_units walk_units(const struct session *session, int cycle)
 {
     const struct dom_train *t = &session->train;
-    dom_real mass = session_mass(session), grown = wide(pow)(t->r, (dom_real)(cycle - 1)),
-             heavier = wide(pow)(grown, t->q);
+    dom_real mass = session_mass(session), grown = quad(pow)(t->r, (dom_real)(cycle - 1)),
+             heavier = quad(pow)(grown, t->q);
     struct dom_scale scale = session->scale;
     scale.h *= grown;
     bool known = mass > 0;
@@ -113,7 +113,7 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     if (dom_launch_find(&w->train, &l, NULL) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
         dom_cycle_forces(&w->train, 0, impulse_seen, &impulses) != DOM_OK)
         return;
-    dom_real omega = wide(sqrt)(l.omegasq) / u.tau;
+    dom_real omega = quad(sqrt)(l.omegasq) / u.tau;
     bool rubs = w->train.mu > 0;
     const char *inertia = rubs ? "A(0)" : "J(0)";
     answer_say(
@@ -121,8 +121,8 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %s and hits the head, "
         "domino 0, %.6g m tall. All move on as one train: %s omega(0) = (%s - 1) omega_1(theta_c) (c4) "
         "with %s = %.6g, so omega(0) = %s (c6).",
-        spoken_omega(session, omega / l.keeps).text, (double)u.height, inertia, inertia, inertia,
-        (double)(1 / (1 - l.keeps)), spoken_omega(session, omega).text);
+        spoken_omega(session, omega / l.velocity_ratio).text, (double)u.height, inertia, inertia, inertia,
+        (double)(1 / (1 - l.velocity_ratio)), spoken_omega(session, omega).text);
     if (rubs)
         answer_say(a,
                    "A(0) = sum r^-(q+1)i S_i theta_i' is J(0) with friction: S_i is what the arms pass on.");
@@ -146,7 +146,7 @@ static void say_launch(const struct session *session, const struct walk *w, cons
             (double)(b.barrier * u.energy), u.energy_unit, (double)style_angle(&session->style, b.theta_m),
             style_angle_unit(&session->style), rubs ? ", friction on the way included" : "",
             (double)(b.kinetic / b.barrier), b.margin >= 0 ? "clears the barrier" : "misses the top",
-            (double)(wide(fabs)(b.margin) * u.energy), u.energy_unit);
+            (double)(quad(fabs)(b.margin) * u.energy), u.energy_unit);
 }
 
 static void say_top(const struct session *session, const struct walk *w, const struct dom_state *s,
@@ -159,7 +159,7 @@ static void say_top(const struct session *session, const struct walk *w, const s
                    "taken %.6g, and "
                    "%.6g %s of motion are left. From now on it gains more than it rubs away.",
                    (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-                   (double)(s->climbed * u.energy), u.energy_unit, (double)(s->rubbed * u.energy),
+                   (double)(s->climbed * u.energy), u.energy_unit, (double)(s->friction_work * u.energy),
                    (double)(s->kinetic * u.energy), u.energy_unit);
         return;
     }
@@ -179,9 +179,9 @@ static void say_fall(const struct session *session, const struct walk *w, const 
     size_t domino = w->events[w->event].domino;
     if (dom_angles_find(&w->train, &angles, NULL) != DOM_OK)
         return;
-    double cosine = (double)wide(cos)(angles.theta_f), sine = (double)wide(sin)(angles.theta_f);
-    double keeps = (double)(wide(pow)(w->train.r, -w->train.q * (dom_real)domino) * u.energy) *
-                   (cosine + (double)w->train.d * sine);
+    double cosine = (double)quad(cos)(angles.theta_f), sine = (double)quad(sin)(angles.theta_f);
+    double velocity_ratio = (double)(quad(pow)(w->train.r, -w->train.q * (dom_real)domino) * u.energy) *
+                            (cosine + (double)w->train.d * sine);
     answer_say(
         a,
         "Domino %zu falls off domino %zu, which has come to theta_leave = %.6g %s (A17): the arm of its "
@@ -189,7 +189,8 @@ static void say_fall(const struct session *session, const struct walk *w, const 
         "Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
         domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
         style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
-        style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit, keeps);
+        style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit,
+        velocity_ratio);
 }
 
 static void say_stop(const struct session *session, const struct walk *w, const struct dom_state *s,
@@ -220,11 +221,11 @@ static void say_hit(const struct session *session, const struct walk *w, const s
         "comes "
         "with omega = %s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
         (double)next.height, (double)style_angle(&session->style, s->theta),
-        style_angle_unit(&session->style), spoken_omega(session, wide(sqrt)(s->omegasq) / u.tau).text,
+        style_angle_unit(&session->style), spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text,
         (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
     if (w->train.mu > 0)
-        answer_say(a, "Friction between dominoes has taken %.6g %s of it.", (double)(s->rubbed * u.energy),
-                   u.energy_unit);
+        answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
+                   (double)(s->friction_work * u.energy), u.energy_unit);
     answer_say(
         a,
         "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r) (c5): "
@@ -240,7 +241,7 @@ static void say_between(const struct session *session, const struct walk *w, con
     answer_say(a, "On the way, theta = %.6g %s: the train %s, at omega = %s (c3).",
                (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
                climbs ? "slows down" : "gathers speed",
-               spoken_omega(session, wide(sqrt)(s->omegasq) / u.tau).text);
+               spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text);
 }
 
 void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,

@@ -2,7 +2,7 @@
 /* cycle: one cycle as a table. */
 #include "commands/walk.h"
 #include "interpreter/command.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <string.h>
 
 const struct column cycle_columns[] = {
@@ -99,7 +99,7 @@ bool cycle_run(struct session *session, const struct call *call)
         return session_status(session, table.status != DOM_OK ? table.status : verdict);
     if (session->train.mu > 0)
         answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
-                   (double)(table.last.rubbed * walk_units(session, 1).energy),
+                   (double)(table.last.friction_work * walk_units(session, 1).energy),
                    walk_units(session, 1).energy_unit);
     struct dom_least_force contact;
     if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK &&

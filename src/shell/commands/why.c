@@ -2,7 +2,7 @@
 /* why: the term that decides. */
 #include "commands/walk.h"
 #include "interpreter/command.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <string.h>
 
 const struct column why_columns[] = {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/arguments.h"
 #include "interpreter/lookup.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "session/effects.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -127,7 +127,7 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
     struct expression e = {.text = r->at,
                            .lookup = session_lookup,
                            .context = session,
-                           .angle = session->style.angle == ANGLE_DEG ? WIDE_PI / 180 : 1,
+                           .angle = session->style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1,
                            .no_unit = r->stops ? "s" : NULL}; /* a grid goes on with this parameter */
     int begin = session->column;
     long errors = session->errors;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "session/effects.h"
 #include <string.h>
 
@@ -82,7 +82,7 @@ static bool tilt_check(struct session *session, const struct argument *a, struct
 {
     struct dom_angles angles;
     /* A number without a unit is in the session's unit of angles. */
-    dom_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (WIDE_PI / 180);
+    dom_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
     enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -92,10 +92,10 @@ static bool tilt_check(struct session *session, const struct argument *a, struct
         return session_no_answer(session,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
                                  "%.17g], 'thetac' is its end",
-                                 a->name, wide_shown(style_angle(&session->style, theta)).text,
+                                 a->name, quad_shown(style_angle(&session->style, theta)).text,
                                  style_angle_unit(&session->style), a->name,
                                  (double)style_angle(&session->style, angles.theta_c));
-    *number = wide_smaller(wide(fabs)(theta), angles.theta_c); /* no -0 */
+    *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* no -0 */
     return true;
 }
 
@@ -108,11 +108,11 @@ static bool effect_check(struct session *session, const struct dom_effect_argume
 {
     if (!(value >= a->lowest && value <= a->highest))
         return session_no_answer(session, "%s = %s is out of range; %s, the %s, is in %g .. %g%s%s", a->name,
-                                 wide_shown(value).text, a->name, a->meaning, (double)a->lowest,
+                                 quad_shown(value).text, a->name, a->meaning, (double)a->lowest,
                                  (double)a->highest, *a->unit ? " " : "", a->unit);
-    if (a->whole && value != wide(floor)(value))
+    if (a->whole && value != quad(floor)(value))
         return session_no_answer(session, "%s = %s is no whole number; %s is one in %g .. %g", a->name,
-                                 wide_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
+                                 quad_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
     return true;
 }
 
@@ -141,18 +141,18 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
         return false;
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
         return session_no_answer(session, "%s = %s is no height; %s is a length in metres, larger than 0",
-                                 a->name, wide_shown(q.value).text, a->name);
+                                 a->name, quad_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (dom_real)1e9))
         return session_no_answer(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
-                                 wide_shown(q.value).text, a->name);
+                                 quad_shown(q.value).text, a->name);
     int most = a->most ? a->most(session) : COUNT_MAX;
-    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == wide(floor)(q.value)))
+    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == quad(floor)(q.value)))
         return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d%s%s", a->name,
-                                 wide_shown(q.value).text, a->name, most, a->most ? ", " : "",
+                                 quad_shown(q.value).text, a->name, most, a->most ? ", " : "",
                                  a->most ? a->most_of : "");
     if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
         return session_no_answer(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
-                                 wide_shown(q.value).text, a->name, p->name, (double)p->lowest,
+                                 quad_shown(q.value).text, a->name, p->name, (double)p->lowest,
                                  (double)p->highest);
     return !p || parameter_check(session, p, q.value);
 }
@@ -199,7 +199,7 @@ bool command_keep(struct session *session, const struct command *c, struct call 
 
 struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau)
 {
-    return cell_bound(wide(sqrt)(omegasq) / tau,
-                      (omegasq > error ? error / (2 * wide(sqrt)(omegasq - error)) : wide(sqrt)(error)) /
+    return cell_bound(quad(sqrt)(omegasq) / tau,
+                      (omegasq > error ? error / (2 * quad(sqrt)(omegasq - error)) : quad(sqrt)(error)) /
                           tau);
 }

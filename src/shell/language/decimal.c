@@ -6,8 +6,8 @@
 
 #if defined __SIZEOF_INT128__
 
-__extension__ typedef unsigned __int128 wide_unsigned;
-__extension__ typedef __int128 wide_signed;
+__extension__ typedef unsigned __int128 quad_unsigned;
+__extension__ typedef __int128 quad_signed;
 
 enum { DIGITS = 17 };
 
@@ -20,7 +20,7 @@ static const uint64_t ten_to[DIGITS + 1] = {
 /* A value in (0, inf) as whole + rest / 2^shift, of 17 digits before the point, times 10^(exponent - 16). */
 struct decimal {
     uint64_t significand, whole;
-    wide_unsigned rest;
+    quad_unsigned rest;
     uint64_t five; /* 5^(16 - exponent): the step from one double to the next, over 2^-shift */
     int shift, exponent;
 };
@@ -41,9 +41,9 @@ static void decimal_at(struct decimal *d, int binary, int exponent)
     d->exponent = exponent;
     d->five = five_to(k);
     d->shift = -(binary + k);
-    wide_unsigned product = (wide_unsigned)d->significand * d->five;
+    quad_unsigned product = (quad_unsigned)d->significand * d->five;
     d->whole = (uint64_t)(product >> d->shift);
-    d->rest = product & (((wide_unsigned)1 << d->shift) - 1);
+    d->rest = product & (((quad_unsigned)1 << d->shift) - 1);
 }
 
 /* Exact; false outside the range where it is. */
@@ -67,8 +67,8 @@ static bool decimal_of(double value, struct decimal *d)
 static uint64_t decimal_round(const struct decimal *d, int digits)
 {
     uint64_t unit = ten_to[DIGITS - digits], q = d->whole / unit, over = d->whole % unit;
-    wide_unsigned twice = (((wide_unsigned)over << d->shift) + d->rest) << 1,
-                  tie = (wide_unsigned)unit << d->shift;
+    quad_unsigned twice = (((quad_unsigned)over << d->shift) + d->rest) << 1,
+                  tie = (quad_unsigned)unit << d->shift;
     return q + (twice > tie || (twice == tie && q % 2 == 1));
 }
 
@@ -83,10 +83,10 @@ static bool decimal_sure(const struct decimal *d, int digits)
 /* Does q, of so many digits, lie within half a step of the format with so many bits, or at its even end? */
 static bool decimal_returns(const struct decimal *d, uint64_t q, int digits, int bits)
 {
-    wide_signed whole = (wide_signed)(q * ten_to[DIGITS - digits]) - (wide_signed)d->whole,
-                off = whole * ((wide_signed)1 << d->shift) - (wide_signed)d->rest;
-    wide_unsigned apart = (wide_unsigned)(off < 0 ? -off : off) << 1,
-                  step = (wide_unsigned)d->five << (53 - bits);
+    quad_signed whole = (quad_signed)(q * ten_to[DIGITS - digits]) - (quad_signed)d->whole,
+                off = whole * ((quad_signed)1 << d->shift) - (quad_signed)d->rest;
+    quad_unsigned apart = (quad_unsigned)(off < 0 ? -off : off) << 1,
+                  step = (quad_unsigned)d->five << (53 - bits);
     bool lowest = d->significand == 0x10000000000000; /* below a power of two steps are half as long */
     if (lowest && off < 0)
         apart <<= 1;

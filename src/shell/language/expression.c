@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/expression.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
@@ -21,15 +21,15 @@ struct function {
 };
 
 static const struct function functions[] = {
-    {"sin", OF_ANGLE, wide(sin), NULL},      {"cos", OF_ANGLE, wide(cos), NULL},
-    {"tan", OF_ANGLE, wide(tan), NULL},      {"asin", TO_ANGLE, wide(asin), NULL},
-    {"acos", TO_ANGLE, wide(acos), NULL},    {"atan", TO_ANGLE, wide(atan), NULL},
-    {"atan2", TO_ANGLE, NULL, wide(atan2)},  {"exp", OF_NUMBER, wide(exp), NULL},
-    {"ln", OF_NUMBER, wide(log), NULL},      {"log", OF_NUMBER, wide(log), NULL},
-    {"log10", OF_NUMBER, wide(log10), NULL}, {"abs", KEEPS, wide(fabs), NULL},
-    {"floor", OF_NUMBER, wide(floor), NULL}, {"ceil", OF_NUMBER, wide(ceil), NULL},
-    {"round", OF_NUMBER, wide(round), NULL}, {"hypot", KEEPS, NULL, wide(hypot)},
-    {"min", KEEPS, NULL, wide(fmin)},        {"max", KEEPS, NULL, wide(fmax)},
+    {"sin", OF_ANGLE, quad(sin), NULL},      {"cos", OF_ANGLE, quad(cos), NULL},
+    {"tan", OF_ANGLE, quad(tan), NULL},      {"asin", TO_ANGLE, quad(asin), NULL},
+    {"acos", TO_ANGLE, quad(acos), NULL},    {"atan", TO_ANGLE, quad(atan), NULL},
+    {"atan2", TO_ANGLE, NULL, quad(atan2)},  {"exp", OF_NUMBER, quad(exp), NULL},
+    {"ln", OF_NUMBER, quad(log), NULL},      {"log", OF_NUMBER, quad(log), NULL},
+    {"log10", OF_NUMBER, quad(log10), NULL}, {"abs", KEEPS, quad(fabs), NULL},
+    {"floor", OF_NUMBER, quad(floor), NULL}, {"ceil", OF_NUMBER, quad(ceil), NULL},
+    {"round", OF_NUMBER, quad(round), NULL}, {"hypot", KEEPS, NULL, quad(hypot)},
+    {"min", KEEPS, NULL, quad(fmin)},        {"max", KEEPS, NULL, quad(fmax)},
     {NULL, OF_NUMBER, NULL, NULL},
 };
 
@@ -97,9 +97,9 @@ static bool number(struct expression *e, struct quantity *q)
         return expression_fail(e, "is no number: only decimals are");
     char *stop;
     errno = 0;
-    *q = (struct quantity){.value = wide_read(begin, &stop)};
+    *q = (struct quantity){.value = quad_read(begin, &stop)};
     if (errno == ERANGE)
-        return expression_fail(e, wide(fabs)(q->value) > 1 ? "is too large for a number"
+        return expression_fail(e, quad(fabs)(q->value) > 1 ? "is too large for a number"
                                                            : "is too small for a number");
     e->end = stop;
     return true;
@@ -158,7 +158,7 @@ static bool root(struct expression *e, const char *at, const struct quantity *a,
         return expression_fail(e, "sqrt of this is not defined");
     if (a->value < 0)
         return expression_no_value(e, "sqrt of this is not defined");
-    *q = (struct quantity){wide(sqrt)(a->value), a->length / 2, a->time / 2, a->angle / 2};
+    *q = (struct quantity){quad(sqrt)(a->value), a->length / 2, a->time / 2, a->angle / 2};
     return true;
 }
 
@@ -207,7 +207,7 @@ static bool named(struct expression *e, struct quantity *q)
         if (strcmp(name, "sqrt") == 0)
             return root(e, at, a, count, q) && ((e->end = end), true);
     } else if (strcmp(name, "pi") == 0) {
-        *q = (struct quantity){.value = WIDE_PI};
+        *q = (struct quantity){.value = QUAD_PI};
         return true;
     }
     bool dotted = end[0] == '.' && name_start(end[1]);
@@ -263,14 +263,14 @@ static bool factor(struct expression *e, struct quantity *q)
             e->end = skip(op + 1);
             const char *at = e->end;
             good = factor(e, &power);
-            bool whole = good && power.value == wide(floor)(power.value) && wide(fabs)(power.value) < 100;
+            bool whole = good && power.value == quad(floor)(power.value) && quad(fabs)(power.value) < 100;
             if (good &&
                 (!quantity_plain(power) || power.angle || (!whole && (!quantity_plain(*q) || q->angle)))) {
                 e->end = at;
                 good = expression_fail(e, "this is no exponent for what stands before it");
             } else if (good) {
                 int n = whole ? (int)power.value : 0;
-                *q = (struct quantity){wide(pow)(q->value, power.value), n * q->length, n * q->time,
+                *q = (struct quantity){quad(pow)(q->value, power.value), n * q->length, n * q->time,
                                        n * q->angle};
                 good = finite_result(e, op, q);
             }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/units.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ struct unit {
     struct quantity is;
 };
 
-#define DEGREE (WIDE_PI / 180)
+#define DEGREE (QUAD_PI / 180)
 
 /* As quotients of whole numbers, so that they are right in the widest arithmetic. */
 #define PART(n, m) ((dom_real)(n) / (m))
@@ -103,7 +103,7 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
 {
     q->value = power == 1    ? q->value * by.value
                : power == -1 ? q->value / by.value
-                             : q->value * wide(pow)(by.value, (dom_real)power);
+                             : q->value * quad(pow)(by.value, (dom_real)power);
     q->length += power * by.length;
     q->time += power * by.time;
     q->angle += power * by.angle;

@@ -37,16 +37,17 @@ struct crew {
 };
 
 /* What a worker knows of its speed. */
-struct pace {
+struct kinematics {
     size_t points; /* of its last block */
     double seconds;
 };
 
 /* So many points that they take the time of a block; shorter near the end, so that all end together. */
-static size_t block_points(const struct workers *w, const struct pace *pace, size_t left)
+static size_t block_points(const struct workers *w, const struct kinematics *kinematics, size_t left)
 {
-    double fit = pace->points ? BLOCK_SECONDS * (double)pace->points / (pace->seconds + 1e-9) : 1;
-    double most = pace->points ? (double)GROWTH * (double)pace->points : 1;
+    double fit =
+        kinematics->points ? BLOCK_SECONDS * (double)kinematics->points / (kinematics->seconds + 1e-9) : 1;
+    double most = kinematics->points ? (double)GROWTH * (double)kinematics->points : 1;
     size_t share = w->count > 1 ? left / (2 * (size_t)w->count) + 1 : left;
     size_t points = (size_t)(fit < most ? fit : most) + 1;
     points = points < MOST ? points : MOST;
@@ -54,8 +55,8 @@ static size_t block_points(const struct workers *w, const struct pace *pace, siz
 }
 
 /* Points of one block, by the worker `own`; false where one of them ended it. */
-static bool block_run(const struct workers *w, void *own, size_t from, size_t points, struct pace *pace,
-                      FILE *out)
+static bool block_run(const struct workers *w, void *own, size_t from, size_t points,
+                      struct kinematics *kinematics, FILE *out)
 {
     double begun = terminal_clock();
     bool goes_on = true;
@@ -63,7 +64,7 @@ static bool block_run(const struct workers *w, void *own, size_t from, size_t po
     for (size_t k = 0; k < points && goes_on && !dom_raised(w->interrupt); k++)
         goes_on = w->point(own, w->first + from + k, out);
     progress_mute(shown);
-    *pace = (struct pace){points, terminal_clock() - begun};
+    *kinematics = (struct kinematics){points, terminal_clock() - begun};
     return goes_on;
 }
 
@@ -72,11 +73,11 @@ static bool block_run(const struct workers *w, void *own, size_t from, size_t po
 static struct workers_end run_alone(const struct workers *w)
 {
     struct progress progress = {0, 0};
-    struct pace pace = {0, 0};
+    struct kinematics kinematics = {0, 0};
     struct workers_end end = {.how = WORKERS_DONE};
     for (size_t at = 0, points; at < w->points && end.how == WORKERS_DONE; at += points) {
-        points = block_points(w, &pace, w->points - at);
-        if (!block_run(w, w->own, at, points, &pace, w->out))
+        points = block_points(w, &kinematics, w->points - at);
+        if (!block_run(w, w->own, at, points, &kinematics, w->out))
             end = (struct workers_end){.how = WORKERS_ENDED, .by = w->own};
         else if (dom_raised(w->interrupt))
             end.how = WORKERS_INTERRUPTED;
@@ -121,12 +122,12 @@ static void crew_write(struct crew *c)
 }
 
 /* The next points, and the number of their block; 0 points: there are no more. */
-static size_t crew_take(struct crew *c, const struct pace *pace, size_t *from, size_t *block)
+static size_t crew_take(struct crew *c, const struct kinematics *kinematics, size_t *from, size_t *block)
 {
     while (!c->over && c->taken - c->written >= c->window)
         pthread_cond_wait(&c->room, &c->lock);
     size_t left = c->over ? 0 : c->asked->points - c->next;
-    size_t points = left ? block_points(c->asked, pace, left) : 0;
+    size_t points = left ? block_points(c->asked, kinematics, left) : 0;
     *from = c->next;
     *block = c->taken;
     c->next += points;
@@ -139,14 +140,14 @@ static void worker_run(struct crew *c, void *own)
 {
     const struct workers *w = c->asked;
     struct progress progress = {0, 0};
-    struct pace pace = {0, 0};
+    struct kinematics kinematics = {0, 0};
     size_t from, points, number;
     pthread_mutex_lock(&c->lock);
-    while ((points = crew_take(c, &pace, &from, &number)) > 0) {
+    while ((points = crew_take(c, &kinematics, &from, &number)) > 0) {
         pthread_mutex_unlock(&c->lock);
         struct block b = {.text = NULL, .own = own};
         FILE *out = io_memory(&b.text, &b.size);
-        b.ended = !out || !block_run(w, own, from, points, &pace, out);
+        b.ended = !out || !block_run(w, own, from, points, &kinematics, out);
         bool kept = out && !ferror(out);
         kept = out && fclose(out) == 0 && kept;
         if (w->progress && own == w->own)

@@ -2,7 +2,7 @@
 #include "picture/picture.h"
 #include "io/terminal.h"
 #include "language/names.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/scene.h"
-#include "language/wide.h"
+#include "language/quad.h"
 
 #define SMALLEST 0.01 /* of the head: smaller ones are dots */
 #define WIDEST   2.4  /* of a picture, in its own height: what is farther behind is left out */
@@ -17,7 +17,7 @@ struct drawn drawn_at(int number, double height, double foot, double theta, doub
                       .contact = {(double)NAN, (double)NAN},
                       .force = (double)NAN,
                       .of_own = (double)NAN};
-    double x = (double)wide(sin)((dom_real)theta), y = (double)wide(cos)((dom_real)theta);
+    double x = (double)quad(sin)((dom_real)theta), y = (double)quad(cos)((dom_real)theta);
     k.corner[0] = (struct point){foot, 0};
     k.corner[1] = along(k.corner[0], height, x, y);
     k.corner[2] = along(k.corner[1], d * height, -y, x);
@@ -83,7 +83,7 @@ enum dom_status scene_make(const struct dom_train *train, dom_real theta, double
         return status;
     while (!scene_full(scene)) {
         scene_add(&f, (double)angles.theta_f); /* these lie, as far as anybody can see */
-        f.leans = f.leans && !angles.falls_off;
+        f.leans = f.leans && !angles.detaches;
     }
     if (theta >= angles.theta_c * (1 - 4 * (dom_real)1e-10)) {
         scene->domino[0].touched = true; /* the head hits it */

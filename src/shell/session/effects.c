@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/effects.h"
 #include "language/names.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include "session/rowfile.h"
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +53,7 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
         if (i > 0 && of->optional && state->value[i] == of->usual)
             break;
         n += snprintf(setting + n, (size_t)(EFFECT_SETTING - n), "%s%s%s%s", n ? ", " : "",
-                      wide_text(state->value[i], 10, number), *of->unit ? " " : "", of->unit);
+                      quad_text(state->value[i], 10, number), *of->unit ? " " : "", of->unit);
     }
     return setting;
 }
@@ -240,14 +240,14 @@ void effects_save(const struct session *session, FILE *out)
         for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
             char number[WIDE_TEXT];
             if (k != DOM_EFFECT_row || !session->listed.domino)
-                fprintf(out, " %s", wide_exact(session->effect[k].value[i], number));
+                fprintf(out, " %s", quad_exact(session->effect[k].value[i], number));
         }
         putc('\n', out);
     }
     for (size_t i = 0; i < session->listed.changes; i++) {
         char number[WIDE_TEXT];
         fprintf(out, "place %zu %s\n", session->listed.placed[i].k,
-                wide_exact(session->listed.placed[i].gap, number));
+                quad_exact(session->listed.placed[i].gap, number));
     }
 }
 

@@ -2,8 +2,8 @@
 #include "session/rowfile.h"
 #include "io/io.h"
 #include "language/names.h"
+#include "language/quad.h"
 #include "language/text.h"
-#include "language/wide.h"
 #include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
@@ -250,7 +250,7 @@ static bool value_check(const struct reader *r, int kind, dom_real value, const 
     if (value > 0 ? near >= k->lowest && near <= k->highest : value == 0 && k->zero)
         return true;
     const char *is = value < 0 ? "negative" : near < 1 ? "too small" : "too large";
-    return wrong(r, at, "%s = %s %s is %s; a %s is %s", k->name, wide_shown(value).text, k->unit, is, k->name,
+    return wrong(r, at, "%s = %s %s is %s; a %s is %s", k->name, quad_shown(value).text, k->unit, is, k->name,
                  k->range);
 }
 
@@ -300,7 +300,7 @@ static bool row_keep(struct reader *r, struct rowfile *rows, const dom_real valu
                         : value[DENSITY] * value[HEIGHT] * value[THICKNESS] * width;
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
         return wrong(r, r->cell[r->column[THICKNESS] - 1], "thickness / height = %s; it is 1e-12 .. 100",
-                     wide_shown(ratio).text);
+                     quad_shown(ratio).text);
     if (!value_check(r, MASS, mass, NULL))
         return false;
     if ((rows->count & (rows->count - 1)) == 0) { /* it is full at 0, 1, 2, 4, ... */

@@ -3,7 +3,7 @@
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "language/names.h"
-#include "language/wide.h"
+#include "language/quad.h"
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -217,7 +217,7 @@ static void session_caret(const struct session *session)
 /* A point of a sweep has no terminal: the first message is kept. */
 static void session_hear(const struct session *session, bool no_answer, const char *format, va_list arguments)
 {
-    struct heard *h = session->heard;
+    struct captured_error *h = session->captured_error;
     if (*h->text)
         return;
     h->column = session->column;
@@ -254,7 +254,7 @@ static void session_tell(struct session *session, const char *format, va_list ar
 
 static bool session_say(struct session *session, bool no_answer, const char *format, va_list arguments)
 {
-    if (session->heard)
+    if (session->captured_error)
         session_hear(session, no_answer, format, arguments);
     else
         session_tell(session, format, arguments);
@@ -315,7 +315,7 @@ bool session_status(struct session *session, enum dom_status status)
         return session_no_answer(session,
                                  "r s = %s > 1: the head falls past the next domino without touching it; "
                                  "at s = %s r may be up to 1/s = %.17g",
-                                 wide_shown(t->r * t->s).text, wide_shown(t->s).text, (double)(1 / t->s));
+                                 quad_shown(t->r * t->s).text, quad_shown(t->s).text, (double)(1 / t->s));
     if (status == DOM_NO_METHOD && t->mu > 0 && t->fuel == DOM_FUEL_PAPER)
         return session_no_answer(
             session, "the paper's closed form of the fuel knows no friction; 'set fuel exact', or "
@@ -393,8 +393,8 @@ void parameter_text(const struct parameter *p, dom_real value, int digits, char 
     const char *word = p->words_only ? parameter_word(p, value) : NULL;
     snprintf(text, size, "%s",
              word                    ? word
-             : digits >= WIDE_DIGITS ? wide_exact(value, number)
-                                     : wide_text(value, digits < 15 ? digits : 15, number));
+             : digits >= WIDE_DIGITS ? quad_exact(value, number)
+                                     : quad_text(value, digits < 15 ? digits : 15, number));
 }
 
 dom_real parameter_fallback(const struct session *session, const struct parameter *p)
@@ -426,7 +426,7 @@ bool session_precision(struct session *session, enum dom_precision precision)
         session->train.precision = precision;
         dom_real now = value == was ? parameter_fallback(session, p) : value;
         if (p->lowest_of)
-            now = wide_larger(now, parameter_lowest(session, p));
+            now = quad_larger(now, parameter_lowest(session, p));
         if (p->fallback_of && now != value) {
             parameter_put(session, p, now);
             changed = changed || p->lowest_of;
@@ -441,8 +441,8 @@ struct output_style session_style(const struct session *session)
     int bits = dom_arithmetic(session->train.precision)->bits;
     style.precision = session->train.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)wide_larger(wide(floor)(-wide(log10)(session->train.tol) + (dom_real)1e-6), 1);
-    style.digits = wide_smaller(style.digits, style.all_digits);
+    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->train.tol) + (dom_real)1e-6), 1);
+    style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }
 
@@ -452,18 +452,18 @@ bool parameter_check(struct session *session, const struct parameter *p, dom_rea
     const struct dom_arithmetic *arithmetic = dom_arithmetic(session->train.precision);
     dom_real lowest = parameter_lowest(session, p);
     parameter_range(session, p, range, sizeof range);
-    if (p->whole && value != wide(floor)(value))
+    if (p->whole && value != quad(floor)(value))
         return session_no_answer(session, "%s = %s is no whole number; %s is one in %s", p->name,
-                                 wide_shown(value).text, p->name, range);
+                                 quad_shown(value).text, p->name, range);
     /* The doubles of the table are the nearest to decimals: both are inside. */
     if ((value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) && value <= p->highest)
         return true;
     if (p->lowest_of && value > 0 && value < lowest)
         return session_no_answer(
             session, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
-            wide_shown(value).text, arithmetic->name, p->name, range,
+            quad_shown(value).text, arithmetic->name, p->name, range,
             session->train.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
     return session_no_answer(session, "%s = %s is out of range; %s is a number in %s%s%s%s", p->name,
-                             wide_shown(value).text, p->name, range, *p->unit ? " " : "", p->unit,
+                             quad_shown(value).text, p->name, range, *p->unit ? " " : "", p->unit,
                              p->words ? ", or one of its words" : "");
 }

@@ -22,7 +22,7 @@ struct effect_state {
 };
 
 /* The message of a session that is not to write it, and what it is about. */
-struct heard {
+struct captured_error {
     char text[512];
     int column;
     const char *command;
@@ -68,10 +68,11 @@ struct session {
     bool appended;          /* it is behind '>>' */
     const char *redirected; /* the name of the file behind '>' that out is; NULL for none */
     const char *command;    /* the one that runs, for messages */
-    struct heard *heard;    /* unless NULL, takes the first message: this session is a point of a sweep */
-    struct shard shard;     /* parts is 0 where the whole is asked for */
-    bool bail;              /* the first error ends the session */
-    bool safe;              /* commands may not touch files */
+    struct captured_error
+        *captured_error; /* unless NULL, takes the first message: this session is a point of a sweep */
+    struct shard shard;  /* parts is 0 where the whole is asked for */
+    bool bail;           /* the first error ends the session */
+    bool safe;           /* commands may not touch files */
     bool quit;
     bool answered; /* something was answered before */
     int depth;     /* of nested source commands */

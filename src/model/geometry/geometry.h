@@ -5,8 +5,8 @@
  * An angle theta travels as struct tilt, so that the loops down the train need no trigonometry and
  * nothing cancels: v = 1 - cos theta keeps its relative accuracy where cos theta is nearly 1.
  */
-#ifndef DOM_LEAN_H
-#define DOM_LEAN_H
+#ifndef DOM_GEOMETRY_H
+#define DOM_GEOMETRY_H
 
 #include "numerics/real.h"
 
@@ -32,10 +32,10 @@ struct far {
 };
 
 /* A checked train with the quantities that its whole cycle shares. */
-struct lean {
+struct geometry {
     real s, r, d, q, tol;
     real mu;           /* 0: no friction, and flow is not used */
-    struct flow *flow; /* whose is the caller's; see lean_flow */
+    struct flow *flow; /* whose is the caller's; see geometry_flow */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     size_t *effort; /* of a search so far, in dominoes of a plain pass; NULL: without a limit */
@@ -54,39 +54,39 @@ struct lean {
     struct tilt c;     /* theta_c (a2) */
     struct tilt inf;   /* theta_inf (A16) */
     struct tilt f;     /* theta_f (A18) if followers fall off, else theta_inf */
-    struct tilt leave; /* theta_leave, only where falls_off */
-    bool falls_off;    /* (A17) */
-    struct far far;    /* unless falls_off */
+    struct tilt leave; /* theta_leave, only where detaches */
+    bool detaches;     /* (A17) */
+    struct far far;    /* unless detaches */
     size_t n;          /* dominoes from here on: a chain ends with them */
     /* The same for the follower and its own; NULL: as for this one, the train is self-similar. */
-    const struct lean *behind;
+    const struct geometry *behind;
 };
 
 #define CHAIN_ENDLESS SIZE_MAX
 
 /* Checks the train, and fills lean. */
-KERNEL enum dom_status lean_make(const struct dom_train *train, struct lean *lean);
+KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry);
 
 /* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
-KERNEL struct lean lean_read(const struct dom_train *train);
-KERNEL enum dom_status lean_set(struct lean *lean, real s, real r);
+KERNEL struct geometry geometry_read(const struct dom_train *train);
+KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
 /* Room for the motion of a train with friction, if it has any; for as long as the lean is used. */
-KERNEL void lean_flow(struct lean *lean, struct flow *flow);
+KERNEL void geometry_flow(struct geometry *geometry, struct flow *flow);
 
 /* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
-KERNEL enum dom_status lean_tilt(const struct lean *lean, real theta, struct tilt *tilt);
+KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /* A checked train and theta in [0, theta_c] as the tilt of its head. */
-KERNEL enum dom_status lean_make_tilted(const struct dom_train *train, dom_real theta, struct lean *lean,
-                                        struct tilt *head);
+KERNEL enum dom_status geometry_make_tilted(const struct dom_train *train, dom_real theta,
+                                            struct geometry *geometry, struct tilt *head);
 
 /* Bounds of the error, as an angle, of a head's tilt and of theta_f. */
-KERNEL real lean_error_head(struct tilt head);
-KERNEL real lean_error_f(const struct lean *lean);
+KERNEL real geometry_error_head(struct tilt head);
+KERNEL real geometry_error_f(const struct geometry *geometry);
 
 /* The leader's tilt at which its follower has this one: theta_1 inverted, follower >= theta_c. */
-KERNEL struct tilt lean_leader(const struct lean *lean, struct tilt follower);
+KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);
 
 KERNEL struct tilt tilt_make(real x, real y)
 {
@@ -115,30 +115,30 @@ KERNEL real half_of_tilt(struct tilt t)
  * Neither X near 0 nor X near 1 cancels.  Where Y - r L x would, the arm comes from
  * Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower is about to leave.
  */
-struct turn {
+struct contact {
     real X, Y; /* sine and cosine of theta_1 - theta (A5) */
     real arm;  /* r a = Y - r L x */
     real step; /* d theta_1 / d theta (b10); 1 where the leader is upright, also in the limit Y = 0 (r s = 1)
                 */
 };
 
-KERNEL_LOOP struct turn lean_turn(const struct lean *g, struct tilt leader)
+KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
 {
-    real rLv = g->rL * leader.v, X = g->rs - rLv;
-    real Y = sqrt((g->short_of + rLv) * (1 + g->rs - rLv)), rLx = g->rL * leader.x;
+    real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
+    real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
     if (2 * rLx <= Y) /* the slope in one rounding near 1, since many are multiplied */
-        return (struct turn){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
-    real arm = (g->leave_at - g->leave_by * leader.v) / (Y + rLx);
-    return (struct turn){X, Y, arm, arm / Y};
+        return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
+    real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
+    return (struct contact){X, Y, arm, arm / Y};
 }
 
 /*
  * The follower's tilt (A6, corrected: y' = Y y - X x), as its v' = 1 - y' alone: terms of one sign, of which
  * x' and y' follow, so that neither drifts along a long train.
  */
-KERNEL_LOOP struct tilt tilt_turn(struct tilt t, struct turn turn)
+KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
-    real v = turn.X * turn.X / (1 + turn.Y) + (turn.Y * t.v + turn.X * t.x);
+    real v = contact.X * contact.X / (1 + contact.Y) + (contact.Y * t.v + contact.X * t.x);
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 

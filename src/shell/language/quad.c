@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "language/wide.h"
+#include "language/quad.h"
 #include "language/decimal.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@ static bool quick_text(dom_real value, int digits, char text[WIDE_TEXT])
            decimal_text(near, digits < LONGEST ? digits : LONGEST, text);
 }
 
-const char *wide_text(dom_real value, int digits, char text[WIDE_TEXT])
+const char *quad_text(dom_real value, int digits, char text[WIDE_TEXT])
 {
     if (quick_text(value, digits, text))
         return text;
@@ -36,14 +36,14 @@ const char *wide_text(dom_real value, int digits, char text[WIDE_TEXT])
     return text;
 }
 
-struct wide_shown wide_shown(dom_real value)
+struct quad_shown quad_shown(dom_real value)
 {
-    struct wide_shown shown = {""};
-    wide_text(value, 10, shown.text);
+    struct quad_shown shown = {""};
+    quad_text(value, 10, shown.text);
     return shown;
 }
 
-dom_real wide_read(const char *text, char **end)
+dom_real quad_read(const char *text, char **end)
 {
 #if defined DOM_REAL_FLOAT128
     return strtof128(text, end);
@@ -52,11 +52,11 @@ dom_real wide_read(const char *text, char **end)
 #endif
 }
 
-const char *wide_exact(dom_real value, char text[WIDE_TEXT])
+const char *quad_exact(dom_real value, char text[WIDE_TEXT])
 {
     int digits = 15;
-    wide_text(value, digits, text);
-    while (digits < WIDE_DIGITS && wide_read(text, NULL) != value)
-        wide_text(value, ++digits, text);
+    quad_text(value, digits, text);
+    while (digits < WIDE_DIGITS && quad_read(text, NULL) != value)
+        quad_text(value, ++digits, text);
     return text;
 }

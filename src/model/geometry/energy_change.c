@@ -1,0 +1,325 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Differences of H: two chains side by side, and the far end of both in closed form. */
+#include "geometry/bound.h"
+#include "geometry/chain.h"
+
+/*
+ * h(A) - h(B) of one domino at the tilts a and b, h = cos + d sin, from t = tan((A - B)/2): the product
+ * form of 2 sin((A-B)/2) (d cos((A+B)/2) - sin((A+B)/2)), free of cancellation.
+ */
+KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
+{
+    return t * (geometry->d * (a.y + b.y) - (a.x + b.x));
+}
+
+/* The errors of chain_energy_change, where they are asked for. */
+struct energy_change_bound {
+    struct bound a, b;
+    real t;
+    struct sums sums;
+};
+
+static struct energy_change_bound error_head(const struct geometry *geometry, const struct link *a,
+                                             const struct link *b, real t)
+{
+    real angle = geometry_error_head(a->tilt);
+    return (struct energy_change_bound){
+        .a = bound_head(geometry, a, angle),
+        .b = bound_head(geometry, b, 0),
+        .t = (1 + t * t) * angle / 2 + 3 * UNIT * t,
+    };
+}
+
+static void error_add(const struct geometry *geometry, struct energy_change_bound *e, const struct link *a,
+                      const struct link *b, real t)
+{
+    real term = fabs(energy_change(geometry, a->tilt, b->tilt, t));
+    e->sums.J += bound_J(a, &e->a);
+    e->sums.H1 += bound_H1(geometry, a, &e->a);
+    e->sums.dH +=
+        a->weight * (bound_energy_change(geometry, a->tilt, b->tilt, e->a.angle, e->b.angle, t, e->t) +
+                     term * (e->a.weight + UNIT));
+}
+
+/*
+ * tan((theta_f - theta_1) / 2) for the follower that leaves at theta_f and stood at theta_1 when its leader
+ * was upright's: the step of chain_energy_change from theta_leave, where a = 0, so Y = r L x, and
+ * cos - cos theta_leave = (leave_at - leave_by v) / leave_by is what the leader's arm is made of.
+ */
+static real leaving_half_turn(const struct geometry *geometry, const struct link *leader)
+{
+    real rL = geometry->r * geometry->L, x = leader->tilt.x, sines = geometry->leave.x + x,
+         Y = leader->contact.Y;
+    if (sines == 0) /* r s = 1: it lies at theta_f from the first */
+        return 0;
+    real t = leader->contact.arm * (Y + rL * x) / (geometry->leave_by * sines);
+    real whole = rL * geometry->leave.x + Y, F = leader->contact.arm / whole, G = rL * sines / whole;
+    return t * F / (1 + t * t * G);
+}
+
+/* How far a tilt is from theta_inf, to the second order. */
+KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt tilt)
+{
+    real part = (geometry->inf.v - tilt.v) * geometry->far.per_sine;
+    return part + part * part * geometry->far.half_cot;
+}
+
+/* Is the last term of a tail below the tolerance of the sum with it?  rest is the first, which may cancel the
+ * sum. */
+KERNEL_LOOP bool far_done(const struct series *s, real rest, real last, real tol)
+{
+    return fabs(last) <= TAIL_SHARE * fmax(tol * fabs(s->sum + rest), UNIT * s->size);
+}
+
+/*
+ * The rest of a pass from a and b on: are both so near to theta_inf that the last term of the series there
+ * does not matter?
+ */
+KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
+                          const struct link *a, const struct link *b, real t)
+{
+    const struct far *far = &geometry->far;
+    real off = far_off(geometry, b->tilt), H = a->weight * 2 * t;
+    if (!far_done(&state->dH, H * far->H1, H * far->H3 * off * off, geometry->tol) ||
+        off > geometry->inf.x / 16)
+        return false;
+    real e = far_off(geometry, a->tilt), H1 = a->weight * a->slope, J = a->inertia * a->slope * a->slope;
+    return far_done(&state->H1, H1 * far->H1, H1 * far->H3 * e * e, geometry->tol) &&
+           far_done(&state->J, J * far->J0, J * far->J2 * e * e, geometry->tol);
+}
+
+static void far_add(const struct geometry *geometry, struct sum_state *state, const struct link *a,
+                    const struct link *b, real t)
+{
+    const struct far *far = &geometry->far;
+    real off = far_off(geometry, b->tilt),
+         e = far_off(geometry, a->tilt); /* before theta_inf: they deviate by -off and -e */
+    series_add(&state->dH,
+               a->weight * 2 * t * (1 - t * t / 3) *
+                   (far->H1 - far->H2 * (e + off) / 2 + far->H3 * (e * e + e * off + off * off) / 6));
+    series_add(&state->H1, a->weight * a->slope * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
+    series_add(&state->J, a->inertia * a->slope * a->slope * (far->J0 - far->J1 * e + far->J2 * e * e / 2));
+}
+
+/* H2 of one domino, whose theta'' is bend, and of all from there on. */
+KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
+{
+    return k->weight * (second_derivative * (k->geometry->d * k->tilt.y - k->tilt.x) -
+                        k->slope * k->slope * (k->tilt.y + k->geometry->d * k->tilt.x));
+}
+
+static real far_H2(const struct link *k, real second_derivative)
+{
+    return k->weight * (second_derivative * k->geometry->far.H1 + k->slope * k->slope * k->geometry->far.H2);
+}
+
+/* One pair of dominoes into the sums. */
+KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const struct link *b, real t)
+{
+    add_J(state, a);
+    add_H1(state, a);
+    series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
+}
+
+/* By what t shrinks from a pair to the next: the arms keep the digits of 1 - G. */
+KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
+{
+    real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
+    return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
+}
+
+/* Does the tail behind this pair matter? */
+KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
+{
+    real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
+    return series_done(&state->dH, a->weight * 2 * t * a->geometry->reach, ratio, tol) && done_J(state, a) &&
+           done_H1(state, a, tol);
+}
+
+/* What a pass is asked for: a constant of each caller, so that the others do not pay for it. */
+enum {
+    PASS_ERROR = 1, /* bounds */
+    PASS_SHIFT = 2, /* a is the endless train at theta_c: b, from its second domino on */
+    PASS_BEND = 4,  /* H2 */
+};
+
+/*
+ * Two chains run side by side: a from the head's tilt, b from upright.  With t = tan((theta_a - theta_b)/2)
+ * of one domino, its follower has, exactly, t (1 - G) / (1 + t^2 G), G = r L (x_a + x_b) / (Y_a + Y_b),
+ * because X_a - X_b = r L (y_a - y_b).  G is the slope's r L x / Y (b10) between the two tilts; so the
+ * smallest differences keep their digits.
+ */
+KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
+                                                  struct tilt head, real t, const int pass, struct sums *sums,
+                                                  struct sums *error)
+{
+    struct sum_state state = {0};
+    struct link a = link_head(geometry, head), b = link_head(geometry, from);
+    struct energy_change_bound e;
+    real H2 = 0, second_derivative = 0;
+    bool ended = true, closes = !(pass & PASS_ERROR) && !geometry->detaches && !geometry->behind &&
+                                geometry->n == CHAIN_ENDLESS;
+    if (pass & PASS_ERROR)
+        e = error_head(geometry, &a, &b, t);
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, a.i);
+        if (status != DOM_OK)
+            return status;
+        if (closes && far_near(geometry, &state, &a, &b, t)) {
+            far_add(geometry, &state, &a, &b, t);
+            if (pass & PASS_BEND)
+                H2 += far_H2(&a, second_derivative);
+            break;
+        }
+        pair_add(&state, &a, &b, t);
+        if (pass & PASS_BEND)
+            H2 += second_derivative_H2(&a, second_derivative);
+        if (pass & PASS_ERROR)
+            error_add(geometry, &e, &a, &b, t);
+        if (a.i + 1 >= geometry->n || !b.leads)
+            break;
+        if (!a.leads) {
+            /* The follower has left during this cycle: it keeps the energy of theta_f. */
+            struct link leader = b;
+            if (pass & PASS_SHIFT) {
+                b.tilt = a.tilt;
+                b.weight = a.weight * geometry->weight;
+            } else {
+                link_next(&b);
+            }
+            real t_f = leaving_half_turn(geometry, &leader);
+            state.left = b.weight * energy_change(geometry, geometry->f, b.tilt, t_f);
+            series_add(&state.dH, state.left);
+            if (pass & PASS_ERROR) {
+                real angle = geometry_error_f(geometry),
+                     t_error = bound_leaving(geometry, &leader, &e.b, t_f);
+                bound_next(geometry, &leader, &b, &e.b);
+                e.sums.dH +=
+                    b.weight *
+                    (bound_energy_change(geometry, geometry->f, b.tilt, angle, e.b.angle, t_f, t_error) +
+                     fabs(energy_change(geometry, geometry->f, b.tilt, t_f)) * (e.b.weight + UNIT));
+            }
+            break;
+        }
+        real shrinks = pair_shrinks(&a, &b, t);
+        ended = false;
+        if (pair_done(&state, &a, t, shrinks, geometry->tol))
+            break;
+        ended = true;
+        if (pass & PASS_ERROR)
+            e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t);
+        t *= shrinks;
+        struct link leader_a = a, leader_b = b;
+        link_next(&a);
+        if (pass & PASS_SHIFT) {
+            b.tilt = leader_a.tilt;
+            b.contact = leader_a.contact;
+        } else {
+            link_next(&b);
+        }
+        if (pass & PASS_BEND)
+            second_derivative = link_second_derivative(&leader_a, second_derivative, &a);
+        if (pass & PASS_ERROR) {
+            bound_next(geometry, &leader_a, &a, &e.a);
+            bound_next(geometry, &leader_b, &b, &e.b);
+        }
+    }
+    if (pass & PASS_ERROR)
+        *error = (struct sums){.J = e.sums.J + series_error(&state.J, ended),
+                               .H1 = e.sums.H1 + series_error(&state.H1, ended),
+                               .dH = e.sums.dH + series_error(&state.dH, ended)};
+    return sum_result(geometry, &state, H2, a.i + 1, sums);
+}
+
+/* tan of half the difference; exact where it is the whole tilt. */
+static real half_turn(struct tilt from, struct tilt head)
+{
+    real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
+    return sine / (1 + cosine);
+}
+
+/* Bounds of what another pass gave for the same: those of one that follows every domino, and the difference.
+ */
+static enum dom_status energy_change_error(const struct geometry *geometry, struct tilt head,
+                                           const struct sums *sums, struct sums *error)
+{
+    struct sums whole;
+    enum dom_status status =
+        energy_change_between(geometry, standing, head, half_of_tilt(head), PASS_ERROR, &whole, error);
+    if (status == DOM_OK) {
+        error->J += fabs(sums->J - whole.J);
+        error->H1 += fabs(sums->H1 - whole.H1);
+        error->dH += fabs(sums->dH - whole.dH);
+    }
+    return status;
+}
+
+KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
+                                           struct sums *sums, struct sums *error)
+{
+    enum dom_status status =
+        energy_change_between(geometry, standing, head, half_of_tilt(head), 0, sums, NULL);
+    return status == DOM_OK && error ? energy_change_error(geometry, head, sums, error) : status;
+}
+
+KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error)
+{
+    enum dom_status status = energy_change_between(geometry, standing, geometry->c, half_of_tilt(geometry->c),
+                                                   PASS_SHIFT, sums, NULL);
+    return status == DOM_OK && error ? energy_change_error(geometry, geometry->c, sums, error) : status;
+}
+
+KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry, struct tilt from,
+                                                struct tilt head, struct sums *sums)
+{
+    return energy_change_between(geometry, from, head, half_turn(from, head), 0, sums, NULL);
+}
+
+KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,
+                                              struct tilt head, real by, struct sums *sums)
+{
+    return energy_change_between(geometry, from, head, tan(by / 2), 0, sums, NULL);
+}
+
+KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geometry, struct tilt from,
+                                                    struct tilt head, struct sums *sums)
+{
+    return energy_change_between(geometry, from, head, half_turn(from, head), PASS_BEND, sums, NULL);
+}
+
+KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
+                                  struct sums *fall)
+{
+    struct sum_state up = {0}, down = {0};
+    struct link a = link_head(geometry, head), b = link_head(geometry, standing),
+                c = link_head(geometry, geometry->c);
+    real t = half_of_tilt(head), t_c = half_of_tilt(geometry->c), H2 = 0, second_derivative = 0;
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, a.i);
+        if (status != DOM_OK)
+            return status;
+        if (far_near(geometry, &up, &a, &b, t) && far_near(geometry, &down, &c, &b, t_c)) {
+            far_add(geometry, &up, &a, &b, t);
+            far_add(geometry, &down, &c, &b, t_c);
+            H2 += far_H2(&a, second_derivative);
+            break;
+        }
+        pair_add(&up, &a, &b, t);
+        pair_add(&down, &c, &b, t_c);
+        H2 += second_derivative_H2(&a, second_derivative);
+        real shrinks = pair_shrinks(&a, &b, t), shrinks_c = pair_shrinks(&c, &b, t_c);
+        if (pair_done(&up, &a, t, shrinks, geometry->tol) &&
+            pair_done(&down, &c, t_c, shrinks_c, geometry->tol))
+            break;
+        t *= shrinks;
+        t_c *= shrinks_c;
+        struct link leader = a;
+        link_next(&a);
+        second_derivative = link_second_derivative(&leader, second_derivative, &a);
+        b.tilt = c.tilt;
+        b.contact = c.contact;
+        link_next(&c);
+    }
+    *fall = sums_of(&down, 0, a.i + 1);
+    return sums_finite(fall) ? sum_result(geometry, &up, H2, a.i + 1, sums) : DOM_NOT_FINITE;
+}

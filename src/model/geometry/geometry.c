@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "geometry/geometry.h"
+
+/* r^q, and r^q - 1 free of cancellation. */
+static void geometry_powers(real r, real q, real *rq, real *rq_1)
+{
+    const int whole = (int)q;
+    if (q == (real)whole && whole <= 8) { /* hollow and massive: r^q - 1 = (r - 1) (1 + r + ...) */
+        real power = r, sum = 1;
+        for (int k = 1; k < whole; k++) {
+            sum += power;
+            power *= r;
+        }
+        *rq = power;
+        *rq_1 = (r - 1) * sum;
+        return;
+    }
+    *rq = pow(r, q);
+    /* The logarithm would cost digits where r^q is large, the difference where it is near 1. */
+    *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
+}
+
+KERNEL struct geometry geometry_read(const struct dom_train *t)
+{
+    struct geometry geometry = {.s = (real)t->s,
+                                .r = (real)t->r,
+                                .d = (real)t->d,
+                                .q = (real)t->q,
+                                .tol = (real)t->tol,
+                                .mu = (real)t->mu,
+                                .n = CHAIN_ENDLESS,
+                                .interrupt = t->interrupt,
+                                .work = t->work};
+    geometry.reach = sqrt(1 + geometry.d * geometry.d);
+    return geometry;
+}
+
+static struct far far_make(const struct geometry *geometry)
+{
+    real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, y = geometry->inf.y,
+         d = geometry->d;
+    /* theta_1 and its derivatives: of its slope 1 - r L x / Y, since Y' = 0 and Y'' = -(r L x)^2. */
+    real off = geometry->r * geometry->L * x, slope = 1 - off, second_derivative = -geometry->r * d,
+         twist = off * (1 - off * off);
+    real slope2 = slope * slope, slope3 = slope2 * slope;
+    real h1 = d * y - x, h2 = -(y + d * x), h3 = -h1;
+    struct far f = {.per_sine = 1 / x};
+    f.half_cot = y * f.per_sine / 2;
+    /* 1 - r^-q slope^k, from r^q - 1. */
+    f.H1 = h1 / (w * (geometry->rq_1 + off));
+    f.H2 = (h2 + w * second_derivative * f.H1) / (w * (geometry->rq_1 + off * (1 + slope)));
+    f.H3 = (h3 + w * (twist * f.H1 + 3 * slope * second_derivative * f.H2)) /
+           (w * (geometry->rq_1 + off * (1 + slope + slope2)));
+    f.J0 = 1 / (1 - m * slope2);
+    f.J1 = 2 * m * slope * second_derivative * f.J0 / (1 - m * slope3);
+    f.J2 = m *
+           (2 * (second_derivative * second_derivative + slope * twist) * f.J0 +
+            5 * slope2 * second_derivative * f.J1) /
+           (1 - m * slope3 * slope);
+    return f;
+}
+
+KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
+{
+    real d = geometry->d, L = s + d;
+    geometry->s = s;
+    geometry->r = r;
+    geometry->L = L;
+    geometry->rs = r * s;
+    geometry->rL = r * L;
+    /* The fma gives 1 - r s with one rounding. */
+    real short_of = fma(-r, s, 1);
+    /* A unit in the last place of 1: no more than r s gains where s and r = 1/s are both rounded. */
+    if (short_of < -REAL_EPSILON)
+        return DOM_OUT_OF_REACH;
+    geometry->short_of = fmax(short_of, 0);
+    geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
+    /* The kinetic energy (c6) is as small as r^-(2q+1); below this it would lose its digits. */
+    if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
+        return DOM_UNDERFLOW;
+    geometry->weight = 1 / geometry->rq;
+    geometry->inertia = geometry->weight / r;
+
+    geometry->c = tilt_make(fmin(r * s, 1), sqrt(geometry->short_of * (1 + r * s)));
+    real x_inf = sqrt(s * (s + 2 * d)) / L;
+    geometry->inf = (struct tilt){x_inf, d / L, s / L};
+    geometry->decay = geometry->weight * fmax(0, 1 - r * L * x_inf);
+
+    /* (A17): theta_leave < theta_inf.  1 - cos theta_leave = (1/r^2 - s^2) / (2 d L). */
+    geometry->leave_at = geometry->short_of * (1 + r * s);
+    geometry->leave_by = 2 * d * L * r * r;
+    real v_leave = geometry->leave_at / geometry->leave_by;
+    geometry->detaches = v_leave < geometry->inf.v;
+    geometry->f = geometry->inf;
+    if (geometry->detaches) {
+        geometry->leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
+        /* (A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
+        real one_minus_x = (2 * r * d - geometry->short_of) * geometry->short_of / (2 * r * L);
+        real x_f =
+            2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
+        geometry->f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
+    }
+    if (!geometry->detaches)
+        geometry->far = far_make(geometry);
+    return DOM_OK;
+}
+
+KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry)
+{
+    *geometry = geometry_read(train);
+    return geometry_set(geometry, geometry->s, geometry->r);
+}
+
+KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
+{
+    real theta_c = tilt_angle(geometry->c);
+    if (!(theta >= 0) || theta > theta_c * (1 + 2 * REAL_EPSILON))
+        return DOM_BAD_TILT;
+    *tilt = theta < theta_c ? tilt_make(sin(theta), cos(theta)) : geometry->c;
+    return DOM_OK;
+}
+
+KERNEL enum dom_status geometry_make_tilted(const struct dom_train *train, dom_real theta,
+                                            struct geometry *geometry, struct tilt *head)
+{
+    enum dom_status status = geometry_make(train, geometry);
+    return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
+}
+
+KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower)
+{
+    /* (b8) with the follower given: A cos theta + B sin theta = d, of whose two roots the smaller. */
+    real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;
+    real R = hypot(A, B), root = sqrt(fmax((R - geometry->d) * (R + geometry->d), 0));
+    return tilt_make(fmax((B * geometry->d - A * root) / (R * R), 0), (A * geometry->d + B * root) / (R * R));
+}
+
+/* ---- Errors, in angles: both coordinates of a tilt carry a few units of their own size ---- */
+
+/* Of what was rounded at most `units` times in each coordinate. */
+static real tilt_error(struct tilt t, real units)
+{
+    return units * UNIT * t.x * t.y;
+}
+
+KERNEL real geometry_error_head(struct tilt head)
+{
+    return tilt_error(head, 4);
+}
+
+KERNEL real geometry_error_f(const struct geometry *geometry)
+{
+    return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);
+}
+
+/* theta_leave comes from its 1 - cos, whose derivative is the sine. */
+static real geometry_error_leave(const struct geometry *geometry)
+{
+    return geometry->leave.x > 0
+               ? 6 * UNIT * geometry->leave.v / geometry->leave.x + tilt_error(geometry->leave, 2)
+               : REAL_MIN;
+}
+
+/* ---- Public ---- */
+
+KERNEL enum dom_status angles_find(const struct dom_train *train, struct dom_angles *angles,
+                                   struct dom_angles *error)
+{
+    struct geometry geometry;
+    enum dom_status status = geometry_make(train, &geometry);
+    if (status != DOM_OK)
+        return status;
+    *angles = (struct dom_angles){
+        .theta_c = tilt_angle(geometry.c),
+        .theta_u = atan(geometry.d),
+        .theta_inf = tilt_angle(geometry.inf),
+        .theta_f = tilt_angle(geometry.f),
+        .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
+        .detaches = geometry.detaches,
+    };
+    if (error) /* the arc functions add one unit, or two */
+        *error = (struct dom_angles){
+            .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
+            .theta_u = 2 * UNIT * angles->theta_u,
+            .theta_inf = tilt_error(geometry.inf, 6) + 2 * UNIT * angles->theta_inf,
+            .theta_f = geometry_error_f(&geometry) + 2 * UNIT * angles->theta_f,
+            .theta_leave = geometry.detaches
+                               ? geometry_error_leave(&geometry) + 2 * UNIT * angles->theta_leave
+                               : DOM_NAN,
+        };
+    return DOM_OK;
+}
