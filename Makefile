@@ -135,7 +135,7 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 # There memory and threads run out where a test wants it.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # How the shell writes numbers is tested as a unit, too.
-$(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,language/decimal.c language/quad.c answer/cell.c))
+$(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # And where the dominoes of a picture stand.
 $(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/cell.h"
-#include "language/decimal.h"
 #include "language/quad.h"
 #include <stdio.h>
 
@@ -133,9 +132,6 @@ const char *cell_plain(const struct output_style *style, struct cell cell, char 
     const int all = style->all_digits, few = all < 15 ? all - 2 : 15;
     cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(style, cell.number) : cell.number;
-    if (cell.kind == CELL_REAL && style->precision != DOM_QUAD &&
-        decimal_shortest((double)cell.number, all - 2, style->precision == DOM_FLOAT ? 24 : 53, text))
-        return text;
     const char *said = cell_text(cell, few, false, text);
     for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
         if (rounded(style, quad_read(text, NULL)) != cell.number)

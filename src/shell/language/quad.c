@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/quad.h"
-#include "language/decimal.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -10,28 +9,18 @@ extern int strfromf128(char *restrict text, size_t size, const char *restrict fo
 extern dom_real strtof128(const char *restrict text, char **restrict end);
 #endif
 
-/* The same digits sooner, where the value is a double, or one decides. */
-static bool quick_text(dom_real value, int digits, char text[WIDE_TEXT])
-{
-    enum { LONGEST = 17, SURE = 14 };
-    double near = (double)value;
-    if ((dom_real)near != value)
-        return digits > 0 && digits <= SURE && decimal_near(near, digits, text);
-    bool whole = near > -1e15 && near < 1e15 && near == (double)(long long)near;
-    return digits > 0 && (digits <= LONGEST || whole) &&
-           decimal_text(near, digits < LONGEST ? digits : LONGEST, text);
-}
-
 const char *quad_text(dom_real value, int digits, char text[WIDE_TEXT])
 {
-    if (quick_text(value, digits, text))
-        return text;
+    digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
 #if defined DOM_REAL_FLOAT128
-    char format[16];
-    snprintf(format, sizeof format, "%%.%dg", digits < WIDE_DIGITS ? digits : WIDE_DIGITS);
-    strfromf128(text, WIDE_TEXT, format, value);
+    if ((dom_real)(double)value != value) {
+        char format[16];
+        snprintf(format, sizeof format, "%%.%dg", digits);
+        strfromf128(text, WIDE_TEXT, format, value);
+    } else /* the same digits, sooner */
+        snprintf(text, WIDE_TEXT, "%.*g", digits, (double)value);
 #else
-    snprintf(text, WIDE_TEXT, "%.*Lg", digits < WIDE_DIGITS ? digits : WIDE_DIGITS, value);
+    snprintf(text, WIDE_TEXT, "%.*Lg", digits, value);
 #endif
     return text;
 }
