@@ -136,6 +136,8 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # How the shell writes numbers is tested as a unit, too.
 $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
+# And where a line's quotes and comments end.
+$(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # And where the dominoes of a picture stand.
 $(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)
 

@@ -5,7 +5,6 @@
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"
-#include <ctype.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,18 +42,6 @@ static bool sweep_read_grid(struct reader *r, struct call *call)
                                                        "such as ': rmax'"));
 }
 
-/* Where the command ends: at ';', at a comment, or at the file behind '>'. */
-static const char *command_end(const char *c)
-{
-    for (bool quote = false, blank = true; *c; c++) {
-        quote = quote != (*c == '"');
-        if (!quote && (*c == ';' || *c == '>' || (*c == '#' && blank)))
-            break;
-        blank = isspace((unsigned char)*c);
-    }
-    return c;
-}
-
 static bool sweep_read_command(struct reader *r, struct call *call)
 {
     struct session *session = r->session;
@@ -73,7 +60,7 @@ static bool sweep_read_command(struct reader *r, struct call *call)
                              c->name);
     s->text = r->text;
     s->arguments = r->at;
-    r->at = command_end(r->at);
+    r->at = text_end(r->at, ";>");
     return true;
 }
 

@@ -45,14 +45,12 @@ static bool pass_word(struct reader *r, bool quotes, struct place *word)
         r->at = word->end = word->begin + strcspn(word->begin, ends);
         return true;
     }
-    const char *c = ++word->begin;
-    for (; *c != '"' || c[1] == '"'; c++) {
-        if (*c == '\0')
-            return false;
-        c += *c == '"'; /* the second of two */
-    }
-    word->end = c;
-    r->at = c + 1;
+    const char *behind = text_quote(r->at);
+    if (!behind)
+        return false;
+    word->begin++;
+    word->end = behind - 1;
+    r->at = behind;
     return true;
 }
 

@@ -4,7 +4,6 @@
 #include "io/redirect.h"
 #include "io/terminal.h"
 #include "picture/picture.h"
-#include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -131,19 +130,6 @@ static void run_command(struct reader *r)
     session->column = 0;
 }
 
-/* Behind the command that begins at c: the ';' or comment that ends it, not looking into "...". */
-static const char *command_end(const char *c)
-{
-    bool blank = true, quote = false;
-    for (; *c; c++) {
-        quote = quote != (*c == '"');
-        if (!quote && (*c == ';' || (*c == '#' && blank)))
-            break;
-        blank = isspace((unsigned char)*c);
-    }
-    return c;
-}
-
 static void run_line(struct session *session, const char *line, size_t length)
 {
     struct text text;
@@ -162,7 +148,7 @@ static void run_line(struct session *session, const char *line, size_t length)
     session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
     for (;;) {
         long errors = session->errors;
-        const char *begin = skip_blanks(r.at), *end = command_end(begin);
+        const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
         if (begin < end) {
             r.at = begin;
             run_command(&r);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/text.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -83,6 +84,23 @@ ssize_t text_read(char **line, size_t *size, FILE *in)
         return -1;
     (*line)[n] = '\0';
     return (ssize_t)n;
+}
+
+const char *text_quote(const char *c)
+{
+    while ((c = strchr(c + 1, '"')) != NULL && *++c == '"')
+        ;
+    return c;
+}
+
+const char *text_end(const char *c, const char *ends)
+{
+    for (bool blank = true; *c && !strchr(ends, *c) && !(*c == '#' && blank);) {
+        const char *next = *c == '"' ? text_quote(c) : c + 1;
+        blank = isspace((unsigned char)*c);
+        c = next ? next : c + strlen(c);
+    }
+    return c;
 }
 
 int text_column(const struct text *text, const char *place)

@@ -31,6 +31,17 @@ void text_free(struct text *text);
  */
 ssize_t text_read(char **line, size_t *size, FILE *in);
 
+/* Returns the place behind the '"' that closes the one at c; '""' in between is one '"'.  NULL if none does.
+ */
+const char *text_quote(const char *c);
+
+/*
+ * Returns the first place from c on, outside of quotes, with one of these characters or with a '#' that
+ * begins a comment: at c itself or behind a blank.  The end of the text if there is none, or if a '"' is
+ * never closed.
+ */
+const char *text_end(const char *c, const char *ends);
+
 /* Column of a place in the line, from 1. */
 int text_column(const struct text *text, const char *place);
 

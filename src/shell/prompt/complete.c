@@ -2,6 +2,7 @@
 #include "prompt/complete.h"
 #include "interpreter/command.h"
 #include "io/escape.h"
+#include "language/text.h"
 #include "session/effects.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -189,9 +190,8 @@ static const char *swept_command(const char *line)
 void complete_line(const char *line, bool files, void (*emit)(const char *, void *), void *context)
 {
     const char *begin = line, *last;
-    for (const char *c = line; *c; c++)
-        if (*c == ';')
-            begin = c + 1;
+    for (const char *end; *(end = text_end(begin, ";")) == ';';)
+        begin = end + 1;
     begin += strspn(begin, " \t");
     const char *line_begin = begin;
     begin = swept_command(begin);
@@ -199,11 +199,10 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
     while (last > begin && !strchr(" \t", last[-1]))
         last--;
     /* A file name that is being quoted begins behind its '"'. */
-    const char *quote = NULL;
-    for (const char *c = begin; *c; c++)
-        if (*c == '"')
-            quote = quote ? NULL : c + 1;
-    last = quote ? quote : last;
+    const char *quote = strchr(begin, '"');
+    for (const char *behind; quote && (behind = text_quote(quote)) != NULL;)
+        quote = strchr(behind, '"');
+    last = quote ? quote + 1 : last;
     struct offer offer = offer_at(begin, (size_t)(last - (quote != NULL) - begin), begin > line_begin);
     /* In an expression the name begins behind the operator. */
     const char *name = last;

@@ -120,20 +120,6 @@ static bool line_read(struct reader *r)
     return r->bytes <= FILE_MOST || wrong(r, NULL, "the file is larger than %d MB", FILE_MOST >> 20);
 }
 
-/* A comment begins the line or stands behind a blank, which goes with it: a tab there parts no cells. */
-static void comment_cut(char *line)
-{
-    bool blank = true, quote = false;
-    for (char *c = line; *c; c++) {
-        quote = quote != (*c == '"');
-        if (!quote && blank && *c == '#') {
-            c[c > line ? -1 : 0] = '\0';
-            return;
-        }
-        blank = isspace((unsigned char)*c);
-    }
-}
-
 /* Keeps the cell at *place, which moves on to the next, or to NULL. */
 static bool cell_cut(struct reader *r, char **place)
 {
@@ -345,7 +331,9 @@ static bool lines_read(struct reader *r, struct rowfile *rows)
         if (r->end)
             return rows->count > 0 ||
                    wrong(r, NULL, "no dominoes; the first line names " COLUMNS ", each below is one");
-        comment_cut(r->text.line);
+        /* The blank before a comment goes with it: a tab there parts no cells. */
+        char *comment = r->text.line + (text_end(r->text.line, "") - r->text.line);
+        comment[*comment && comment > r->text.line ? -1 : 0] = '\0';
         if (r->text.line[strspn(r->text.line, " \t\r\f\v")] != '\0' &&
             !(r->columns ? row_read(r, rows) : head_read(r)))
             return false;

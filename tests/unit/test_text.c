@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where quotes, commands and comments of a line end. */
+#include "support.h"
+
+#include "language/text.h"
+
+static void quotes_end(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int behind; /* -1: never closed */
+    } cases[] = {
+        {"\"\"", 2}, {"\"a b\" c", 5}, {"\"a\"\"b\"", 6}, {"\"\"\"\"x", 4}, {"\"a;#>\";\"b", 6},
+        {"\"", -1},  {"\"abc", -1},    {"\"abc\"\"", -1}, {"\"\"\"", -1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *behind = text_quote(cases[i].text);
+        assert_int_equal(behind ? behind - cases[i].text : -1, cases[i].behind);
+    }
+}
+
+static void commands_end(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *ends;
+        int at;
+    } cases[] = {
+        {"", ";", 0},
+        {"rmax", ";", 4},
+        {"rmax; best", ";", 4},
+        {"rmax > f; best", ";", 8},
+        {"rmax > f; best", ";>", 5},
+        {"# all of it", ";", 0},
+        {"rmax # why", ";", 5},
+        {"rmax\t#", ";", 5},
+        {"rmax#1", ";", 6}, /* no comment */
+        {"save \"a;b #c\"; x", ";", 13},
+        {"save \"a\"\";b\"; x", ";", 12},
+        {"save \"a\"#b; x", ";", 10}, /* nor that */
+        {"save \"a; b # c", ";", 14}, /* never closed */
+        {"print 5\";\" ; x", ";", 11},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_int_equal(text_end(cases[i].text, cases[i].ends) - cases[i].text, cases[i].at);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(quotes_end),
+        cmocka_unit_test(commands_end),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
