@@ -28,17 +28,22 @@ struct answer {
     bool letters;  /* the field's letters can be shown */
     bool bold;
     int width;                  /* of the terminal; 0 for none */
-    unsigned bounded;           /* bit i: csv and json have the bounds of column i behind it */
+    unsigned bounded;           /* bit i: see answer_bounded */
     bool gap;                   /* set a blank line between this answer and the one before, for people */
     int lost;                   /* errno of the first write that failed; 0 for none */
     struct cell *kept;          /* where the cells of the last row stay */
-    bool reasoned;              /* the head of csv has a column for reasons */
+    bool reasoned;              /* every row has a place for a reason */
     char unsaid[ANSWER_REASON]; /* why a number is missing in rows that had no place to say it; "" for none */
-    /* Unless NULL, the answer is that of one point of a sweep, whose rows this function takes; swept is its
-     * own, and like, unless NULL, a row of the kinds that most points have, for the head. */
+    const struct cell *like; /* unless NULL, a row of the kinds of cells that most rows have, for the head */
+    /* Unless NULL, the answer is that of one point of a sweep: this takes its rows, and swept is its own. */
     void (*point)(struct answer *answer, const struct cell *cells, const char *reason);
     struct swept *swept;
-    const struct cell *like;
 };
+
+/* Returns true if programs find the bounds of column i behind it. */
+static inline bool answer_bounded(const struct answer *answer, int i)
+{
+    return (answer->bounded >> i & 1) != 0;
+}
 
 #endif

@@ -6,11 +6,13 @@
 #include "domino.h"
 #include <stdbool.h>
 
-enum output { OUTPUT_TABLE, OUTPUT_CSV, OUTPUT_JSON };
 enum angle { ANGLE_RAD, ANGLE_DEG };
 
+struct format;
+
 struct output_style {
-    enum output output;
+    unsigned output; /* which of the formats, as the session has it; session_style finds the format */
+    const struct format *format;
     enum angle angle;
     dom_real digits; /* in a table */
     enum dom_precision precision;

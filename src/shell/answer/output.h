@@ -8,6 +8,9 @@
 
 #include "answer/answer.h"
 
+/* Returns true for a column of angles, which follow the style's unit. */
+bool column_is_angle(const struct column *column);
+
 /* Makes a column of words, in a copy of an answer's columns, as wide as a word that it is to hold. */
 void column_fit(struct column *column, const char *word);
 
@@ -26,13 +29,10 @@ void answer_plan(struct answer *answer, const struct cell *like);
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 
 /*
- * Says or returns what answer_row had no place for: people read it below the answer, where NULL is returned;
- * for programs the caller reports it.
+ * Ends the answer.  Returns what its rows had no place for, which the caller reports, or NULL: people read it
+ * below the answer.
  */
-const char *answer_unsaid(struct answer *answer);
-
-/* The row as it is: what answer_row does where somebody reads it, and no point of a sweep is behind it. */
-void answer_write(struct answer *answer, const struct cell *cells, const char *reason);
+const char *answer_end(struct answer *answer);
 
 /* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
 bool answer_lost(const struct answer *answer);

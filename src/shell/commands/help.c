@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, all of it from the tables of commands and parameters. */
+#include "answer/format.h"
 #include "commands/tables.h"
 #include "interpreter/command.h"
 #include "io/terminal.h"
@@ -93,7 +94,7 @@ static void run_topic(struct session *session, const char *name)
     const struct command *c = command_find(name);
     struct answer answer = {
         .out = session->out, .style = session->style, .columns = c->columns, .rows = c->rows};
-    answer.style.output = OUTPUT_TABLE;
+    answer.style.format = &format_table;
     c->run(session, &(struct call){.answer = &answer});
 }
 

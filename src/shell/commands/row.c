@@ -45,7 +45,7 @@ static bool run_row(struct session *session, const struct call *call)
         return false;
     bool weighed = scene_weighed(session);
     call->answer->columns = weighed ? row_columns : row_relative_columns;
-    call->answer->units = !call->answer->swept;
+    call->answer->units = true;
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct dom_domino *d = &scene.domino[k];
         answer_row(call->answer,

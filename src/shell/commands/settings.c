@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the session itself. */
+#include "answer/format.h"
 #include "commands/tables.h"
 #include "interpreter/command.h"
 #include "interpreter/line.h"
@@ -58,10 +59,11 @@ struct shown {
     struct cell cell[SHOW_COLUMNS];
 };
 
-static void shown_make(const struct session *session, const struct parameter *p, struct shown *shown)
+static void shown_make(const struct session *session, const struct parameter *p, bool people,
+                       struct shown *shown)
 {
     dom_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
-    bool words = session->style.output == OUTPUT_TABLE || p->words_only;
+    bool words = people || p->words_only;
     parameter_range(session, p, shown->range, sizeof shown->range);
     parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
     parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
@@ -83,7 +85,7 @@ static bool run_show(struct session *session, const struct call *call)
         for (const struct parameter *p = session_parameters; p->name; p++) {
             if (call->count == 1 && p != parameter_of(call, 0))
                 continue;
-            shown_make(session, p, &shown);
+            shown_make(session, p, call->answer->style.format->for_people, &shown);
             for (int i = 0; pass == 0 && fitted[i + 1].key; i++) /* the last one is wrapped */
                 if (shown.cell[i].kind == CELL_WORD)
                     column_fit(&fitted[i], shown.cell[i].word);

@@ -171,7 +171,6 @@ bool study_blocks(struct session *session, const struct call *call, const struct
     struct answer *a = call->answer;
     struct blocks b = {.row = &scene->row, .placement = placement};
     bool by_point;
-    const struct column *own = a->columns;
     snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row));
     a->columns = block_columns;
     a->rows = true;
@@ -182,9 +181,7 @@ bool study_blocks(struct session *session, const struct call *call, const struct
                                   .point = block_point,
                                   .own = &b,
                                   .size = sizeof b};
-    bool done = points_answer(session, a, &points, &by_point);
-    a->columns = own;
-    return done || (by_point && row_status(session, b.status));
+    return points_answer(session, a, &points, &by_point) || (by_point && row_status(session, b.status));
 }
 
 /* ---- Pooling ---- */

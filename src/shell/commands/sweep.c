@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep: what a command answers, over a grid of parameters and effects. */
+#include "answer/format.h"
 #include "commands/grid.h"
 #include "commands/swept.h"
 #include "commands/tables.h"
@@ -126,7 +127,7 @@ static bool point_ask(struct sweeper *w, struct answer *a)
     return done;
 }
 
-static bool point_answer(struct sweeper *w, size_t k, struct answer *a);
+static bool point_answer(struct sweeper *w, size_t k, struct answer *to);
 
 /* So many points are tried for one with an answer, which shows what kinds of cells there are. */
 enum { TRIED = 256 };
@@ -134,61 +135,67 @@ enum { TRIED = 256 };
 /* Is there one among the first?  Its first row is then in swept.first. */
 static bool point_like(struct sweeper *w)
 {
-    struct answer unread = w->answer;
-    unread.out = NULL;
     size_t points = w->sweep->grid.points;
     w->swept.answered = false;
     for (size_t k = 0; k < points && k < TRIED && !w->swept.answered; k++)
-        if (!point_answer(w, k, &unread))
+        if (!point_answer(w, k, NULL))
             return false;
     return w->swept.answered;
 }
 
 /* Point k has no answer.  Where it stands below the head of a table, others show units and kinds. */
-static void point_none(struct sweeper *w, size_t k, struct answer *a, const char *why)
+static void point_none(struct sweeper *w, size_t k, struct answer *to, const char *why)
 {
     struct cell like[ANSWER_COLUMNS];
     char reason[SWEPT_REASON];
     snprintf(reason, sizeof reason, "%s", why);
-    bool head = a->out && !a->begun && a->style.output == OUTPUT_TABLE;
+    bool head = to && !to->begun && to->style.format->for_people;
     if (head && point_like(w)) {
         memcpy(like, w->swept.first, sizeof like);
-        a->like = like;
+        to->like = like;
     }
     point_values(w, k);
     swept_begin(&w->swept);
-    swept_none(a, reason);
-    a->like = NULL;
+    w->swept.to = to;
+    swept_none(&w->swept, reason);
+    if (to)
+        to->like = NULL;
 }
 
-/* The rows of point k; false: something is wrong with the line, see heard. */
-static bool point_answer(struct sweeper *w, size_t k, struct answer *a)
+/* Writes the rows of point k, unless `to` is NULL; false: something is wrong with the line, see heard. */
+static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
 {
+    struct answer a = w->answer;
+    a.columns = w->sweep->command->columns;
+    a.out = to ? to->out : NULL;
+    a.point = swept_row;
+    a.swept = &w->swept;
     point_values(w, k);
-    point_session(w, a->out);
+    point_session(w, a.out);
     swept_begin(&w->swept);
-    a->point = swept_row;
-    a->swept = &w->swept;
+    w->swept.to = to;
     if (w->styled) {
-        dom_real digits = a->style.digits; /* columns are as wide in all rows */
-        a->style = session_style(&w->point);
-        a->style.digits = digits;
+        dom_real digits = a.style.digits; /* columns are as wide in all rows */
+        a.style = session_style(&w->point);
+        a.style.digits = digits;
     }
-    bool done = point_ask(w, a);
+    if (to)
+        to->style = a.style;
+    bool done = point_ask(w, &a);
     if (!done && !w->captured_error.no_answer)
         return false;
-    if (!done)
-        point_none(w, k, a, w->captured_error.text);
-    else if (!w->swept.answered)
-        point_none(w, k, a, "nothing is answered here");
+    if (!done || !w->swept.answered)
+        point_none(w, k, to, done ? "nothing is answered here" : w->captured_error.text);
     return true;
 }
 
 static bool sweep_point(void *own, size_t k, FILE *out)
 {
     struct sweeper *w = own;
-    struct answer a = answer_part(&w->answer, out, k == 0);
-    bool good = point_answer(w, k, &a);
+    struct answer to = answer_part(&w->answer, out, k == 0);
+    to.columns = w->swept.column; /* the worker's own, as its command has them */
+    bool good = point_answer(w, k, &to);
+    w->swept.to = NULL;
     if (good && w->swept.reasoned && w->reasons++ == 0) {
         w->first = k;
         memcpy(w->reason, w->swept.reason, sizeof w->reason);
@@ -306,7 +313,6 @@ static struct sweeper *sweeper_make(struct session *session, const struct sweep 
     w->sweep = s;
     w->base = session;
     w->answer = *a;
-    w->answer.columns = s->command->columns;
     for (int i = 0; i < s->grid.axes; i++) {
         const struct parameter *p = s->grid.axis[i].parameter;
         w->index[i] = SIZE_MAX; /* none yet */
@@ -323,16 +329,13 @@ static struct sweeper *sweeper_make(struct session *session, const struct sweep 
 /* Rows of all points; what the head is to know, before the first of them, and the same in each part. */
 static bool sweep_rows(struct session *session, struct answer *a, struct sweeper *w)
 {
-    bool by_point = true, bounds = a->style.errors && a->style.output != OUTPUT_TABLE;
+    bool by_point = true, bounds = a->style.errors && !a->style.format->for_people;
     if (bounds && !point_like(w) && *w->captured_error.text && !w->captured_error.no_answer)
         return sweep_error(session, w);
-    const struct column *own = a->columns;
     a->columns = w->swept.column;
+    a->reasoned = true;
     answer_plan(a, w->swept.first);
-    a->columns = own;
-    own = w->answer.columns;
     w->answer = *a;
-    w->answer.columns = own;
     const struct points points = {.total = w->sweep->grid.points,
                                   .point = sweep_point,
                                   .own = w,

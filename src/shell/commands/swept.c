@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/swept.h"
+#include "answer/format.h"
 #include <string.h>
 
 void swept_begin(struct swept *s)
@@ -35,28 +36,25 @@ static void swept_cells(struct swept *s, const struct column *columns, const str
     }
 }
 
-static void swept_write(struct answer *a, const struct cell *row, const char *reason)
+/* The first reason is kept. */
+static void swept_reason(struct swept *s, const char *reason)
 {
-    struct swept *s = a->swept;
-    const struct column *own = a->columns;
-    if (reason && !s->reasoned) {
+    if (!s->reasoned)
         snprintf(s->reason, sizeof s->reason, "%s", reason);
-        s->reasoned = true;
-    }
-    if (!a->out)
+    s->reasoned = true;
+}
+
+static void swept_write(struct swept *s, const struct cell *row, const char *reason)
+{
+    if (reason)
+        swept_reason(s, reason);
+    if (!s->to)
         return;
-    if (a->style.output == OUTPUT_TABLE)
-        reason = NULL; /* it has no room for one */
-    else if (!reason)
-        reason = ""; /* its place is there in every row */
-    a->columns = s->column;
-    answer_write(a, row, reason);
-    if (*a->unsaid && !s->reasoned) {
-        snprintf(s->reason, sizeof s->reason, "%s", a->unsaid);
-        s->reasoned = true;
-    }
-    a->unsaid[0] = '\0'; /* the sweep says it */
-    a->columns = own;
+    /* A table has no room for reasons; else their place is there in every row. */
+    answer_row(s->to, row, s->to->style.format->for_people ? NULL : reason ? reason : "");
+    if (*s->to->unsaid)
+        swept_reason(s, s->to->unsaid);
+    s->to->unsaid[0] = '\0'; /* the sweep says it */
 }
 
 void swept_row(struct answer *a, const struct cell *cells, const char *reason)
@@ -66,12 +64,12 @@ void swept_row(struct answer *a, const struct cell *cells, const char *reason)
     if (!a->swept->answered)
         memcpy(a->swept->first, row, sizeof row);
     a->swept->answered = true;
-    swept_write(a, row, reason);
+    swept_write(a->swept, row, reason);
 }
 
-void swept_none(struct answer *a, const char *reason)
+void swept_none(struct swept *s, const char *reason)
 {
     struct cell row[ANSWER_COLUMNS] = {{.kind = CELL_NONE}};
-    memcpy(row, a->swept->value, (size_t)a->swept->values * sizeof *row);
-    swept_write(a, row, reason);
+    memcpy(row, s->value, (size_t)s->values * sizeof *row);
+    swept_write(s, row, reason);
 }

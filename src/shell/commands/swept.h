@@ -15,13 +15,14 @@ struct swept {
     bool answered, reasoned;           /* has it a row of an answer, and one with a reason? */
     char reason[SWEPT_REASON];         /* the first */
     struct cell first[ANSWER_COLUMNS]; /* its first row of an answer */
+    struct answer *to; /* the answer of the sweep, which has its columns; NULL: rows are not read */
 };
 
 /* For the next point, of which value is filled in. */
 void swept_begin(struct swept *swept);
 
-/* A row of the command's answer; one of a point that has none. */
+/* Writes a row of the command's answer; or the row of a point that has none. */
 void swept_row(struct answer *answer, const struct cell *cells, const char *reason);
-void swept_none(struct answer *answer, const char *reason);
+void swept_none(struct swept *swept, const char *reason);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs lines: the commands in them, with their answers in files behind '>'. */
+#include "answer/format.h"
 #include "interpreter/arguments.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
@@ -47,7 +48,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     session->fresh = session->fresh && done && !c->columns;
     if (done && c->train && session->effect[DOM_EFFECT_row].on)
         say_train(session, &answer);
-    const char *unsaid = done ? answer_unsaid(&answer) : NULL;
+    const char *unsaid = done ? answer_end(&answer) : NULL;
     if (unsaid)
         session_note(session, "%s", unsaid);
     session->answered = session->answered || (done && c->columns);
@@ -58,7 +59,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     }
     if (done && session->timing && c->columns) {
         /* Programs that read csv or json find it where it does not disturb. */
-        bool people = session->style.output == OUTPUT_TABLE && !session->redirected;
+        bool people = answer.style.format->for_people && !session->redirected;
         fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * seconds);
     }
     return done;

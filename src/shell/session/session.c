@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/session.h"
+#include "answer/format.h"
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "language/names.h"
@@ -10,8 +11,14 @@
 
 static const struct word mass_words[] = {{"hollow", 3}, {"massive", 4}, {NULL, 0}};
 static const struct word fuel_words[] = {{"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}, {NULL, 0}};
-static const struct word output_words[] = {
-    {"table", OUTPUT_TABLE}, {"csv", OUTPUT_CSV}, {"json", OUTPUT_JSON}, {NULL, 0}};
+
+#define FORMAT_NUMBER(name)  FORMAT_##name,
+#define FORMAT_WORD(name)    {#name, FORMAT_##name},
+#define FORMAT_POINTER(name) &format_##name,
+enum { FORMATS(FORMAT_NUMBER) };
+static const struct word output_words[] = {FORMATS(FORMAT_WORD){NULL, 0}};
+static const struct format *const formats[] = {FORMATS(FORMAT_POINTER)};
+
 static const struct word angle_words[] = {{"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}, {NULL, 0}};
 static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
 
@@ -119,7 +126,7 @@ const struct parameter session_parameters[] = {
      .whole = true,
      .offset = offsetof(struct session, threads),
      .setting = true},
-    WORDS("output", style.output, output_words, OUTPUT_TABLE, true, "how answers are written", NULL),
+    WORDS("output", style.output, output_words, 0, true, "how answers are written", NULL),
     {.name = "digits",
      .unit = "",
      .meaning = "significant digits in tables; csv and json have all",
@@ -362,8 +369,8 @@ void parameter_put(struct session *session, const struct parameter *p, dom_real 
         *(dom_real *)(void *)place = value;
 }
 
-_Static_assert(sizeof(enum output) == sizeof(unsigned) && sizeof(enum dom_fuel) == sizeof(unsigned) &&
-                   sizeof(enum angle) == sizeof(unsigned) && sizeof(enum dom_precision) == sizeof(unsigned),
+_Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) == sizeof(unsigned) &&
+                   sizeof(enum dom_precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned");
 
 const char *parameter_word(const struct parameter *p, dom_real value)
@@ -439,6 +446,7 @@ struct output_style session_style(const struct session *session)
 {
     struct output_style style = session->style;
     int bits = dom_arithmetic(session->train.precision)->bits;
+    style.format = formats[style.output];
     style.precision = session->train.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
     style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->train.tol) + (dom_real)1e-6), 1);

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * How answers are written.  To add a format, write one file like csv.c with its `struct format`, and name it
+ * in FORMATS: 'set output', its help and its completion take it from there.
+ */
+#ifndef SHELL_FORMAT_H
+#define SHELL_FORMAT_H
+
+#include "answer/answer.h"
+#include <stdarg.h>
+
+struct format {
+    bool for_people; /* sentences, headings and units stand around the rows; else programs read them */
+    bool escapes;    /* the format has its own way to write control characters, which a program reads back */
+    /* Writes what stands before the first row, whose cells and reason are given; NULL: nothing. */
+    void (*begin)(struct answer *answer, const struct cell *cells, const char *reason);
+    /* Writes a row; reason, unless NULL, says why a value is missing, "" that there is nothing to say. */
+    void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
+    /* Writes a sentence; NULL: the format has no place for one. */
+    void (*note)(struct answer *answer, const char *format, va_list arguments);
+    /* Writes what stands below the last row.  Returns what the format had no place for, or NULL. */
+    const char *(*end)(struct answer *answer);
+};
+
+/* All formats, the default first. */
+#define FORMATS(EACH) EACH(table) EACH(csv) EACH(json)
+
+#define FORMAT_EXTERN(name) extern const struct format format_##name;
+FORMATS(FORMAT_EXTERN)
+
+#endif

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* An object a row, on a line of its own. */
+#include "answer/format.h"
+#include "io/escape.h"
+
+static void cell_write(const struct answer *a, struct cell cell)
+{
+    char text[CELL_TEXT];
+    if (cell.kind == CELL_WORD)
+        escape_json(a->out, cell.word);
+    else
+        fputs_unlocked(cell.kind == CELL_NONE   ? "null"
+                       : cell.kind == CELL_FLAG ? (cell.number != 0 ? "true" : "false")
+                                                : cell_plain(&a->style, cell, text),
+                       a->out);
+}
+
+static void json_row(struct answer *a, const struct cell *cells, const char *reason)
+{
+    char text[CELL_TEXT];
+    for (int i = 0; a->columns[i].key; i++) {
+        fprintf(a->out, "%c\"%s\":", i ? ',' : '{', a->columns[i].key);
+        cell_write(a, cells[i]);
+        if (answer_bounded(a, i))
+            fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key,
+                    cell_plain_bound(&a->style, cells[i], "null", text));
+    }
+    if (reason) {
+        fputs_unlocked(",\"reason\":", a->out);
+        cell_write(a, cell_word(*reason ? reason : NULL));
+    }
+    fputs_unlocked("}\n", a->out);
+}
+
+const struct format format_json = {.escapes = true, .row = json_row};
