@@ -69,6 +69,14 @@ harmless() { # FILE
     jq -es 'length == 5' json
     # A program reads the same characters, but for a byte that is none.
     same 'json' $'a\e[31m\u202e\u009b\ufffd\tb.csv' "$(jq -r 'select(.effect == "row").state' json)"
+    # Every control character that a line may hold comes back out of json.
+    local controls
+    controls=$(printf '\\x%02x' 1 2 3 4 5 6 7 8 9 {11..31} 127)
+    controls=$(printf '%b' "$controls")'"\.csv'
+    printf '%s\n' "$csv" >"$controls"
+    printf '%s\n' "effect row \"${controls//\"/\"\"}\"; set output json; effects" | "$DOMINO" >json
+    harmless json
+    same 'json of control characters' "$controls" "$(jq -r 'select(.effect == "row").state' json)"
     printf '%s\n' "source \"s $name\"" "source \"no$name\"" "effect row \"no$name\"" "pool \"$name\"" "foo$name" \
         "save \"/no/$name\"" "verdict > \"/no/$name\"" "apropos $name" "set $name 1" "print 1 $name" \
         "sweep $name 1" >messages.dom
