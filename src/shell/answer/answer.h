@@ -19,9 +19,10 @@ enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160 };
 struct answer {
     FILE *out; /* NULL: the answer is only kept */
     struct output_style style;
-    const struct column *columns; /* ends with a NULL key */
-    bool rows;                    /* a table with a head, rather than a line a column */
-    bool units;                   /* csv names its columns with their units: it is read back */
+    const struct column *columns;      /* ends with a NULL key */
+    struct column own[ANSWER_COLUMNS]; /* room for columns that this one answer has: see answer_columns */
+    bool rows;                         /* a table with a head, rather than a line a column */
+    bool units;                        /* csv names its columns with their units: it is read back */
     bool begun;
     bool prepared; /* nothing else stands before the next row any more */
     bool planned;  /* width, letters, bold and bounded are known */

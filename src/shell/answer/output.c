@@ -23,6 +23,16 @@ bool column_is_angle(const struct column *c)
     return strncmp(c->unit, "rad", 3) == 0;
 }
 
+struct column *answer_columns(struct answer *a, const struct column *columns)
+{
+    int n = 0;
+    do
+        a->own[n] = columns[n];
+    while (columns[n++].key);
+    a->columns = a->own;
+    return a->own;
+}
+
 void column_fit(struct column *c, const char *word)
 {
     int wide = terminal_columns(word);

@@ -11,7 +11,11 @@
 /* Returns true for a column of angles, which follow the style's unit. */
 bool column_is_angle(const struct column *column);
 
-/* Makes a column of words, in a copy of an answer's columns, as wide as a word that it is to hold. */
+/* Gives the answer its own copy of these columns, and returns that: it may be changed before the first row.
+ */
+struct column *answer_columns(struct answer *answer, const struct column *columns);
+
+/* Makes a column of words, in an answer's own columns, as wide as a word that it is to hold. */
 void column_fit(struct column *column, const char *word);
 
 /*

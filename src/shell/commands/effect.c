@@ -191,15 +191,12 @@ static bool run_effects(struct session *session, const struct call *call)
     free(row.domino);
     if (status != DOM_OK)
         return session_status(session, status);
-    struct column fitted[sizeof price_columns / sizeof *price_columns];
-    memcpy(fitted, price_columns, sizeof fitted);
+    struct column *fitted = answer_columns(a, answer_for_people(a) ? price_columns : effects_columns);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
         if (session->effect[k].on)
             column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
     }
-    if (answer_for_people(a))
-        a->columns = fitted;
     for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
         enum dom_effect_name name = (enum dom_effect_name)k;
@@ -214,7 +211,6 @@ static bool run_effects(struct session *session, const struct call *call)
                        cell_count((dom_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
                    NULL);
     }
-    a->columns = effects_columns;
     effects_say(session, a);
     return true;
 }

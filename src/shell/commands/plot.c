@@ -286,13 +286,11 @@ static bool name_follows(dom_real plot)
     return plots[(int)plot].run == plot_cost;
 }
 
-enum { KEYS_MAX = 8 };
-
 /* The columns of one picture, in the order of its keys. */
-static void columns_choose(const char *keys, struct column chosen[KEYS_MAX])
+static void columns_choose(const char *keys, struct column *chosen)
 {
     int n = 0;
-    for (const char *key = keys; *key && n + 1 < KEYS_MAX; key += strspn(key, " ")) {
+    for (const char *key = keys; *key && n + 1 < ANSWER_COLUMNS; key += strspn(key, " ")) {
         size_t length = strcspn(key, " ");
         for (const struct column *c = plot_columns; c->key; c++)
             if (strlen(c->key) == length && strncmp(c->key, key, length) == 0)
@@ -305,17 +303,14 @@ static void columns_choose(const char *keys, struct column chosen[KEYS_MAX])
 static bool run_plot(struct session *session, const struct call *call)
 {
     const struct plot *plot = &plots[(int)call->number[0]];
-    struct column chosen[KEYS_MAX];
     if (call->count > 1 && !name_follows(call->number[0])) {
         session->column = call->column[1];
         return session_error(session, "'plot %s' takes no name behind it", plot->name);
     }
-    columns_choose(plot->keys, chosen);
-    call->answer->columns = chosen;
+    columns_choose(plot->keys, call->answer->own);
+    call->answer->columns = call->answer->own;
     call->answer->style.errors = 0; /* a picture needs no bounds */
-    bool done = plot->run(session, call);
-    call->answer->columns = plot_columns;
-    return done;
+    return plot->run(session, call);
 }
 
 const struct command plot_commands[] = {

@@ -53,7 +53,6 @@ static bool run_row(struct session *session, const struct call *call)
                        cell_real(d->gap), cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass)),
                    NULL);
     }
-    call->answer->columns = row_all_columns;
     free(scene.domino);
     return true;
 }
@@ -188,18 +187,14 @@ static bool run_fall(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct dom_verdict verdict;
-    struct column room[COLUMNS_ROOM];
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.session = session, .answer = a, .scene = &scene};
     a->columns = scene.row.floor ? fall_floor_columns : fall_columns;
-    if (scene_weighed(session)) {
-        columns_in_joules(a->columns, room);
-        a->columns = room;
-    }
+    if (scene_weighed(session))
+        columns_in_joules(a);
     enum dom_status status = dom_row_run(&scene.row, true, fall_row, &c, &verdict);
-    a->columns = fall_columns;
     if (status == DOM_OK) {
         verdict_say(session, a, &scene, &verdict, true);
         if (scene.row.floor)
@@ -234,7 +229,6 @@ static bool run_verdict(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct dom_verdict v;
-    struct column room[COLUMNS_ROOM];
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
@@ -245,10 +239,8 @@ static bool run_verdict(struct session *session, const struct call *call)
         return row_status(session, status);
     if (!verdict_known(session, &v))
         return false;
-    if (scene_weighed(session)) {
-        columns_in_joules(verdict_columns, room);
-        a->columns = room;
-    }
+    if (scene_weighed(session))
+        columns_in_joules(a);
     answer_row(a,
                ROW(cell_word(end_word(v.end)), cell_count((dom_real)v.domino),
                    cell_bound(enough(v.short_by), DOM_NAN),
@@ -258,7 +250,6 @@ static bool run_verdict(struct session *session, const struct call *call)
                v.end == DOM_ROW_FALLS ? NULL
                : isfinite(v.short_by) ? dom_row_end_text(v.end)
                                       : locks_farther_on);
-    a->columns = verdict_columns;
     if (session->effect[DOM_EFFECT_floor].on)
         floor_say(session, a, &c);
     return true;

@@ -78,9 +78,8 @@ static void shown_make(const struct session *session, const struct parameter *p,
 
 static bool run_show(struct session *session, const struct call *call)
 {
-    struct column fitted[SHOW_COLUMNS];
+    struct column *fitted = answer_columns(call->answer, show_columns);
     struct shown shown;
-    memcpy(fitted, show_columns, sizeof fitted);
     for (int pass = 0; pass < 2; pass++) {
         for (const struct parameter *p = session_parameters; p->name; p++) {
             if (call->count == 1 && p != parameter_of(call, 0))
@@ -92,7 +91,6 @@ static bool run_show(struct session *session, const struct call *call)
             if (pass == 1)
                 answer_row(call->answer, shown.cell, NULL);
         }
-        call->answer->columns = pass == 0 ? fitted : show_columns;
     }
     return true;
 }

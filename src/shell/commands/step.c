@@ -52,7 +52,6 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
 static bool walk_answer(struct session *session, const struct call *call, bool words)
 {
     const struct walk *w = &session->walk;
-    struct column room[COLUMNS_ROOM];
     struct answer *a = call->answer;
     struct dom_state s, e = {0};
     a->columns = w->train.mu > 0 ? rubbing_columns : walk_columns;
@@ -68,7 +67,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     struct walk_units u = walk_units(session, w->cycle);
     if (words)
         walk_say(session, w, &s, a);
-    walk_columns_in(session, a, room);
+    walk_columns_in(session, a);
     struct cell energies[] = {
         cell_bound(s.before * u.energy, e.before * u.energy),
         cell_bound(s.lost * u.energy, e.lost * u.energy),
@@ -84,7 +83,6 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
                    cell_omega(s.omegasq, e.omegasq, u.tau), energies[0], energies[1], energies[2],
                    energies[3], energies[4], energies[5], energies[6]),
                NULL);
-    a->columns = rubbing_columns;
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     dom_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;

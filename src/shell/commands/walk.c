@@ -42,24 +42,17 @@ const struct walk *walk_now(const struct session *session)
 const char walk_no_start[] =
     "no domino effect: the fuel P is not positive (c7), no cycle begins; 'why' says more";
 
-/* The same columns in joules. */
-void columns_in_joules(const struct column *from, struct column to[COLUMNS_ROOM])
+void columns_in_joules(struct answer *a)
 {
-    for (;; from++, to++) {
-        *to = *from;
-        if (!from->key)
-            return;
-        if (strcmp(from->unit, "mgh/2") == 0)
-            to->unit = "J";
-    }
+    for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+        if (strcmp(c->unit, "mgh/2") == 0)
+            c->unit = "J";
 }
 
-void walk_columns_in(const struct session *session, struct answer *a, struct column room[COLUMNS_ROOM])
+void walk_columns_in(const struct session *session, struct answer *a)
 {
-    if (strcmp(walk_units(session, 1).energy_unit, "J") != 0)
-        return;
-    columns_in_joules(a->columns, room);
-    a->columns = room;
+    if (strcmp(walk_units(session, 1).energy_unit, "J") == 0)
+        columns_in_joules(a);
 }
 
 /* ---- In words ---- */

@@ -22,12 +22,11 @@ struct walk_units walk_units(const struct session *session, int cycle);
 /* Returns the session's walk, or NULL where none has begun in the train that the session has now. */
 const struct walk *walk_now(const struct session *session);
 
-/* Energies in J where a mass is known: the answer gets its columns, in J, in the room. */
-enum { COLUMNS_ROOM = 16 };
-void walk_columns_in(const struct session *session, struct answer *answer, struct column room[COLUMNS_ROOM]);
+/* Gives the answer its columns with energies in J. */
+void columns_in_joules(struct answer *answer);
 
-/* The same columns with energies in J. */
-void columns_in_joules(const struct column *from, struct column to[COLUMNS_ROOM]);
+/* Does that where a mass is known. */
+void walk_columns_in(const struct session *session, struct answer *answer);
 
 /* Why no cycle begins. */
 extern const char walk_no_start[];

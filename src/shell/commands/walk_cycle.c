@@ -79,22 +79,19 @@ const char *cycle_by(const void *context, int k)
 
 bool cycle_run(struct session *session, const struct call *call)
 {
-    struct column room[COLUMNS_ROOM];
     struct answer *a = call->answer;
     struct cycle_table table = {.session = session, .answer = a};
     size_t rows = call->count > 0 ? (size_t)call->number[0] : 12;
     enum dom_spacing by = call->count > 1 ? (enum dom_spacing)call->number[1] : DOM_BY_TIME;
-    walk_columns_in(session, a, room);
+    walk_columns_in(session, a);
     enum dom_status verdict = dom_angles_find(&session->train, &table.angles, NULL);
     if (verdict == DOM_OK)
         verdict = dom_cycle_walk(&session->train, rows, by, session->style.errors, cycle_row, &table);
     if (verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOM_NAN);
         answer_row(a, ROW(cell_word(""), none, none, none, none, none, none, none), walk_no_start);
-        a->columns = cycle_columns;
         return true;
     }
-    a->columns = cycle_columns;
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return session_status(session, table.status != DOM_OK ? table.status : verdict);
     if (session->train.mu > 0)

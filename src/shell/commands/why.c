@@ -93,7 +93,6 @@ static void contact_say(const struct session *session, struct answer *a, const s
 
 bool why_run(struct session *session, const struct call *call)
 {
-    struct column room[COLUMNS_ROOM];
     struct walk_units u = walk_units(session, 1);
     struct dom_launch l, l_error = {0};
     struct dom_barrier b, b_error = {0};
@@ -113,7 +112,7 @@ bool why_run(struct session *session, const struct call *call)
         contact_say(session, a, &contact);
     if (session->train.mu > 0)
         a->columns = why_rubbing_columns;
-    walk_columns_in(session, a, room);
+    walk_columns_in(session, a);
     answer_row(a,
                ROW(cell_word(verdict == DOM_OK      ? "goes on"
                              : verdict == DOM_STOPS ? "stops"
@@ -124,6 +123,5 @@ bool why_run(struct session *session, const struct call *call)
                    cell_bound(b.margin * u.energy, b_error.margin * u.energy),
                    cell_bound(limit.r_max, limit_error.r_max)),
                NULL);
-    a->columns = why_columns;
     return true;
 }
