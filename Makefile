@@ -276,7 +276,7 @@ H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 
 # A stack may be small: what is large is on the heap.
-STACK := -Wframe-larger-than=20480
+STACK := -Wframe-larger-than=16384
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
