@@ -42,25 +42,18 @@ static struct moment moment_at(const struct film *film, double time)
     return m;
 }
 
-/* As many cycles as show the growth, and no smaller first head than can be seen. */
-static int film_cycles(double r)
+/* Returns how many cycles make the last head no more than so many times as large as the first; at least 1. */
+static int cycles_within(double r, double grown_most, int most)
 {
-    double grown = r;
     int n = 1;
-    while (n < 5 && grown * r <= 4) {
-        grown *= r;
+    for (double grown = r * r; grown <= grown_most && n < most; grown *= r)
         n++;
-    }
     return n;
 }
 
 int film_most(const struct session *session)
 {
-    double r = (double)session->train.r;
-    int n = 1;
-    for (double grown = r * r; grown <= GROWN_MOST && n < CYCLES_MOST; grown *= r)
-        n++;
-    return n;
+    return cycles_within((double)session->train.r, GROWN_MOST, CYCLES_MOST);
 }
 
 static bool film_make(struct session *session, const struct call *call, struct film *film)
@@ -76,9 +69,8 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->d = (double)t->d;
     film->pitch = (double)(t->s + t->d);
     film->tau = (double)dom_scale_tau(&session->scale, t->d);
-    film->cycles = film_cycles(film->r);
-    if (call->count > 1)
-        film->cycles = (int)call->number[1];
+    /* As many as show the growth, and no smaller first head than can be seen. */
+    film->cycles = call->count > 1 ? (int)call->number[1] : cycles_within(film->r, 4, 5);
     enum dom_status status = dom_cycle_events(t, events, &count);
     if (status == DOM_NO_MARGIN)
         return session_error(session,

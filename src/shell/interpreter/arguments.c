@@ -14,11 +14,6 @@ int reader_column(const struct reader *r, const char *place)
     return text_column(r->text, place);
 }
 
-const char *skip_blanks(const char *c)
-{
-    return c + strspn(c, " \t\r\f\v");
-}
-
 bool command_ends(const char *c)
 {
     return *c == '\0' || *c == ';' || *c == '#';

@@ -17,8 +17,6 @@ struct reader {
 
 int reader_column(const struct reader *reader, const char *place);
 
-const char *skip_blanks(const char *c);
-
 /* Does the command end here?  Comments begin at a blank. */
 bool command_ends(const char *c);
 

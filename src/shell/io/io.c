@@ -131,14 +131,12 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-static FILE *channel_stream(struct channel channel, const char *mode)
+/* Opens a stream with these functions on a copy of the cookie, which its close gives back.  NULL with errno.
+ */
+static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, cookie_io_functions_t functions)
 {
-    const cookie_io_functions_t functions = {
-        .read = channel_read, .write = channel_write, .close = channel_close};
-    struct channel *kept = malloc(sizeof *kept);
-    if (kept)
-        *kept = channel;
-    FILE *stream = kept ? fopencookie(kept, mode, functions) : NULL;
+    void *kept = malloc(size);
+    FILE *stream = kept ? fopencookie(memcpy(kept, cookie, size), mode, functions) : NULL;
     if (!stream)
         free(kept);
     return stream;
@@ -153,10 +151,13 @@ static bool waits(int file, const char *mode)
 
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
 {
-    bool channel = waits(file, mode);
-    if (!channel)
+    const struct channel channel = {file, interrupt};
+    const cookie_io_functions_t functions = {
+        .read = channel_read, .write = channel_write, .close = channel_close};
+    bool wait = waits(file, mode);
+    if (!wait)
         fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK);
-    FILE *stream = channel ? channel_stream((struct channel){file, interrupt}, mode) : fdopen(file, mode);
+    FILE *stream = wait ? cookie_stream(&channel, sizeof channel, mode, functions) : fdopen(file, mode);
     if (!stream) {
         int reason = errno;
         close(file);
@@ -223,15 +224,10 @@ static int memory_close(void *cookie)
 FILE *io_memory(char **text, size_t *size)
 {
     const cookie_io_functions_t functions = {.write = memory_write, .close = memory_close};
-    struct memory *m = malloc(sizeof *m);
+    const struct memory memory = {text, size, 0};
     *text = NULL;
     *size = 0;
-    if (m)
-        *m = (struct memory){text, size, 0};
-    FILE *stream = m ? fopencookie(m, "w", functions) : NULL;
-    if (!stream)
-        free(m);
-    return stream;
+    return cookie_stream(&memory, sizeof memory, "w", functions);
 }
 
 void io_begin(void)

@@ -16,11 +16,20 @@ bool terminal_colour(FILE *stream)
     return isatty(fileno(stream)) && !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
 }
 
+bool terminal_size(FILE *stream, int *width, int *height)
+{
+    struct winsize size = {0};
+    int file = fileno(stream);
+    bool known = file >= 0 && isatty(file) && ioctl(file, TIOCGWINSZ, &size) == 0;
+    *width = size.ws_col;
+    *height = size.ws_row;
+    return known;
+}
+
 int terminal_width(FILE *stream)
 {
-    struct winsize size;
-    int file = fileno(stream);
-    return isatty(file) && ioctl(file, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+    int width, height;
+    return terminal_size(stream, &width, &height) ? width : 0;
 }
 
 bool terminal_utf8(void)

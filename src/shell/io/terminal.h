@@ -9,6 +9,9 @@
 /* Colour only on a terminal that can, and if NO_COLOR is not set. */
 bool terminal_colour(FILE *stream);
 
+/* Finds the columns and rows of the terminal behind the stream; false, and 0 for both, if there is none. */
+bool terminal_size(FILE *stream, int *width, int *height);
+
 /* Columns of the terminal behind the stream; 0 if there is none. */
 int terminal_width(FILE *stream);
 

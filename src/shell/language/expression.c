@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/expression.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
@@ -46,28 +47,13 @@ const char *expression_name(int k)
 
 /* ---- Messages ---- */
 
-void expression_message(struct expression *e, const char *format, ...)
+void expression_message(struct expression *e, bool of_value, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(e->message, sizeof e->message, format, arguments);
     va_end(arguments);
-}
-
-void expression_value_message(struct expression *e, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(e->message, sizeof e->message, format, arguments);
-    va_end(arguments);
-    e->of_value = true;
-}
-
-/* ---- Scanning ---- */
-
-static const char *skip(const char *c)
-{
-    return c + strspn(c, " \t\r\f\v");
+    e->of_value = of_value;
 }
 
 /* ---- Recursive descent ---- */
@@ -108,7 +94,7 @@ static bool number(struct expression *e, struct quantity *q)
 /* A unit behind a value, with or without a blank. */
 static bool postfix_unit(struct expression *e, struct quantity *q)
 {
-    const char *c = skip(e->end);
+    const char *c = skip_blanks(e->end);
     if (c > e->end && e->no_unit && strlen(e->no_unit) == name_length(c) &&
         strncmp(e->no_unit, c, name_length(c)) == 0)
         return true;
@@ -166,18 +152,18 @@ static bool root(struct expression *e, const char *at, const struct quantity *a,
 static bool arguments(struct expression *e, struct quantity *a, int *count)
 {
     *count = 0;
-    e->end = skip(e->end + 1);
+    e->end = skip_blanks(e->end + 1);
     while (*e->end != ')') {
         if (*count == EXPRESSION_ARGUMENTS)
             return expression_fail(e, "too many values");
         if (!sum(e, &a[(*count)++]))
             return false;
-        e->end = skip(e->end);
+        e->end = skip_blanks(e->end);
         if (*e->end == ')')
             break;
         if (*e->end != ',')
             return expression_fail(e, "',' or ')' is missing");
-        e->end = skip(e->end + 1);
+        e->end = skip_blanks(e->end + 1);
         if (*e->end == ')')
             return expression_fail(e, "a value is missing behind ','");
     }
@@ -233,10 +219,10 @@ static bool primary(struct expression *e, struct quantity *q)
     if (c != '(')
         return expression_fail(e, c ? "a value is missing" : "a value is missing at the end");
     const char *open = e->end++;
-    e->end = skip(e->end);
+    e->end = skip_blanks(e->end);
     if (!sum(e, q))
         return false;
-    e->end = skip(e->end);
+    e->end = skip_blanks(e->end);
     if (*e->end != ')') {
         e->end = open;
         return expression_fail(e, "this '(' is never closed");
@@ -251,16 +237,16 @@ static bool factor(struct expression *e, struct quantity *q)
         return expression_fail(e, "the expression is nested too deeply");
     bool negative = *e->end == '-', good;
     if (negative || *e->end == '+') {
-        e->end = skip(e->end + 1);
+        e->end = skip_blanks(e->end + 1);
         good = factor(e, q);
         if (good && negative)
             q->value = -q->value;
     } else {
         good = primary(e, q);
-        const char *op = skip(e->end);
+        const char *op = skip_blanks(e->end);
         if (good && *op == '^') {
             struct quantity power = {0, 0, 0, 0};
-            e->end = skip(op + 1);
+            e->end = skip_blanks(op + 1);
             const char *at = e->end;
             good = factor(e, &power);
             bool whole = good && power.value == quad(floor)(power.value) && quad(fabs)(power.value) < 100;
@@ -283,9 +269,9 @@ static bool factor(struct expression *e, struct quantity *q)
 static bool product(struct expression *e, struct quantity *q)
 {
     bool good = factor(e, q);
-    for (const char *op = skip(e->end); good && (*op == '*' || *op == '/'); op = skip(e->end)) {
+    for (const char *op = skip_blanks(e->end); good && (*op == '*' || *op == '/'); op = skip_blanks(e->end)) {
         struct quantity by;
-        e->end = skip(op + 1);
+        e->end = skip_blanks(op + 1);
         good = factor(e, &by);
         if (good && *op == '/' && by.value == 0) {
             e->end = op;
@@ -303,14 +289,14 @@ static bool sum(struct expression *e, struct quantity *q)
 {
     bool good = product(e, q);
     for (;;) {
-        const char *op = skip(e->end);
+        const char *op = skip_blanks(e->end);
         if (!good || (*op != '+' && *op != '-'))
             return good;
         /* "1 -2" are two values: an argument, and one that begins with its sign. */
-        if (op != e->end && skip(op + 1) == op + 1)
+        if (op != e->end && skip_blanks(op + 1) == op + 1)
             return true;
         struct quantity by;
-        e->end = skip(op + 1);
+        e->end = skip_blanks(op + 1);
         good = product(e, &by);
         if (!good)
             return false;

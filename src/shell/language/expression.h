@@ -31,15 +31,11 @@ struct expression {
 /* Evaluates the longest expression at expression->text.  False: see message and end. */
 bool expression_evaluate(struct expression *expression, struct quantity *result);
 
-/* Sets the message. */
-void expression_message(struct expression *expression, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-/* The same of an error in the values, and both as the value false. */
-void expression_value_message(struct expression *expression, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-#define expression_no_value(...) (expression_value_message(__VA_ARGS__), false)
-#define expression_fail(...)     (expression_message(__VA_ARGS__), false)
+/* Sets the message of an error in the line, or in its values; the names below are also the value false. */
+void expression_message(struct expression *expression, bool of_value, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+#define expression_fail(e, ...)     (expression_message(e, false, __VA_ARGS__), false)
+#define expression_no_value(e, ...) (expression_message(e, true, __VA_ARGS__), false)
 
 /* The k-th name that the language itself has, for completion; NULL behind the last. */
 const char *expression_name(int k);

@@ -86,6 +86,11 @@ ssize_t text_read(char **line, size_t *size, FILE *in)
     return (ssize_t)n;
 }
 
+const char *skip_blanks(const char *c)
+{
+    return c + strspn(c, " \t\r\f\v");
+}
+
 const char *text_quote(const char *c)
 {
     while ((c = strchr(c + 1, '"')) != NULL && *++c == '"')

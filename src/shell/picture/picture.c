@@ -9,7 +9,6 @@
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -46,11 +45,9 @@ bool picture_is_text(const struct session *session)
 
 void picture_room(const struct session *session, int *width, int *height)
 {
-    struct winsize size;
-    int file = fileno(session->out);
-    bool known = file >= 0 && isatty(file) && ioctl(file, TIOCGWINSZ, &size) == 0;
-    *width = known && size.ws_col > 40 ? size.ws_col - 1 : TEXT_WIDTH;
-    *height = known && size.ws_row > 16 ? size.ws_row - 1 : TEXT_HEIGHT;
+    terminal_size(session->out, width, height);
+    *width = *width > 40 ? *width - 1 : TEXT_WIDTH;
+    *height = *height > 16 ? *height - 1 : TEXT_HEIGHT;
     *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
 }
 

@@ -263,7 +263,7 @@ static bool cell_value(const struct reader *r, int kind, const char *cell, dom_r
     if (!expression_evaluate(&e, &q))
         return wrong(r, e.end, *e.end ? "%s at '%s': %s; %s" : "%s%s: %s; %s", k->name,
                      names_shown(e.end, shown), e.message, k->is);
-    const char *rest = e.end + strspn(e.end, " \t\r\f\v");
+    const char *rest = skip_blanks(e.end);
     if (*rest)
         return wrong(r, rest, "%s ends before '%s'; %s", k->name, names_shown(rest, shown),
                      *rest == ',' ? "decimals have a point and no comma" : k->is);
@@ -334,8 +334,7 @@ static bool lines_read(struct reader *r, struct rowfile *rows)
         /* The blank before a comment goes with it: a tab there parts no cells. */
         char *comment = r->text.line + (text_end(r->text.line, "") - r->text.line);
         comment[*comment && comment > r->text.line ? -1 : 0] = '\0';
-        if (r->text.line[strspn(r->text.line, " \t\r\f\v")] != '\0' &&
-            !(r->columns ? row_read(r, rows) : head_read(r)))
+        if (*skip_blanks(r->text.line) != '\0' && !(r->columns ? row_read(r, rows) : head_read(r)))
             return false;
     }
 }
