@@ -20,15 +20,16 @@ struct cycle_samples {
     int count;
     struct dom_event events[DOM_EVENTS_MAX];
     int event_count;
-    dom_real theta_c, end; /* end: of the picture */
+    struct dom_angles angles;
+    dom_real end; /* of the picture */
+    int lines;    /* in the picture of a chain; 0: not counted yet */
 };
 
 /* ---- The data ---- */
 
 static bool events_find(struct session *session, struct cycle_samples *c)
 {
-    struct dom_angles angles;
-    enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
+    enum dom_status status = dom_angles_find(&session->train, &c->angles, NULL);
     if (status == DOM_OK)
         status = dom_cycle_events(&session->train, c->events, &c->event_count);
     if (status == DOM_NO_FUEL)
@@ -37,10 +38,10 @@ static bool events_find(struct session *session, struct cycle_samples *c)
         return session_error(session,
                              "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller "
                              "r has one");
-    c->theta_c = c->end = angles.theta_c;
+    c->end = c->angles.theta_c;
     /* Of a train that stops, the barrier is what there is to see. */
     if (status == DOM_STOPS)
-        c->end = quad_smaller(c->theta_c, BEYOND_STOP * c->events[c->event_count - 1].theta);
+        c->end = quad_smaller(c->end, BEYOND_STOP * c->events[c->event_count - 1].theta);
     return status == DOM_OK || status == DOM_STOPS || session_status(session, status);
 }
 
@@ -48,7 +49,7 @@ static bool events_find(struct session *session, struct cycle_samples *c)
 static void tilts_make(struct cycle_samples *c)
 {
     int event = 0;
-    c->count = 0;
+    c->count = c->lines = 0;
     for (int k = 0; k <= STEPS; k++) {
         dom_real theta = k == STEPS ? c->end : c->end * k / STEPS;
         bool taken = false;
@@ -133,31 +134,28 @@ static void script_cycle(const struct picture *picture, const struct session *se
     script_events(out, session, c, picture->text);
 }
 
-/* A picture of the samples of a cycle; for programs, a row of each. */
+/* Draws a picture of the samples of a cycle; for programs, writes the rows of each. */
 static bool plot_samples(struct session *session, const struct call *call,
-                         void (*row)(const struct session *, const struct sample *, struct answer *),
-                         void (*script)(const struct picture *, const struct session *,
-                                        const struct cycle_samples *))
+                         bool (*rows)(struct session *, struct cycle_samples *, const struct sample *,
+                                      struct answer *),
+                         bool (*script)(const struct picture *, struct session *, struct cycle_samples *))
 {
     static struct cycle_samples c;
     struct picture picture;
     bool people = answer_for_people(call->answer);
     if (people && !picture_begin(session, &picture))
         return false;
-    if (!samples_find(session, &c))
-        return people && picture_drop(&picture);
-    for (int k = 0; k < c.count && !people; k++)
-        row(session, &c.at[k], call->answer);
+    bool good = samples_find(session, &c);
+    for (int k = 0; k < c.count && good && !people; k++)
+        good = rows(session, &c, &c.at[k], call->answer);
     if (!people)
-        return true;
-    script(&picture, session, &c);
-    return picture_end(session, &picture);
+        return good;
+    return good && script(&picture, session, &c) ? picture_end(session, &picture) : picture_drop(&picture);
 }
 
 /* ---- Energy ---- */
 
-static void energy_script(const struct picture *picture, const struct session *session,
-                          const struct cycle_samples *c)
+static bool energy_script(const struct picture *picture, struct session *session, struct cycle_samples *c)
 {
     FILE *out = picture->script;
     /* Text has no room beside an axis. */
@@ -173,15 +171,18 @@ static void energy_script(const struct picture *picture, const struct session *s
     fprintf(out, "END\nplot $cycle using 1:2 with lines lt 1 lw 3 title ' potential energy, dH', "
                  "$cycle using 1:3 with lines lt 2 lw 3 title ' kinetic energy', "
                  "$cycle using 1:4 axes x1y2 with linespoints lt 3 pi 20 title ' J (right)'\n");
+    return true;
 }
 
-static void energy_row(const struct session *session, const struct sample *at, struct answer *answer)
+static bool energy_row(struct session *session, struct cycle_samples *c, const struct sample *at,
+                       struct answer *answer)
 {
-    (void)session;
+    (void)session, (void)c;
     answer_row(answer,
                ROW(cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq), cell_real(at->J),
                    cell_word(at->event)),
                NULL);
+    return true;
 }
 
 bool plot_energy(struct session *session, const struct call *call)
@@ -191,8 +192,7 @@ bool plot_energy(struct session *session, const struct call *call)
 
 /* ---- Angular velocity ---- */
 
-static void omega_script(const struct picture *picture, const struct session *session,
-                         const struct cycle_samples *c)
+static bool omega_script(const struct picture *picture, struct session *session, struct cycle_samples *c)
 {
     FILE *out = picture->script;
     dom_real tau = dom_scale_tau(&session->scale, session->train.d);
@@ -206,15 +206,19 @@ static void omega_script(const struct picture *picture, const struct session *se
             "END\nplot $cycle using 1:2 with lines lt 1 lw 3 "
             "title ' of the head, h = %.4g mm; the next is sqrt(r) times slower'\n",
             (double)(1000 * session->scale.h));
+    return true;
 }
 
-static void omega_row(const struct session *session, const struct sample *at, struct answer *answer)
+static bool omega_row(struct session *session, struct cycle_samples *c, const struct sample *at,
+                      struct answer *answer)
 {
+    (void)c;
     dom_real tau = dom_scale_tau(&session->scale, session->train.d);
     answer_row(answer,
                ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(quad(sqrt)(at->omegasq) / tau),
                    cell_word(at->event)),
                NULL);
+    return true;
 }
 
 bool plot_omega(struct session *session, const struct call *call)
@@ -252,36 +256,41 @@ static enum dom_status angles_find(const struct dom_train *train, dom_real theta
     return status;
 }
 
-/* As many as begin apart from theta_f. */
-static enum dom_status lines_count(const struct dom_train *train, const struct dom_angles *angles, int *lines)
+/* Counts the lines: as many as begin apart from theta_f. */
+static enum dom_status lines_count(const struct dom_train *train, struct cycle_samples *c)
 {
     struct angles a;
-    enum dom_status status = angles_find(train, 0, angles->theta_f, &a);
-    *lines = 1;
-    while (*lines < LINES && angles->theta_f - a.theta[*lines] > LINES_APART * angles->theta_f)
-        ++*lines;
+    dom_real theta_f = c->angles.theta_f;
+    enum dom_status status = angles_find(train, 0, theta_f, &a);
+    c->lines = 1;
+    while (c->lines < LINES && theta_f - a.theta[c->lines] > LINES_APART * theta_f)
+        c->lines++;
     return status;
 }
 
-static bool chain_rows(struct session *session, struct answer *answer, const struct cycle_samples *c,
-                       const struct dom_angles *angles, int lines)
+/* Finds the tilts of the lines at a sample. */
+static bool lines_at(struct session *session, struct cycle_samples *c, dom_real theta, struct angles *a)
 {
-    for (int k = 0; k < c->count; k++) {
-        struct angles a;
-        enum dom_status status = angles_find(&session->train, c->at[k].theta, angles->theta_f, &a);
-        if (status != DOM_OK)
-            return session_status(session, status);
-        for (int i = 0; i < lines; i++)
-            answer_row(answer,
-                       ROW(cell_count(i), cell_real(c->at[k].theta), cell_real(a.theta[i]),
-                           cell_word(c->at[k].event)),
-                       NULL);
-    }
+    enum dom_status status = c->lines ? DOM_OK : lines_count(&session->train, c);
+    if (status == DOM_OK)
+        status = angles_find(&session->train, theta, c->angles.theta_f, a);
+    return status == DOM_OK || session_status(session, status);
+}
+
+static bool chain_rows(struct session *session, struct cycle_samples *c, const struct sample *at,
+                       struct answer *answer)
+{
+    struct angles a;
+    if (!lines_at(session, c, at->theta, &a))
+        return false;
+    for (int i = 0; i < c->lines; i++)
+        answer_row(answer,
+                   ROW(cell_count(i), cell_real(at->theta), cell_real(a.theta[i]), cell_word(at->event)),
+                   NULL);
     return true;
 }
 
-static bool chain_script(const struct picture *picture, struct session *session,
-                         const struct cycle_samples *c, const struct dom_angles *angles, int lines)
+static bool chain_script(const struct picture *picture, struct session *session, struct cycle_samples *c)
 {
     FILE *out = picture->script;
     struct angles a = {.count = 0};
@@ -289,46 +298,27 @@ static bool chain_script(const struct picture *picture, struct session *session,
     fprintf(out,
             "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain "
             "<< END\n",
-            picture->theta, style_angle_unit(&session->style), 1.02 * shown_angle(session, angles->theta_f));
+            picture->theta, style_angle_unit(&session->style),
+            1.02 * shown_angle(session, c->angles.theta_f));
     for (int k = 0; k < c->count; k++) {
-        enum dom_status status = angles_find(&session->train, c->at[k].theta, angles->theta_f, &a);
-        if (status != DOM_OK)
-            return session_status(session, status);
+        if (!lines_at(session, c, c->at[k].theta, &a))
+            return false;
         fprintf(out, "%.8g", shown_angle(session, c->at[k].theta));
-        for (int i = 0; i < lines; i++)
+        for (int i = 0; i < c->lines; i++)
             fprintf(out, " %.8g", shown_angle(session, a.theta[i]));
         fprintf(out, "\n");
     }
     fprintf(out, "END\n");
     fprintf(out, "plot ");
-    for (int i = 0; i < lines; i++)
+    for (int i = 0; i < c->lines; i++)
         fprintf(out, "$chain using 1:%d with lines lt %d lw 2.5 title ' i = %d%s', ", i + 2, i + 1, i,
                 i == 0 ? ", the head" : "");
     fprintf(out, "%.8g with lines lt 6 lw 1 dt 3 title ' %s_f, the last'\n",
-            shown_angle(session, angles->theta_f), picture->theta);
+            shown_angle(session, c->angles.theta_f), picture->theta);
     return true;
 }
 
 bool plot_chain(struct session *session, const struct call *call)
 {
-    static struct cycle_samples c;
-    struct picture picture;
-    struct dom_angles angles;
-    int lines;
-    bool people = answer_for_people(call->answer);
-    if (people && !picture_begin(session, &picture))
-        return false;
-    if (!samples_find(session, &c))
-        return people && picture_drop(&picture);
-    enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
-    if (status == DOM_OK)
-        status = lines_count(&session->train, &angles, &lines);
-    if (status != DOM_OK) {
-        session_status(session, status);
-        return people && picture_drop(&picture);
-    }
-    if (!people)
-        return chain_rows(session, call->answer, &c, &angles, lines);
-    return chain_script(&picture, session, &c, &angles, lines) ? picture_end(session, &picture)
-                                                               : picture_drop(&picture);
+    return plot_samples(session, call, chain_rows, chain_script);
 }
