@@ -34,7 +34,8 @@ C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(IN
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c src/model/row/placement.c src/model/numerics/quiet.c \
+MODEL   := src/model/model.c src/model/train.c $(addprefix src/model/row/,mend.c placement.c rmax.c) \
+           $(addprefix src/model/numerics/,edge.c quiet.c) \
            $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
