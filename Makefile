@@ -135,6 +135,8 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 
 # There memory and threads run out where a test wants it.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
+# The library has no threads: the shell's pool runs its tasks.
+$(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/terminal.c))
 # How the shell writes numbers is tested as a unit, too.
 $(B)/unit/test_decimal: $(call OBJ,$(addprefix src/shell/,language/decimal.c language/quad.c answer/cell.c))
 # And where the dominoes of a picture stand.

@@ -603,6 +603,16 @@ enum dom_status dom_row_mend(const struct dom_row *row, dom_progress *progress, 
  */
 enum dom_status dom_row_push(const struct dom_row *row, dom_real strongest, dom_real *push);
 
+/* ---- Work side by side ---- */
+
+/*
+ * The library starts no thread: what can run side by side it hands to the caller's pool as tasks.
+ * A dom_parallel runs task(0, context) to task(count - 1, context), each once, in any order and on any
+ * threads, and returns when none runs any more: DOM_OK, or why some were left out, such as DOM_INTERRUPTED.
+ */
+typedef void dom_task(size_t index, void *context);
+typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
+
 /* ---- Errors of placement: the same row, set up again and again ---- */
 
 /*
@@ -610,14 +620,12 @@ enum dom_status dom_row_push(const struct dom_row *row, dom_real strongest, dom_
  * dominoes touch.  Heights may get relative errors; masses follow them.
  */
 struct dom_placement {
-    dom_real sigma;     /* m */
-    dom_real heights;   /* relative */
-    unsigned long seed; /* row number i is the same for the same seed, whoever computes it */
-    size_t first, rows; /* numbers of the rows: first, first + 1, ... */
-    unsigned threads;   /* 0: as many as there are processors */
-    /* Where not NULL, called now and then with how many are done. */
-    void (*progress)(size_t done, size_t rows, void *context);
-    void *context;
+    dom_real sigma;         /* m */
+    dom_real heights;       /* relative */
+    unsigned long seed;     /* row number i is the same for the same seed, whoever computes it */
+    size_t first, rows;     /* numbers of the rows: first, first + 1, ... */
+    dom_parallel *parallel; /* runs batches of rows; NULL: one after the other */
+    void *pool;             /* what `parallel` works with */
 };
 
 struct dom_study {
@@ -628,8 +636,8 @@ struct dom_study {
 
 /*
  * stops, unless NULL, has room for row->count: how often the row ended at each domino without falling, the
- * unknown left out.  Independent of the number of threads.  BAD_PARAMETER: also sigma or heights is no
- * number >= 0, or rows is 0.
+ * unknown left out.  The answer does not depend on how the batches are run.  BAD_PARAMETER: also sigma or
+ * heights is no number >= 0, or rows is 0.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *placement,
                                     struct dom_study *study, size_t *stops);

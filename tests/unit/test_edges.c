@@ -373,6 +373,37 @@ static void the_reason_is_the_first(void **state)
     assert_status(dom_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }
 
+/* A dom_parallel that begins with the last task, and leaves out as many as it is told. */
+static enum dom_status backwards(size_t count, dom_task *task, void *context, void *pool)
+{
+    const size_t *left_out = pool;
+    for (size_t i = count; i > *left_out; i--)
+        task(i - 1, context);
+    return DOM_OK;
+}
+
+/* The order of the batches changes no count, and a study of which some are left out is no answer. */
+static void any_order(void **state)
+{
+    (void)state;
+    static struct seen seen;
+    struct dom_study study, other = {.low = -1};
+    size_t stops[10], others[10], left_out = 0;
+    struct dom_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 100};
+    alike(&seen, 10);
+    assert_status(dom_placement_study(&seen.row, &p, &study, stops), DOM_OK);
+    p.parallel = backwards;
+    p.pool = &left_out;
+    assert_status(dom_placement_study(&seen.row, &p, &other, others), DOM_OK);
+    assert_memory_equal(stops, others, sizeof stops);
+    assert_true(study.fall == other.fall && study.unknown == other.unknown && study.low == other.low);
+    left_out = 1;
+    other.low = -1;
+    assert_status(dom_placement_study(&seen.row, &p, &other, others), DOM_INTERRUPTED);
+    assert_true(other.low == -1);
+    assert_memory_equal(stops, others, sizeof stops);
+}
+
 /* Rows by their numbers, where they stop, which of them the model does not tell, and the interval of all. */
 static void studies_add_up(void **state)
 {
@@ -472,6 +503,7 @@ int main(void)
         cmocka_unit_test(floor_at_the_reach),
         cmocka_unit_test(budgets),
         cmocka_unit_test(errors_are_normal),
+        cmocka_unit_test(any_order),
         cmocka_unit_test(studies_add_up),
         cmocka_unit_test(heights_are_normal),
         cmocka_unit_test(nearly_no_fuel),

@@ -237,3 +237,37 @@ unsigned workers_count(dom_real threads, size_t points)
     n = n < points ? n : points;
     return n == 0 ? 1 : n < THREADS_MAX ? (unsigned)n : THREADS_MAX;
 }
+
+/* ---- Tasks of the library ---- */
+
+struct job {
+    dom_task *task;
+    void *context;
+};
+
+static bool job_point(void *own, size_t point, FILE *out)
+{
+    const struct job *job = own;
+    (void)out;
+    job->task(point, job->context);
+    return true;
+}
+
+enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool)
+{
+    static const enum dom_status status[] = {[WORKERS_DONE] = DOM_OK,
+                                             [WORKERS_INTERRUPTED] = DOM_INTERRUPTED,
+                                             [WORKERS_NO_MEMORY] = DOM_NO_MEMORY};
+    const struct task_pool *p = pool;
+    struct job job[THREADS_MAX];
+    struct workers w = {.points = count,
+                        .point = job_point,
+                        .own = job,
+                        .size = sizeof *job,
+                        .count = workers_count(p->threads, count),
+                        .progress = p->progress,
+                        .interrupt = p->interrupt};
+    for (unsigned i = 0; i < w.count; i++)
+        job[i] = (struct job){task, context};
+    return status[workers_run(&w).how];
+}
