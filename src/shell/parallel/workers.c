@@ -68,28 +68,7 @@ static bool block_run(const struct workers *w, void *own, size_t from, size_t po
     return goes_on;
 }
 
-/* ---- One worker ---- */
-
-static struct workers_end run_alone(const struct workers *w)
-{
-    struct progress progress = {0, 0};
-    struct kinematics kinematics = {0, 0};
-    struct workers_end end = {.how = WORKERS_DONE};
-    for (size_t at = 0, points; at < w->points && end.how == WORKERS_DONE; at += points) {
-        points = block_points(w, &kinematics, w->points - at);
-        if (!block_run(w, w->own, at, points, &kinematics, w->out))
-            end = (struct workers_end){.how = WORKERS_ENDED, .by = w->own};
-        else if (dom_raised(w->interrupt))
-            end.how = WORKERS_INTERRUPTED;
-        else if (w->out && (fflush(w->out) != 0 || ferror(w->out)))
-            end = (struct workers_end){.how = WORKERS_LOST, .error = errno};
-        if (w->progress)
-            progress_show(&progress, end.how == WORKERS_DONE ? (double)(at + points) / (double)w->points : 1);
-    }
-    return end;
-}
-
-/* ---- Many ---- */
+/* ---- The crew ---- */
 
 static void crew_end(struct crew *c, struct workers_end end)
 {
@@ -196,7 +175,7 @@ static unsigned hands_begin(struct crew *c, struct hand *hand)
     return begun;
 }
 
-static struct workers_end run_together(const struct workers *w)
+struct workers_end workers_run(const struct workers *w)
 {
     struct crew c = {.asked = w, .window = WINDOW * (size_t)w->count, .end = {.how = WORKERS_DONE}};
     struct hand *hand = calloc(w->count, sizeof *hand);
@@ -219,13 +198,6 @@ static struct workers_end run_together(const struct workers *w)
     free(c.waiting);
     free(hand);
     return c.end;
-}
-
-struct workers_end workers_run(const struct workers *w)
-{
-    if (w->points == 0)
-        return (struct workers_end){.how = WORKERS_DONE};
-    return w->count > 1 ? run_together(w) : run_alone(w);
 }
 
 unsigned workers_count(dom_real threads, size_t points)
