@@ -34,7 +34,8 @@ C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(IN
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c src/model/row/placement.c src/model/numerics/quiet.c \
+MODEL   := src/model/model.c src/model/train.c $(addprefix src/model/row/,mend.c placement.c rmax.c) \
+           $(addprefix src/model/numerics/,edge.c quiet.c) \
            $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
@@ -134,6 +135,8 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 
 # There memory and threads run out where a test wants it.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
+# The library has no threads: the shell's pool runs its tasks.
+$(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/terminal.c))
 # How the shell writes numbers is tested as a unit, too.
 $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # And where a line's quotes and comments end.

@@ -554,6 +554,65 @@ enum dom_status dom_row_run(const struct dom_row *row, bool times, dom_fall_visi
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
+/* Fills domino[0] to domino[count - 1] with the row of a family that has the growth r. */
+typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, void *context);
+
+struct dom_row_growth {
+    dom_real r_max;        /* NaN where already the row at r = 1 does not fall */
+    enum dom_row_end ends; /* how the row ends just above r_max; DOM_ROW_FALLS where `highest` limits r_max */
+};
+
+/*
+ * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance row->tol: the first
+ * r, raised from 1 up to `highest`, beyond which they do not.  For a row of a train (dom_row_of_train)
+ * `highest` is 1/s.  make(r, ...) makes the dominoes for each r that is tried; row->domino is not read, and
+ * row has everything else.  r rises in steps of 2 %: what opens and closes again within a step can be missed.
+ * BAD_PARAMETER: as dom_row_run, also for the dominoes that make gives; or `highest` is not a number >= 1.
+ */
+enum dom_status dom_row_rmax(const struct dom_row *row, dom_real highest, dom_row_make *make, void *context,
+                             struct dom_row_growth *growth);
+
+/* Reports that `done` of `of` parts of a long computation are done. */
+typedef void dom_progress(size_t done, size_t of, void *context);
+
+/* A change of one gap with which all dominoes of a row fall. */
+struct dom_mend {
+    size_t domino;  /* the number of the domino before which the gap is changed, from 2 */
+    dom_real gap;   /* m, as it is */
+    dom_real to;    /* m, the nearest gap found with which all fall, of seven digits */
+    dom_real until; /* m, from `to` to here, away from `gap`, all fall */
+};
+
+enum { DOM_MENDS = 31 }; /* the most changes that dom_row_mend finds */
+
+/*
+ * Finds the changes of single gaps that save a row, the smallest first, and counts them; 0 for a row that
+ * falls.  Looks at the gap after the domino where the row ends and at the 30 before it, each made smaller
+ * down to 0 and larger up to the height of the domino before it, in 40 steps that grow from a 64,000th of
+ * that way, then by bisection; a window narrower than a step can be missed.  progress, unless NULL, is called
+ * for each gap.  Statuses as dom_row_run.
+ */
+enum dom_status dom_row_mend(const struct dom_row *row, dom_progress *progress, void *context,
+                             struct dom_mend mends[DOM_MENDS], size_t *count);
+
+/*
+ * Finds the weakest push in rad/s with which all dominoes of a row fall, of four digits, and rounded up: by
+ * doubling the push that turns the first domino over its edge, or the row's own if that is stronger, then by
+ * bisection.  NaN where no such push up to `strongest` lets all fall; row->push where all fall already.
+ * Statuses as dom_row_run; BAD_PARAMETER also where `strongest` is not a finite number > 0.
+ */
+enum dom_status dom_row_push(const struct dom_row *row, dom_real strongest, dom_real *push);
+
+/* ---- Work side by side ---- */
+
+/*
+ * The library starts no thread: what can run side by side it hands to the caller's pool as tasks.
+ * A dom_parallel runs task(0, context) to task(count - 1, context), each once, in any order and on any
+ * threads, and returns when none runs any more: DOM_OK, or why some were left out, such as DOM_INTERRUPTED.
+ */
+typedef void dom_task(size_t index, void *context);
+typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
+
 /* ---- Errors of placement: the same row, set up again and again ---- */
 
 /*
@@ -561,14 +620,12 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
  * dominoes touch.  Heights may get relative errors; masses follow them.
  */
 struct dom_placement {
-    dom_real sigma;     /* m */
-    dom_real heights;   /* relative */
-    unsigned long seed; /* row number i is the same for the same seed, whoever computes it */
-    size_t first, rows; /* numbers of the rows: first, first + 1, ... */
-    unsigned threads;   /* 0: as many as there are processors */
-    /* Where not NULL, called now and then with how many are done. */
-    void (*progress)(size_t done, size_t rows, void *context);
-    void *context;
+    dom_real sigma;         /* m */
+    dom_real heights;       /* relative */
+    unsigned long seed;     /* row number i is the same for the same seed, whoever computes it */
+    size_t first, rows;     /* numbers of the rows: first, first + 1, ... */
+    dom_parallel *parallel; /* runs batches of rows; NULL: one after the other */
+    void *pool;             /* what `parallel` works with */
 };
 
 struct dom_study {
@@ -579,8 +636,8 @@ struct dom_study {
 
 /*
  * stops, unless NULL, has room for row->count: how often the row ended at each domino without falling, the
- * unknown left out.  Independent of the number of threads.  BAD_PARAMETER: also sigma or heights is no
- * number >= 0, or rows is 0.
+ * unknown left out.  The answer does not depend on how the batches are run.  BAD_PARAMETER: also sigma or
+ * heights is no number >= 0, or rows is 0.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *placement,
                                     struct dom_study *study, size_t *stops);

@@ -134,7 +134,7 @@ static enum dom_status ask_study(const struct dom_train *train)
     struct dom_domino domino[ROW];
     struct dom_study study;
     struct dom_row row = row_of(train, domino);
-    struct dom_placement placement = {.sigma = 1e-3, .seed = 1, .rows = ROWS, .threads = 1};
+    struct dom_placement placement = {.sigma = 1e-3, .seed = 1, .rows = ROWS};
     row.work = NULL;
     return dom_placement_study(&row, &placement, &study, NULL);
 }

@@ -97,6 +97,9 @@ struct threaded {
     double seconds, given;
 };
 
+/* A dom_parallel: the pool is an unsigned, the number of threads. */
+enum dom_status threads_tasks(size_t count, dom_task *task, void *context, void *pool);
+
 void threads_measure(size_t points, const unsigned *threads, struct threaded *threaded, unsigned n);
 
 /* ---- rows.c, start.c ---- */

@@ -43,6 +43,28 @@ static double run_threads(void *(*f)(void *), void *context, unsigned threads)
     return seconds_now() - begun;
 }
 
+struct tasks {
+    size_t count;
+    dom_task *task;
+    void *context;
+    atomic_size_t next;
+};
+
+static void *tasks_run(void *context)
+{
+    struct tasks *tasks = context;
+    for (size_t i; (i = atomic_fetch_add(&tasks->next, 1)) < tasks->count;)
+        tasks->task(i, tasks->context);
+    return NULL;
+}
+
+enum dom_status threads_tasks(size_t count, dom_task *task, void *context, void *pool)
+{
+    struct tasks tasks = {.count = count, .task = task, .context = context};
+    run_threads(tasks_run, &tasks, *(const unsigned *)pool);
+    return DOM_OK;
+}
+
 double curve_library(size_t points, unsigned threads)
 {
     struct curve curve = {.points = points};

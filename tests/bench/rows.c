@@ -21,7 +21,8 @@ static double rows_a_second(double growth, double mu, unsigned threads)
                           .mu = mu,
                           .tol = train.tol,
                           .precision = DOM_DOUBLE};
-    struct dom_placement placement = {.sigma = 1e-4, .seed = 1, .rows = ROWS, .threads = threads};
+    struct dom_placement placement = {
+        .sigma = 1e-4, .seed = 1, .rows = ROWS, .parallel = threads_tasks, .pool = &threads};
     double begun = seconds_now();
     if (dom_placement_study(&row, &placement, &study, NULL) != DOM_OK || study.fall != study.rows)
         return 0; /* one that stops early is cheaper than one that falls */
@@ -44,7 +45,7 @@ void rows_print(void)
         double one = 0, all = 0;
         for (int k = 0; k < REPEATS; k++) {
             one = fmax(one, rows_a_second(kinds[i].growth, kinds[i].mu, 1));
-            all = fmax(all, rows_a_second(kinds[i].growth, kinds[i].mu, 0));
+            all = fmax(all, rows_a_second(kinds[i].growth, kinds[i].mu, cores()));
         }
         printf("  %-22s %16.0f %9.2f x\n", kinds[i].name, one, all / one);
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What answers seldom come to: dips of the margin, bounds of a stop, refusals, memory that runs out. */
+#include "parallel/workers.h"
 #include "support.h"
 #include <errno.h>
 #include <pthread.h>
@@ -221,7 +222,9 @@ static void interrupted(void **state)
     struct dom_scale scale = dom_scale_default();
     struct dom_domino domino[5];
     struct dom_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOM_NAN, .tol = 1e-9};
-    struct dom_placement p = {.sigma = 0.001, .seed = 1, .rows = 40, .threads = 2};
+    struct task_pool pool = {.threads = 2, .interrupt = &now};
+    struct dom_placement p = {
+        .sigma = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
     struct dom_limit limit = {.r_max = -1};
     struct dom_best best = {.r_max = -1};
     struct dom_verdict verdict = {.seconds = -1};
@@ -244,7 +247,11 @@ static void interrupted(void **state)
         assert_status(dom_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);
         assert_status(dom_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
         assert_status(dom_placement_budget(&row, &p, 0.9, &budget), DOM_INTERRUPTED);
+        p.parallel = p.parallel ? NULL : workers_tasks; /* also without a pool */
     }
+    p.parallel = workers_tasks;
+    row.interrupt = NULL; /* the pool's flag alone */
+    assert_status(dom_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
     assert_true(limit.r_max == -1 && best.r_max == -1 && verdict.seconds == -1);
     assert_true(study.low == -1 && budget.sigma == -1);
 }
@@ -287,7 +294,9 @@ static void memory_runs_out(void **state)
     struct dom_scale scale = dom_scale_default();
     struct dom_domino domino[5];
     struct dom_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOM_NAN, .tol = 1e-9};
-    struct dom_placement p = {.sigma = 0.001, .seed = 1, .rows = 40, .threads = 2};
+    struct task_pool pool = {.threads = 2};
+    struct dom_placement p = {
+        .sigma = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
     struct dom_verdict verdict;
     struct dom_study study, alone;
     struct dom_budget budget;
@@ -310,10 +319,13 @@ static void memory_runs_out(void **state)
         }
         assert_true(failed > 1);
     }
-    /* The study had no second thread, and told the same. */
+    /* The study had no second thread, and told the same; so does one without a pool. */
     no_threads = false;
-    assert_status(dom_placement_study(&row, &p, &alone, NULL), DOM_OK);
-    assert_int_equal(alone.fall, study.fall);
+    for (int i = 0; i < 2; i++) {
+        assert_status(dom_placement_study(&row, &p, &alone, NULL), DOM_OK);
+        assert_int_equal(alone.fall, study.fall);
+        p.parallel = NULL;
+    }
 }
 
 int main(void)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Friction, rows and studies where they are hardest: thin dominoes, r s = 1, falls on the way, few rows. */
-#include "direct.h"
+#include "run.h"
 #include "support.h"
 
 static struct dom_train train_of(double s, double r, double d, double q, double tol)
@@ -73,25 +73,7 @@ static void small_tolerances(void **state)
 
 enum { ROOM = 40 };
 
-struct seen {
-    struct dom_domino domino[ROOM];
-    struct dom_fall fall[ROOM];
-    struct dom_row row;
-    struct dom_verdict verdict;
-};
-
-static bool keep(const struct dom_fall *fall, void *context)
-{
-    ((struct seen *)context)->fall[fall->domino - 1] = *fall;
-    return true;
-}
-
-static enum dom_status run(struct seen *seen)
-{
-    return dom_row_run(&seen->row, true, keep, seen, &seen->verdict);
-}
-
-static void alike(struct seen *seen, size_t count)
+static void alike(struct run *seen, size_t count)
 {
     for (size_t k = 0; k < count; k++)
         seen->domino[k] =
@@ -107,15 +89,15 @@ static void alike(struct seen *seen, size_t count)
 static void reached_with_the_last_tip(void **state)
 {
     (void)state;
-    static struct seen at, before;
+    static struct run at, before;
     alike(&at, 6);
     alike(&before, 6);
     at.domino[3].gap = 0.048L;
     at.domino[3].height = 0.048L;
     before.domino[3].gap = 0.048L * (1 - 1e-14L);
     at.domino[2].height = at.domino[3].gap;
-    assert_status(run(&at), DOM_OK);
-    assert_status(run(&before), DOM_OK);
+    assert_status(run_row(&at), DOM_OK);
+    assert_status(run_row(&before), DOM_OK);
     for (int k = 0; k < 6; k++) {
         assert_near("barrier", at.fall[k].barrier, (double)before.fall[k].barrier, 1e-4);
         assert_near("duration", at.fall[k].duration, (double)before.fall[k].duration, 1e-4);
@@ -127,15 +109,15 @@ static void reached_with_the_last_tip(void **state)
 static void touching(void **state)
 {
     (void)state;
-    static struct seen at, near;
+    static struct run at, near;
     for (int mu = 0; mu < 2; mu++) {
         alike(&at, 8);
         alike(&near, 8);
         at.row.mu = near.row.mu = (dom_real)mu / 5;
         at.domino[4].gap = 0;
         near.domino[4].gap = 1e-12;
-        assert_status(run(&at), DOM_OK);
-        assert_status(run(&near), DOM_OK);
+        assert_status(run_row(&at), DOM_OK);
+        assert_status(run_row(&near), DOM_OK);
         assert_int_equal(at.verdict.end, DOM_ROW_FALLS);
         assert_near("seconds", at.verdict.seconds, (double)near.verdict.seconds, 1e-8);
         assert_near("spare", at.verdict.spare, (double)near.verdict.spare, 1e-8);
@@ -152,7 +134,7 @@ static void falls_on_the_way(void **state)
     struct dom_train t = rubbing(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
     struct dom_scale scale = dom_scale_default();
     struct dom_barrier barrier;
-    static struct seen seen;
+    static struct run seen;
     dom_row_of_train(&t, &scale, 1, seen.domino, ROOM);
     seen.row = (struct dom_row){.domino = seen.domino,
                                 .count = ROOM,
@@ -161,7 +143,7 @@ static void falls_on_the_way(void **state)
                                 .mu = t.mu,
                                 .tol = 1e-12,
                                 .precision = DOM_DOUBLE};
-    assert_status(run(&seen), DOM_OK);
+    assert_status(run_row(&seen), DOM_OK);
     assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_OK);
     const struct dom_fall *f = &seen.fall[ROOM - 2];
     dom_real unit = seen.domino[ROOM - 2].mass * scale.g * seen.domino[ROOM - 2].height / 2;
@@ -177,7 +159,7 @@ static void falls_on_the_way(void **state)
 static void falls_behind_a_fall(void **state)
 {
     (void)state;
-    static struct seen seen;
+    static struct run seen;
     enum { N = 8 };
     static const double height[N] = {0.195551, 0.215106, 0.281467, 0.327719,
                                      0.38344,  0.489495, 0.631341, 0.863787};
@@ -199,7 +181,7 @@ static void falls_behind_a_fall(void **state)
                                     .tol = 1e-12,
                                     .precision = DOM_DOUBLE};
         struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688};
-        assert_status(run(&seen), DOM_OK);
+        assert_status(run_row(&seen), DOM_OK);
         assert_null(direct_run(&direct, hits, &result));
         assert_true((seen.verdict.end == DOM_ROW_FALLS) == result.all_fall);
         assert_int_equal(seen.verdict.domino, result.hit);
@@ -216,10 +198,10 @@ static void falls_behind_a_fall(void **state)
 static void ends(void **state)
 {
     (void)state;
-    static struct seen seen;
+    static struct run seen;
     alike(&seen, 6);
     seen.domino[3] = (struct dom_domino){.height = 0.2, .thickness = 0.05, .gap = 0.013, .mass = 1};
-    assert_status(run(&seen), DOM_OK);
+    assert_status(run_row(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
     assert_true(seen.verdict.seconds == seen.fall[3].time);
     /* Without a push the first falls from its edge, and needs the floor from there on. */
@@ -227,21 +209,21 @@ static void ends(void **state)
     seen.row.push = DOM_NAN;
     seen.row.floor = true;
     seen.domino[1].gap = 0.02;
-    assert_status(run(&seen), DOM_OK);
+    assert_status(run_row(&seen), DOM_OK);
     assert_true((double)seen.fall[0].floor_motion > 0 && (double)seen.fall[1].floor_hit > 0);
     alike(&seen, 1);
     seen.row.push = DOM_NAN;
     seen.row.floor = true;
-    assert_status(run(&seen), DOM_OK);
+    assert_status(run_row(&seen), DOM_OK);
     assert_true((double)seen.fall[0].floor_motion > 1); /* a rod needs any at cos theta = 1/3 */
     /* Parts: the weakest of those that go on has no negative margin. */
     alike(&seen, 6);
     seen.domino[1].gap = 0;
     seen.domino[3].gap = 0.048;
-    assert_status(run(&seen), DOM_OK);
+    assert_status(run_row(&seen), DOM_OK);
     assert_true(!(seen.verdict.spare < 0));
     seen.row.tol = 1e-30;
-    assert_status(run(&seen), DOM_BAD_PARAMETER);
+    assert_status(run_row(&seen), DOM_BAD_PARAMETER);
 }
 
 /* Hit at its own hinge no domino can stay on the floor. */
@@ -258,7 +240,7 @@ static void floor_at_the_reach(void **state)
 static void budgets(void **state)
 {
     (void)state;
-    static struct seen seen;
+    static struct run seen;
     struct dom_budget budget;
     struct dom_placement p = {.seed = 3, .rows = 200};
     alike(&seen, 10);
@@ -290,7 +272,7 @@ static void budgets(void **state)
 static void errors_are_normal(void **state)
 {
     (void)state;
-    static struct seen seen;
+    static struct run seen;
     struct dom_study study;
     struct dom_placement p = {.sigma = 0.001, .seed = 9, .rows = 20000};
     alike(&seen, 2);
@@ -373,11 +355,42 @@ static void the_reason_is_the_first(void **state)
     assert_status(dom_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }
 
+/* A dom_parallel that begins with the last task, and leaves out as many as it is told. */
+static enum dom_status backwards(size_t count, dom_task *task, void *context, void *pool)
+{
+    const size_t *left_out = pool;
+    for (size_t i = count; i > *left_out; i--)
+        task(i - 1, context);
+    return DOM_OK;
+}
+
+/* The order of the batches changes no count, and a study of which some are left out is no answer. */
+static void any_order(void **state)
+{
+    (void)state;
+    static struct run seen;
+    struct dom_study study, other = {.low = -1};
+    size_t stops[10], others[10], left_out = 0;
+    struct dom_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 100};
+    alike(&seen, 10);
+    assert_status(dom_placement_study(&seen.row, &p, &study, stops), DOM_OK);
+    p.parallel = backwards;
+    p.pool = &left_out;
+    assert_status(dom_placement_study(&seen.row, &p, &other, others), DOM_OK);
+    assert_memory_equal(stops, others, sizeof stops);
+    assert_true(study.fall == other.fall && study.unknown == other.unknown && study.low == other.low);
+    left_out = 1;
+    other.low = -1;
+    assert_status(dom_placement_study(&seen.row, &p, &other, others), DOM_INTERRUPTED);
+    assert_true(other.low == -1);
+    assert_memory_equal(stops, others, sizeof stops);
+}
+
 /* Rows by their numbers, where they stop, which of them the model does not tell, and the interval of all. */
 static void studies_add_up(void **state)
 {
     (void)state;
-    static struct seen seen;
+    static struct run seen;
     struct dom_study whole, part[2];
     size_t stops[10], stops_part[2][10], stopped = 0;
     struct dom_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 500};
@@ -401,7 +414,7 @@ static void studies_add_up(void **state)
     /* Without errors every row is the row itself: here the third cannot reach the next. */
     p = (struct dom_placement){.rows = 50};
     seen.domino[3].gap = 0.05;
-    assert_status(run(&seen), DOM_OK);
+    assert_status(run_row(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_MISSES);
     assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
@@ -409,7 +422,7 @@ static void studies_add_up(void **state)
     /* And here its tip passes above the next. */
     alike(&seen, 10);
     seen.domino[3].height *= 0.8;
-    assert_status(run(&seen), DOM_OK);
+    assert_status(run_row(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_PASSES);
     assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(whole.unknown == 50 && stops[2] == 0 && whole.low == 0 && whole.high == 1);
@@ -424,7 +437,7 @@ static void heights_are_normal(void **state)
 {
     (void)state;
     enum { ROWS = 20000 };
-    static struct seen seen;
+    static struct run seen;
     struct dom_study study;
     struct dom_placement p = {.heights = 0.01, .seed = 9, .rows = ROWS};
     alike(&seen, 2);
@@ -451,7 +464,7 @@ static void heights_are_normal(void **state)
             seen.domino[k].height *= grown;
             seen.domino[k].mass *= grown;
         }
-        assert_status(run(&seen), DOM_OK);
+        assert_status(run_row(&seen), DOM_OK);
         falls += seen.verdict.end == DOM_ROW_FALLS;
     }
     print_message("# %zu and %zu of %d fall\n", study.fall, falls, ROWS);
@@ -472,6 +485,7 @@ int main(void)
         cmocka_unit_test(floor_at_the_reach),
         cmocka_unit_test(budgets),
         cmocka_unit_test(errors_are_normal),
+        cmocka_unit_test(any_order),
         cmocka_unit_test(studies_add_up),
         cmocka_unit_test(heights_are_normal),
         cmocka_unit_test(nearly_no_fuel),

@@ -1,59 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finite rows of any dominoes: against Newton's equations (direct.h), the endless train, and energy. */
-#include "direct.h"
+#include "run.h"
 #include "support.h"
 #include <float.h>
 
-enum { MOST = 64 };
+enum { MOST = ROW_MOST };
 
 static const double g = 9.81;
-
-/* A row, and what came of it. */
-struct run {
-    struct dom_domino domino[MOST];
-    struct dom_row row;
-    struct dom_fall fall[MOST];
-    size_t falls;
-    struct dom_verdict verdict;
-};
-
-static bool fall_seen(const struct dom_fall *fall, void *context)
-{
-    struct run *run = context;
-    assert_true(run->falls < MOST && fall->domino == run->falls + 1);
-    run->fall[run->falls++] = *fall;
-    return true;
-}
-
-static enum dom_status run_row(struct run *run)
-{
-    run->row.domino = run->domino;
-    run->falls = 0;
-    return dom_row_run(&run->row, true, fall_seen, run, &run->verdict);
-}
-
-/* What turns a single domino over its edge: half of I omega^2 lifts its middle. */
-static double push_over(const struct dom_domino *domino)
-{
-    double h = domino->height, d = domino->thickness;
-    return sqrt(3 * g * (hypot(h, d) - h) / (h * h + d * d));
-}
-
-/* count standard dominoes, each r times the one before. */
-static void make_row(struct run *run, size_t count, double s, double r, double mu)
-{
-    struct dom_train train = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    train.s = s;
-    train.r = r;
-    dom_row_of_train(&train, &scale, 0.01, run->domino, count);
-    run->row = (struct dom_row){.count = count,
-                                .g = g,
-                                .push = 3 * push_over(run->domino),
-                                .mu = mu,
-                                .tol = 1e-12,
-                                .precision = DOM_DOUBLE};
-}
 
 /* Equal, growing, shrinking or uneven; pushed from just below to far above what turns one over. */
 static void random_row(struct run *run, uint64_t *seed, int kind)
@@ -80,26 +33,6 @@ static void random_row(struct run *run, uint64_t *seed, int kind)
 }
 
 /* ---- Against Newton's equations ---- */
-
-struct newton {
-    double height[MOST], thickness[MOST], gap[MOST], mass[MOST];
-    struct direct_hit hit[MOST];
-    struct direct_result result;
-    const char *wrong;
-};
-
-static void newton_run(const struct run *run, struct newton *n)
-{
-    for (size_t k = 0; k < run->row.count; k++) {
-        n->height[k] = run->domino[k].height;
-        n->thickness[k] = run->domino[k].thickness;
-        n->gap[k] = run->domino[k].gap;
-        n->mass[k] = run->domino[k].mass;
-    }
-    struct direct_row row = {run->row.count, n->height,   n->thickness, n->gap,
-                             n->mass,        run->row.mu, run->row.g,   run->row.push};
-    n->wrong = direct_run(&row, n->hit, &n->result);
-}
 
 static void near_here(const char *what, const struct run *run, size_t k, double got, double expected,
                       double size, double bound)

@@ -3,37 +3,15 @@
  * Rows that stop: what they are short of, held against the potential energy of the dominoes on a fine grid,
  * and where they stop under much friction, held against Newton's equations (direct.h).
  */
-#include "direct.h"
+#include "run.h"
 #include "support.h"
 
 enum { MOST = 8, GRID = 4000 };
 
 static const double g = 9.81;
 
-struct run {
-    struct dom_domino domino[MOST];
-    struct dom_row row;
-    struct dom_fall fall[MOST];
-    size_t falls;
-    struct dom_verdict verdict;
-};
-
-static bool fall_seen(const struct dom_fall *fall, void *context)
-{
-    struct run *run = context;
-    run->fall[run->falls++] = *fall;
-    return true;
-}
-
-static enum dom_status run_row(struct run *run)
-{
-    run->row.domino = run->domino;
-    run->falls = 0;
-    return dom_row_run(&run->row, true, fall_seen, run, &run->verdict);
-}
-
 /* m g h / 2 of the first is 1. */
-static void make_row(struct run *run, double size[][3], size_t count, double push, double mu)
+static void blocks_row(struct run *run, double size[][3], size_t count, double push, double mu)
 {
     double unit = 2 / (g * size[0][0] * size[0][0] * size[0][0] * size[0][1]);
     for (size_t k = 0; k < count; k++)
@@ -86,7 +64,7 @@ static void short_of_the_highest(void **state)
     static const double known[][3] = {{30, 0.361154, 0.596591}, {37, 0.524509, 0.433236}};
     static struct run run;
     for (int i = 0; i < 2; i++) {
-        make_row(&run, size, 3, known[i][0], 0);
+        blocks_row(&run, size, 3, known[i][0], 0);
         assert_status(run_row(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2);
         assert_near("kinetic", run.fall[1].kinetic, known[i][1], 1e-6);
@@ -105,7 +83,7 @@ static void random_row(struct run *run, uint64_t *seed, double push, double mu)
         size[k][1] = size[k][0] * random_log(seed, 0.03, 0.8);
         size[k][2] = k == 0 ? 0 : size[k - 1][0] * fmin(0.998, random_log(seed, 0.1, 1.2));
     }
-    make_row(run, size, count, push, mu);
+    blocks_row(run, size, count, push, mu);
 }
 
 /*
@@ -212,26 +190,6 @@ static void rounded_reach_is_reached(void **state)
 
 /* ---- Much friction ---- */
 
-struct newton {
-    double height[MOST], thickness[MOST], gap[MOST], mass[MOST];
-    struct direct_hit hit[MOST];
-    struct direct_result result;
-    const char *wrong;
-};
-
-static void newton_run(const struct run *run, struct newton *n)
-{
-    for (size_t k = 0; k < run->row.count; k++) {
-        n->height[k] = run->domino[k].height;
-        n->thickness[k] = run->domino[k].thickness;
-        n->gap[k] = run->domino[k].gap;
-        n->mass[k] = run->domino[k].mass;
-    }
-    struct direct_row row = {run->row.count, n->height,   n->thickness, n->gap,
-                             n->mass,        run->row.mu, run->row.g,   run->row.push};
-    n->wrong = direct_run(&row, n->hit, &n->result);
-}
-
 /*
  * Under much friction arms vanish on the way (Painleve), which lets no motion pass; but mostly a row is at
  * rest before.  What Newton's equations say of hits and of rest is the verdict, in every precision, and no
@@ -293,7 +251,7 @@ static void stops_before_a_lock(void **state)
     static double size[][3] = {{0.03, 0.0034, 0}, {0.04, 0.018, 0.0034}};
     static struct run run;
     for (int precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
-        make_row(&run, size, 2, DOM_NAN, 1.35);
+        blocks_row(&run, size, 2, DOM_NAN, 1.35);
         run.row.precision = (enum dom_precision)precision;
         run.row.tol = precision == DOM_FLOAT ? 1e-5 : 1e-12;
         assert_status(run_row(&run), DOM_OK);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows with random errors, on all processors: each row has random numbers of its own, by its number alone. */
+/* Rows with random errors, in batches that may run side by side: each row has random numbers of its own, by
+ * its number alone. */
 #include "domino.h"
 #include "numerics/quiet.h"
 #include <gsl/gsl_cdf.h>
@@ -7,11 +8,8 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <gsl/gsl_roots.h>
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 /* Of a verdict only the sign of the margin counts: more digits would change one row in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
@@ -19,7 +17,8 @@
 /* What an interval of 95 % leaves out at each end. */
 #define TAIL 0.025
 
-enum { BATCH = 16, THREADS_MAX = 256 };
+/* Rows in a task: what a task allocates costs little beside them. */
+enum { BATCH = 16 };
 
 /* Two neighbours of a plain counter would begin alike: its bits are mixed (Steele et al., splitmix64, 2014).
  */
@@ -31,60 +30,56 @@ static unsigned long row_seed(unsigned long seed, size_t i)
     return (unsigned long)(z ^ (z >> 31));
 }
 
-/* What all threads share, and what each has. */
+/* What all batches of a study share. */
 struct shared {
     const struct dom_row *row;
     const struct dom_placement *placement;
-    atomic_size_t next;
     atomic_int status; /* the first that was not DOM_OK */
+    atomic_size_t done, fall, unknown;
+    atomic_size_t *stops; /* unless NULL, rows that ended at each domino */
 };
 
-struct worker {
-    struct shared *shared;
-    bool reports;
+/* What one batch has to itself. */
+struct batch {
     gsl_rng *random[2];
     struct dom_domino *domino;
-    size_t fall, unknown;
-    size_t *stops; /* its own counts, or NULL */
-    pthread_t thread;
 };
 
 /*
  * A standard normal: of two independent ones, since a generator of GSL takes 32 bits as its seed, of which a
  * million rows would share some.
  */
-static double normal(const struct worker *w)
+static double normal(const struct batch *b)
 {
-    return (gsl_ran_gaussian_ziggurat(w->random[0], 1) + gsl_ran_gaussian_ziggurat(w->random[1], 1)) *
+    return (gsl_ran_gaussian_ziggurat(b->random[0], 1) + gsl_ran_gaussian_ziggurat(b->random[1], 1)) *
            M_SQRT1_2;
 }
 
 /* Row number i. */
-static void row_draw(const struct worker *w, size_t i)
+static void row_draw(const struct batch *b, const struct dom_row *row, const struct dom_placement *p,
+                     size_t i)
 {
-    const struct dom_row *row = w->shared->row;
-    const struct dom_placement *p = w->shared->placement;
     unsigned long seed = row_seed(p->seed, i);
-    gsl_rng_set(w->random[0], seed & 0xffffffffUL);
-    gsl_rng_set(w->random[1], seed >> 32);
+    gsl_rng_set(b->random[0], seed & 0xffffffffUL);
+    gsl_rng_set(b->random[1], seed >> 32);
     for (size_t k = 0; k < row->count; k++) {
         struct dom_domino d = row->domino[k];
-        double gap = (double)d.gap + (double)p->sigma * normal(w);
-        double grown = p->heights > 0 ? 1 + (double)p->heights * normal(w) : 1;
+        double gap = (double)d.gap + (double)p->sigma * normal(b);
+        double grown = p->heights > 0 ? 1 + (double)p->heights * normal(b) : 1;
         d.gap = k > 0 && p->sigma > 0 ? (dom_real)(gap > 0 ? gap : 0) : d.gap;
         grown = grown > 0.01 ? grown : 0.01; /* a domino has some height */
         d.height *= (dom_real)grown;
         d.mass *= (dom_real)grown;
-        w->domino[k] = d;
+        b->domino[k] = d;
     }
 }
 
-static enum dom_status row_try(struct worker *w, size_t i)
+static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i)
 {
-    struct dom_row row = *w->shared->row;
+    struct dom_row row = *s->row;
     struct dom_verdict verdict;
-    row_draw(w, i);
-    row.domino = w->domino;
+    row_draw(b, s->row, s->placement, i);
+    row.domino = b->domino;
     row.work = NULL;
     row.floor = false;
     row.tol = row.tol > VERDICT_TOL ? row.tol : VERDICT_TOL;
@@ -92,60 +87,42 @@ static enum dom_status row_try(struct worker *w, size_t i)
     if (status != DOM_OK)
         return status;
     bool unknown = verdict.end == DOM_ROW_PASSES || verdict.end == DOM_ROW_PARTS;
-    w->unknown += unknown;
-    w->fall += verdict.end == DOM_ROW_FALLS;
-    if (w->stops && !unknown && verdict.end != DOM_ROW_FALLS)
-        w->stops[verdict.domino - 1]++;
+    s->unknown += unknown;
+    s->fall += verdict.end == DOM_ROW_FALLS;
+    s->done++;
+    if (s->stops && !unknown && verdict.end != DOM_ROW_FALLS)
+        s->stops[verdict.domino - 1]++;
     return DOM_OK;
 }
 
-static void *worker_run(void *context)
+/* A dom_task: batch number `index` of the rows; nothing once another one has failed. */
+static void batch_run(size_t index, void *context)
 {
-    struct worker *w = context;
-    struct shared *s = w->shared;
+    struct shared *s = context;
     const struct dom_placement *p = s->placement;
-    for (;;) {
-        size_t from = atomic_fetch_add(&s->next, BATCH), to = from + BATCH < p->rows ? from + BATCH : p->rows;
-        for (size_t i = from; i < to; i++) {
-            enum dom_status status = row_try(w, p->first + i);
-            int none = DOM_OK;
-            if (status != DOM_OK)
-                atomic_compare_exchange_strong(&s->status, &none, (int)status);
-        }
-        if (from >= p->rows || atomic_load(&s->status) != DOM_OK)
-            return NULL;
-        if (w->reports && p->progress)
-            p->progress(to, p->rows, p->context);
-    }
-}
-
-static unsigned thread_count(const struct dom_placement *p)
-{
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    size_t n = p->threads > 0 ? p->threads : processors > 0 ? (size_t)processors : 1;
-    size_t batches = (p->rows + BATCH - 1) / BATCH;
-    n = n < batches ? n : batches;
-    return (unsigned)(n < THREADS_MAX ? n : THREADS_MAX);
-}
-
-static bool worker_make(struct worker *w, struct shared *shared, bool reports, bool counts)
-{
-    size_t n = shared->row->count;
-    *w = (struct worker){.shared = shared, .reports = reports};
-    w->random[0] = gsl_rng_alloc(gsl_rng_taus2);
-    w->random[1] = gsl_rng_alloc(gsl_rng_mrg);
-    w->domino = malloc(n * sizeof *w->domino);
-    w->stops = counts ? calloc(n, sizeof *w->stops) : NULL;
-    return w->random[0] && w->random[1] && w->domino && (!counts || w->stops);
-}
-
-static void worker_free(struct worker *w)
-{
+    if (atomic_load(&s->status) != DOM_OK)
+        return;
+    struct batch b = {.random = {gsl_rng_alloc(gsl_rng_taus2), gsl_rng_alloc(gsl_rng_mrg)},
+                      .domino = malloc(s->row->count * sizeof *b.domino)};
+    enum dom_status status = b.random[0] && b.random[1] && b.domino ? DOM_OK : DOM_NO_MEMORY;
+    for (size_t i = index * BATCH; i < p->rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
+        status = row_try(&b, s, p->first + i);
+    int none = DOM_OK;
+    if (status != DOM_OK)
+        atomic_compare_exchange_strong(&s->status, &none, (int)status);
     for (int i = 0; i < 2; i++)
-        if (w->random[i])
-            gsl_rng_free(w->random[i]);
-    free(w->domino);
-    free(w->stops);
+        if (b.random[i])
+            gsl_rng_free(b.random[i]);
+    free(b.domino);
+}
+
+/* A dom_parallel without a pool: one task after the other. */
+static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
+{
+    (void)pool;
+    for (size_t i = 0; i < count; i++)
+        task(i, context);
+    return DOM_OK;
 }
 
 /*
@@ -215,49 +192,33 @@ enum dom_status dom_study_interval(struct dom_study *s)
     return status;
 }
 
-/* This thread is the first worker; where no more can be had, fewer do it. */
-static enum dom_status workers_run(struct worker *worker, unsigned n)
-{
-    unsigned begun = 1;
-    while (begun < n && pthread_create(&worker[begun].thread, NULL, worker_run, &worker[begun]) == 0)
-        begun++;
-    worker_run(&worker[0]);
-    for (unsigned i = 1; i < begun; i++)
-        pthread_join(worker[i].thread, NULL);
-    return (enum dom_status)atomic_load(&worker[0].shared->status);
-}
-
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *p,
                                     struct dom_study *study, size_t *stops)
 {
-    struct dom_study found = {.rows = p->rows};
     if (!(p->sigma >= 0 && (double)p->sigma < HUGE_VAL && p->heights >= 0 && p->heights <= 1) ||
         p->rows == 0 || row->count == 0)
         return DOM_BAD_PARAMETER;
     struct shared shared = {.row = row, .placement = p, .status = DOM_OK};
+    shared.stops = stops ? calloc(row->count, sizeof *shared.stops) : NULL;
+    if (stops && !shared.stops)
+        return DOM_NO_MEMORY;
     quiet_begin();
-    unsigned n = thread_count(p);
-    struct worker *worker = calloc(n, sizeof *worker);
-    bool made = worker != NULL;
-    for (unsigned i = 0; made && i < n; i++)
-        made = worker_make(&worker[i], &shared, i == 0, stops != NULL);
-    enum dom_status status = made ? workers_run(worker, n) : DOM_NO_MEMORY;
-    if (stops)
-        memset(stops, 0, row->count * sizeof *stops);
-    for (unsigned i = 0; worker && i < n; i++) {
-        found.fall += worker[i].fall;
-        found.unknown += worker[i].unknown;
-        for (size_t k = 0; stops && worker[i].stops && k < row->count; k++)
-            stops[k] += worker[i].stops[k];
-        worker_free(&worker[i]);
-    }
-    free(worker);
+    enum dom_status status = (p->parallel ? p->parallel : in_order)(p->rows / BATCH + (p->rows % BATCH > 0),
+                                                                    batch_run, &shared, p->pool);
+    if (shared.status != DOM_OK)
+        status = (enum dom_status)shared.status;
+    else if (status == DOM_OK && shared.done < p->rows) /* the pool has left some out */
+        status = DOM_INTERRUPTED;
     if (row->work)
         row->work->entered[DOM_EFFECT_placement] += p->rows;
+    struct dom_study found = {.rows = p->rows, .fall = shared.fall, .unknown = shared.unknown};
     if (status == DOM_OK)
         status = dom_study_interval(&found);
     if (status == DOM_OK)
         *study = found;
+    for (size_t k = 0; stops && status == DOM_OK && k < row->count; k++)
+        stops[k] = shared.stops[k];
+    free(shared.stops);
     quiet_end();
     return status;
 }

@@ -69,7 +69,7 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
         if (!errors->on)
             return dom_row_run(&asked, false, NULL, NULL, &verdict);
         struct dom_placement p = {
-            .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1, .threads = 1};
+            .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1};
         return dom_placement_study(&asked, &p, &study, NULL);
     }
     struct dom_train train = scene->train;

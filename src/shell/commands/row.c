@@ -272,68 +272,35 @@ static const struct column rowmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static enum dom_status falls_at(struct session *session, dom_real r, bool *falls)
+/* Makes the row that the scene has at the growth r: what was placed stays. */
+static void row_at(dom_real r, struct dom_domino *domino, size_t count, void *context)
 {
-    struct session scene = *session;
-    struct scene_row row;
-    struct dom_verdict v;
+    struct session scene = *(const struct session *)context;
     scene.train.r = r;
-    *falls = false;
-    if (!scene_row_make(&scene, &row))
-        return DOM_NO_MEMORY;
-    enum dom_status status = dom_row_run(&row.row, false, NULL, NULL, &v);
-    free(row.domino);
-    *falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
-    return status;
-}
-
-#define ROWMAX_STEP ((dom_real)1.02)
-
-/* The first growth, raised from 1, at which not all fall; NaN where already equal ones do not. */
-static enum dom_status rowmax_find(struct session *session, dom_real *r_max)
-{
-    dom_real reach = 1 / session->train.s, good = 1, bad = 0;
-    bool falls;
-    enum dom_status status = falls_at(session, 1, &falls);
-    *r_max = falls ? reach : DOM_NAN;
-    while (status == DOM_OK && falls && good < reach) {
-        bad = quad_smaller(good * ROWMAX_STEP, reach);
-        status = falls_at(session, bad, &falls);
-        good = falls ? bad : good;
-    }
-    bool found = status == DOM_OK && bad > good;
-    while (found && status == DOM_OK && bad - good > session->train.tol * good) {
-        dom_real middle = (good + bad) / 2;
-        if (!(middle > good && middle < bad))
-            break;
-        status = falls_at(session, middle, &falls);
-        *(falls ? &good : &bad) = middle;
-    }
-    if (found)
-        *r_max = good;
-    return status;
+    scene_row_fill(&scene, domino, count);
 }
 
 static bool run_rowmax(struct session *session, const struct call *call)
 {
-    dom_real r_max;
-    struct dom_limit limit = {.r_max = DOM_NAN};
-    struct scene_row row;
-    if (!scene_row_make(session, &row))
+    struct dom_row_growth growth;
+    struct dom_limit limit;
+    struct scene_row scene;
+    if (!scene_row_make(session, &scene))
         return false;
-    free(row.domino);
+    free(scene.domino);
     if (session->listed.domino)
         return session_error(session,
                              "the row is from a file: it has no growth r; 'effect row N' is a row with one");
-    enum dom_status status = rowmax_find(session, &r_max);
+    enum dom_status status = dom_row_rmax(&scene.row, 1 / session->train.s, row_at, session, &growth);
     if (status == DOM_OK)
         status = dom_limit_rmax(&session->train, &limit, NULL, NULL);
     if (status != DOM_OK)
         return row_status(session, status);
     answer_row(call->answer,
-               ROW(cell_real(session->train.s), cell_count(session->effect[DOM_EFFECT_row].value[0]),
-                   cell_bound(r_max, DOM_NAN), cell_bound(limit.r_max, DOM_NAN)),
-               isnan(r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why" : NULL);
+               ROW(cell_real(session->train.s), cell_count((dom_real)scene.row.count),
+                   cell_bound(growth.r_max, DOM_NAN), cell_bound(limit.r_max, DOM_NAN)),
+               isnan(growth.r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why"
+                                   : NULL);
     return true;
 }
 

@@ -4,18 +4,12 @@
 #include "commands/study_parts.h"
 #include "commands/tables.h"
 #include "interpreter/command.h"
-#include "io/terminal.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
 
-static void study_progress(size_t done, size_t rows, void *context)
-{
-    progress_show(context, (double)done / (double)rows);
-}
-
 /* The scene's row and errors; false: there are none, which was reported. */
-static bool study_make(struct session *session, dom_real rows, struct progress *progress,
+static bool study_make(struct session *session, dom_real rows, struct task_pool *pool,
                        struct scene_row *scene, struct dom_placement *p)
 {
     const struct effect_state *errors = &session->effect[DOM_EFFECT_placement];
@@ -31,10 +25,11 @@ static bool study_make(struct session *session, dom_real rows, struct progress *
         .heights = errors->value[1],
         .seed = (unsigned long)session->seed,
         .rows = (size_t)rows,
-        .threads = workers_count(session->threads, (size_t)rows),
-        .progress = study_progress,
-        .context = progress,
+        .parallel = workers_tasks,
+        .pool = pool,
     };
+    pool->threads = session->threads;
+    pool->interrupt = session->train.interrupt;
     return true;
 }
 
@@ -46,7 +41,6 @@ static bool placement_all(struct session *session, const struct call *call, cons
     struct dom_study study;
     size_t *stops = calloc(scene->row.count, sizeof *stops);
     enum dom_status status = stops ? dom_placement_study(&scene->row, p, &study, stops) : DOM_NO_MEMORY;
-    progress_show(p->context, 1);
     if (status == DOM_OK)
         study_answer(call, p->sigma, p->heights, &study, stops, scene->row.count, NULL);
     free(stops);
@@ -57,9 +51,9 @@ static bool run_placement(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct dom_placement p;
-    struct progress progress = {0, 0};
+    struct task_pool pool = {.progress = true};
     dom_real rows = call->count > 0 ? call->number[0] : 2000;
-    if (!study_make(session, rows, &progress, &scene, &p))
+    if (!study_make(session, rows, &pool, &scene, &p))
         return false;
     bool done = session->shard.parts > 0 ? study_blocks(session, call, &scene, &p)
                                          : placement_all(session, call, &scene, &p);
@@ -83,14 +77,13 @@ static bool run_budget(struct session *session, const struct call *call)
     struct scene_row scene;
     struct dom_placement p;
     struct dom_budget budget;
-    struct progress progress = {0, 0};
+    struct task_pool pool = {.progress = false}; /* how many studies it takes is not known */
     dom_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
     if (!(share > 0 && share < 1))
         return session_error(session, "P = %s is no probability for this; P is between 0 and 1, such as 0.9",
                              quad_shown(share).text);
-    if (!study_make(session, rows, &progress, &scene, &p))
+    if (!study_make(session, rows, &pool, &scene, &p))
         return false;
-    p.progress = NULL; /* how many studies it takes is not known */
     enum dom_status status = dom_placement_budget(&scene.row, &p, (double)share, &budget);
     free(scene.domino);
     if (status == DOM_STOPS)

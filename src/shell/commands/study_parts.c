@@ -147,8 +147,7 @@ static bool block_point(void *own, size_t block, FILE *out)
     size_t *stops = calloc(b->row->count, sizeof *stops), all = p.rows;
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
-    p.threads = 1; /* the blocks are side by side already */
-    p.progress = NULL;
+    p.parallel = NULL; /* the blocks are side by side already */
     b->status = stops ? dom_placement_study(b->row, &p, &study, stops) : DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block == 0);

@@ -68,28 +68,7 @@ static bool block_run(const struct workers *w, void *own, size_t from, size_t po
     return goes_on;
 }
 
-/* ---- One worker ---- */
-
-static struct workers_end run_alone(const struct workers *w)
-{
-    struct progress progress = {0, 0};
-    struct kinematics kinematics = {0, 0};
-    struct workers_end end = {.how = WORKERS_DONE};
-    for (size_t at = 0, points; at < w->points && end.how == WORKERS_DONE; at += points) {
-        points = block_points(w, &kinematics, w->points - at);
-        if (!block_run(w, w->own, at, points, &kinematics, w->out))
-            end = (struct workers_end){.how = WORKERS_ENDED, .by = w->own};
-        else if (dom_raised(w->interrupt))
-            end.how = WORKERS_INTERRUPTED;
-        else if (w->out && (fflush(w->out) != 0 || ferror(w->out)))
-            end = (struct workers_end){.how = WORKERS_LOST, .error = errno};
-        if (w->progress)
-            progress_show(&progress, end.how == WORKERS_DONE ? (double)(at + points) / (double)w->points : 1);
-    }
-    return end;
-}
-
-/* ---- Many ---- */
+/* ---- The crew ---- */
 
 static void crew_end(struct crew *c, struct workers_end end)
 {
@@ -196,7 +175,7 @@ static unsigned hands_begin(struct crew *c, struct hand *hand)
     return begun;
 }
 
-static struct workers_end run_together(const struct workers *w)
+struct workers_end workers_run(const struct workers *w)
 {
     struct crew c = {.asked = w, .window = WINDOW * (size_t)w->count, .end = {.how = WORKERS_DONE}};
     struct hand *hand = calloc(w->count, sizeof *hand);
@@ -221,13 +200,6 @@ static struct workers_end run_together(const struct workers *w)
     return c.end;
 }
 
-struct workers_end workers_run(const struct workers *w)
-{
-    if (w->points == 0)
-        return (struct workers_end){.how = WORKERS_DONE};
-    return w->count > 1 ? run_together(w) : run_alone(w);
-}
-
 unsigned workers_count(dom_real threads, size_t points)
 {
     cpu_set_t ours;
@@ -236,4 +208,38 @@ unsigned workers_count(dom_real threads, size_t points)
         n = sched_getaffinity(0, sizeof ours, &ours) == 0 ? (size_t)CPU_COUNT(&ours) : 1;
     n = n < points ? n : points;
     return n == 0 ? 1 : n < THREADS_MAX ? (unsigned)n : THREADS_MAX;
+}
+
+/* ---- Tasks of the library ---- */
+
+struct job {
+    dom_task *task;
+    void *context;
+};
+
+static bool job_point(void *own, size_t point, FILE *out)
+{
+    const struct job *job = own;
+    (void)out;
+    job->task(point, job->context);
+    return true;
+}
+
+enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool)
+{
+    static const enum dom_status status[] = {[WORKERS_DONE] = DOM_OK,
+                                             [WORKERS_INTERRUPTED] = DOM_INTERRUPTED,
+                                             [WORKERS_NO_MEMORY] = DOM_NO_MEMORY};
+    const struct task_pool *p = pool;
+    struct job job[THREADS_MAX];
+    struct workers w = {.points = count,
+                        .point = job_point,
+                        .own = job,
+                        .size = sizeof *job,
+                        .count = workers_count(p->threads, count),
+                        .progress = p->progress,
+                        .interrupt = p->interrupt};
+    for (unsigned i = 0; i < w.count; i++)
+        job[i] = (struct job){task, context};
+    return status[workers_run(&w).how];
 }

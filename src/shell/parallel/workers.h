@@ -34,6 +34,16 @@ struct workers_end {
 /* One worker is the caller's thread, and none is made; where no more can be had, fewer do it. */
 struct workers_end workers_run(const struct workers *workers);
 
+/* A pool for the tasks of the library. */
+struct task_pool {
+    dom_real threads;                       /* 0: one for each processor */
+    bool progress;                          /* as of workers */
+    const volatile sig_atomic_t *interrupt; /* as of a train */
+};
+
+/* A dom_parallel whose pool is a struct task_pool. */
+enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool);
+
 /* How many: as asked for, 0 being one for each processor that this process may use, but no more than points.
  */
 unsigned workers_count(dom_real threads, size_t points);

@@ -267,6 +267,19 @@ static void row_weigh(const struct session *session, struct dom_domino *domino, 
         domino[k].mass *= by;
 }
 
+void scene_row_fill(const struct session *session, struct dom_domino *domino, size_t count)
+{
+    const struct listed_row *listed = &session->listed;
+    if (listed->domino)
+        memcpy(domino, listed->domino, count * sizeof *domino);
+    else
+        dom_row_of_train(&session->train, &session->scale, 1, domino, count);
+    for (size_t i = 0; i < listed->changes; i++)
+        domino[listed->placed[i].k - 1].gap = listed->placed[i].gap;
+    if (!listed->domino || !listed->weighed)
+        row_weigh(session, domino, count);
+}
+
 bool scene_row_make(struct session *session, struct scene_row *scene)
 {
     const struct listed_row *listed = &session->listed;
@@ -281,14 +294,7 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
         session_status(session, DOM_NO_MEMORY);
         return false;
     }
-    if (listed->domino)
-        memcpy(scene->domino, listed->domino, count * sizeof *scene->domino);
-    else
-        dom_row_of_train(&session->train, &session->scale, 1, scene->domino, count);
-    for (size_t i = 0; i < listed->changes; i++)
-        scene->domino[listed->placed[i].k - 1].gap = listed->placed[i].gap;
-    if (!listed->domino || !listed->weighed)
-        row_weigh(session, scene->domino, count);
+    scene_row_fill(session, scene->domino, count);
     scene->row = (struct dom_row){
         .domino = scene->domino,
         .count = count,

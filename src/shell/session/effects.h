@@ -63,6 +63,9 @@ struct scene_row {
 /* False: there is no row, or no memory, which was reported. */
 bool scene_row_make(struct session *session, struct scene_row *row);
 
+/* Fills domino[0] to domino[count - 1] with the row that the session has, its changes and masses included. */
+void scene_row_fill(const struct session *session, struct dom_domino *domino, size_t count);
+
 /* Are masses known, so that energies are in J?  Else they are in m g h / 2 of the first domino. */
 bool scene_weighed(const struct session *session);
 

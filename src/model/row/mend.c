@@ -1,0 +1,197 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What saves a row that does not fall: another gap, or a stronger push. */
+#define REAL_QUAD
+#include "numerics/edge.h"
+#include "numerics/real.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* The row with one thing changed; the first status that is not DOM_OK ends all. */
+struct trial {
+    struct dom_row row;
+    struct dom_domino *domino;
+    size_t k; /* the domino whose gap is changed, from 0 */
+    enum dom_status status;
+};
+
+static struct trial trial_of(const struct dom_row *row)
+{
+    struct trial t = {.row = *row, .status = DOM_OK};
+    t.row.floor = false;
+    return t;
+}
+
+static bool trial_falls(struct trial *t, struct dom_verdict *verdict)
+{
+    verdict->end = DOM_ROW_STOPS;
+    if (t->status == DOM_OK)
+        t->status = dom_row_run(&t->row, false, NULL, NULL, verdict);
+    return t->status == DOM_OK && verdict->end == DOM_ROW_FALLS;
+}
+
+/* Returns what one unit of the first digit of a number is worth, or of that digit so many places after it. */
+static dom_real digit_of(dom_real value, int places)
+{
+    return pow(10, floor(log10(value)) - (dom_real)places);
+}
+
+/* ---- Gaps ---- */
+
+/* Digits of a gap that is typed again. */
+#define GAP_DIGITS ((dom_real)1e-6)
+
+enum { STEPS = 40 };
+
+/* A row forgets what happened so many dominoes ago: their gaps do not save it. */
+enum { BACK = DOM_MENDS - 1 };
+
+static bool falls_with(dom_real gap, void *context)
+{
+    struct trial *t = context;
+    struct dom_verdict verdict;
+    dom_real kept = t->domino[t->k].gap;
+    t->domino[t->k].gap = gap;
+    bool falls = trial_falls(t, &verdict);
+    t->domino[t->k].gap = kept;
+    return falls;
+}
+
+/* Between a gap with which all fall and one with which they do not: the last with which they do, rounded away
+ * from the other to few digits. */
+static dom_real gap_edge(struct trial *t, dom_real good, dom_real bad)
+{
+    dom_real digit = digit_of(fmax(good, bad), 0) * GAP_DIGITS;
+    good = edge_find(falls_with, t, good, bad, digit / 8, 0);
+    dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
+    return falls_with(rounded, t) ? rounded : good;
+}
+
+/* First close by, then farther and farther: what is small should be found. */
+static dom_real gap_step(dom_real gap, dom_real end, int i)
+{
+    dom_real part = (dom_real)i / STEPS;
+    return gap + (end - gap) * part * part * part;
+}
+
+/* The nearest gap on the way to `end` with which all fall; false where none was found. */
+static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
+{
+    dom_real gap = t->domino[t->k].gap, bad = gap, good = gap;
+    int i = 1;
+    while (i <= STEPS && !falls_with(good = gap_step(gap, end, i), t)) {
+        bad = good;
+        i++;
+    }
+    if (i > STEPS)
+        return false;
+    *mend = (struct dom_mend){.domino = t->k + 1, .gap = gap, .to = gap_edge(t, good, bad), .until = end};
+    for (i++; i <= STEPS; i++) {
+        bad = gap_step(gap, end, i);
+        if (!falls_with(bad, t)) {
+            mend->until = gap_edge(t, good, bad);
+            break;
+        }
+        good = bad;
+    }
+    return t->status == DOM_OK;
+}
+
+static int by_change(const void *a, const void *b)
+{
+    const struct dom_mend *x = a, *y = b;
+    dom_real dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
+    return dx < dy ? -1 : dx > dy;
+}
+
+/*
+ * Changes gaps up to the one after the domino where the row ends: what is farther away does not matter to
+ * that.  Where that gap is too wide to be reached over, it alone does.
+ */
+static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
+                          struct dom_mend *mends)
+{
+    size_t found = 0, last = v->domino < t->row.count ? v->domino : t->row.count - 1, first = 1;
+    if (v->end == DOM_ROW_MISSES)
+        first = last;
+    else if (last > BACK)
+        first = last - BACK;
+    for (t->k = first; t->k <= last && t->status == DOM_OK; t->k++) {
+        struct dom_mend closer, wider;
+        bool in = mend_towards(t, 0, &closer), out = mend_towards(t, t->domino[t->k - 1].height, &wider);
+        if (in || out)
+            mends[found++] = !in || (out && by_change(&wider, &closer) < 0) ? wider : closer;
+        if (progress)
+            progress(t->k - first + 1, last - first + 1, context);
+    }
+    qsort(mends, found, sizeof *mends, by_change);
+    return found;
+}
+
+enum dom_status dom_row_mend(const struct dom_row *row, dom_progress *progress, void *context,
+                             struct dom_mend mends[DOM_MENDS], size_t *count)
+{
+    struct trial t = trial_of(row);
+    struct dom_verdict verdict;
+    struct dom_mend found[DOM_MENDS];
+    size_t most = 0;
+    bool falls = trial_falls(&t, &verdict);
+    if (t.status == DOM_OK && !falls && row->count > 1) {
+        t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
+        if (!t.domino)
+            return DOM_NO_MEMORY;
+        memcpy(t.domino, row->domino, row->count * sizeof *t.domino);
+        most = gaps_search(&t, &verdict, progress, context, found);
+        free(t.domino);
+    }
+    if (t.status != DOM_OK)
+        return t.status;
+    memcpy(mends, found, most * sizeof *mends);
+    *count = most;
+    return DOM_OK;
+}
+
+/* ---- A push ---- */
+
+#define PUSH_TOL ((dom_real)1e-4)
+
+static bool falls_pushed(dom_real push, void *context)
+{
+    struct trial *t = context;
+    struct dom_verdict verdict;
+    t->row.push = push;
+    return trial_falls(t, &verdict);
+}
+
+/* What turns the first over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2. */
+static dom_real push_over_edge(const struct dom_row *row)
+{
+    dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
+    return sqrt(3 * row->g * d * d / ((reach + h) * reach * reach));
+}
+
+enum dom_status dom_row_push(const struct dom_row *row, dom_real strongest, dom_real *push)
+{
+    struct trial t = trial_of(row);
+    struct dom_verdict verdict;
+    if (!(strongest > 0 && (double)strongest < HUGE_VAL))
+        return DOM_BAD_PARAMETER;
+    bool falls = trial_falls(&t, &verdict);
+    dom_real found = falls ? row->push : DOM_NAN;
+    if (t.status == DOM_OK && !falls) {
+        dom_real bad = isnan(row->push) ? 0 : row->push, good = fmax(push_over_edge(row), bad) / 2;
+        do {
+            good = fmin(2 * good, strongest);
+            falls = falls_pushed(good, &t);
+            bad = falls ? bad : good;
+        } while (!falls && good < strongest && t.status == DOM_OK);
+        if (falls && bad < good) {
+            good = edge_find(falls_pushed, &t, good, bad, 0, PUSH_TOL);
+            /* Rounded up, so that it is still enough. */
+            dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
+            found = falls_pushed(rounded, &t) ? rounded : good;
+        }
+    }
+    if (t.status == DOM_OK)
+        *push = found;
+    return t.status;
+}

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The largest growth of a finite row. */
+#include "domino.h"
+#include "numerics/edge.h"
+#include <stdlib.h>
+
+/* A growth is raised by this factor: a larger one may fall again, and the first that does not counts. */
+#define GROWTH_STEP ((dom_real)1.02)
+
+struct trial {
+    struct dom_row row;
+    struct dom_domino *domino;
+    dom_row_make *make;
+    void *context;
+    enum dom_status status; /* the first that is not DOM_OK ends all */
+    enum dom_row_end ends;  /* of the last row that did not fall */
+};
+
+static bool falls_at(dom_real r, void *context)
+{
+    struct trial *t = context;
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (t->status != DOM_OK)
+        return false;
+    t->make(r, t->domino, t->row.count, t->context);
+    t->status = dom_row_run(&t->row, false, NULL, NULL, &verdict);
+    if (verdict.end != DOM_ROW_FALLS)
+        t->ends = verdict.end;
+    return verdict.end == DOM_ROW_FALLS;
+}
+
+enum dom_status dom_row_rmax(const struct dom_row *row, dom_real highest, dom_row_make *make, void *context,
+                             struct dom_row_growth *growth)
+{
+    if (row->count == 0 || !(highest >= 1 && (double)highest < HUGE_VAL))
+        return DOM_BAD_PARAMETER;
+    struct trial t = {.row = *row, .make = make, .context = context, .status = DOM_OK};
+    t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
+    t.row.floor = false;
+    if (!t.domino)
+        return DOM_NO_MEMORY;
+    dom_real good = 1, bad = 1;
+    bool falls = falls_at(1, &t);
+    struct dom_row_growth found = {.r_max = falls ? highest : DOM_NAN, .ends = DOM_ROW_FALLS};
+    while (falls && good < highest) {
+        bad = good * GROWTH_STEP < highest ? good * GROWTH_STEP : highest;
+        falls = falls_at(bad, &t);
+        good = falls ? bad : good;
+    }
+    if (bad > good)
+        found.r_max = edge_find(falls_at, &t, good, bad, 0, row->tol);
+    if (!falls)
+        found.ends = t.ends;
+    free(t.domino);
+    if (t.status == DOM_OK)
+        *growth = found;
+    return t.status;
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A finite row and what came of it, by the library and by Newton's equations (direct.h). */
+#ifndef TEST_RUN_H
+#define TEST_RUN_H
+
+#include "direct.h"
+#include "domino.h"
+
+enum { ROW_MOST = 64 };
+
+struct run {
+    struct dom_domino domino[ROW_MOST];
+    struct dom_row row;
+    struct dom_fall fall[ROW_MOST];
+    size_t falls;
+    struct dom_verdict verdict;
+};
+
+/* Runs the row with times. */
+enum dom_status run_row(struct run *run);
+
+/* Returns what the verdict alone says of how the row ends; fails the test where it has none. */
+enum dom_row_end row_end(struct run *run);
+
+/* What turns a single domino over its edge, in rad/s: half of I omega^2 lifts its middle. */
+double push_over(const struct dom_domino *domino);
+
+/* Makes a row of count standard dominoes, each r times the one before, of 10 g at first, pushed three times
+ * as hard as push_over. */
+void make_row(struct run *run, size_t count, double s, double r, double mu);
+
+struct newton {
+    double height[ROW_MOST], thickness[ROW_MOST], gap[ROW_MOST], mass[ROW_MOST];
+    struct direct_hit hit[ROW_MOST];
+    struct direct_result result;
+    const char *wrong;
+};
+
+void newton_run(const struct run *run, struct newton *n);
+
+#endif

@@ -1,0 +1,265 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What saves a row that does not fall: gaps and pushes against the verdicts around them, and a plain search.
+ */
+#include "run.h"
+#include "support.h"
+
+static struct dom_mend mends[DOM_MENDS];
+
+static size_t mend(struct run *run)
+{
+    size_t count = DOM_MENDS + 1;
+    run->row.domino = run->domino;
+    assert_status(dom_row_mend(&run->row, NULL, NULL, mends, &count), DOM_OK);
+    return count;
+}
+
+static bool falls_with(const struct run *run, size_t domino, double gap)
+{
+    static struct run other;
+    other = *run;
+    other.domino[domino - 1].gap = gap;
+    return row_end(&other) == DOM_ROW_FALLS;
+}
+
+static bool falls_pushed(const struct run *run, double push)
+{
+    static struct run other;
+    other = *run;
+    other.row.push = push;
+    return row_end(&other) == DOM_ROW_FALLS;
+}
+
+/* A gap wider than the domino before it is tall: as wide as that is what mends it. */
+static void a_gap_too_wide(void **state)
+{
+    (void)state;
+    static struct run run;
+    make_row(&run, 5, 0.3, 1, 0);
+    run.row.push = 8;
+    run.domino[3].gap = 0.06;
+    assert_int_equal(row_end(&run), DOM_ROW_MISSES);
+    assert_int_equal(mend(&run), 1);
+    assert_int_equal(mends[0].domino, 4);
+    assert_true(mends[0].gap == run.domino[3].gap);
+    assert_near("to", mends[0].to, 0.048, 1e-12);
+    assert_near("until", mends[0].until, 0.048, 1e-12);
+}
+
+/* Nothing has to be mended in a row that falls, and one domino has no gap. */
+static void nothing_to_mend(void **state)
+{
+    (void)state;
+    static struct run run;
+    make_row(&run, 6, 0.3, 1, 0);
+    assert_int_equal(row_end(&run), DOM_ROW_FALLS);
+    assert_int_equal(mend(&run), 0);
+    make_row(&run, 1, 0.3, 1, 0);
+    run.row.push = 0.5 * push_over(run.domino);
+    assert_int_equal(row_end(&run), DOM_ROW_STOPS);
+    assert_int_equal(mend(&run), 0);
+}
+
+/* A row of random sizes with one gap that is too wide or too narrow, which mostly does not fall. */
+static void random_row(struct run *run, uint64_t *seed)
+{
+    size_t count = 3 + (size_t)(6 * random_unit(seed)),
+           at = 1 + (size_t)((double)(count - 1) * random_unit(seed));
+    make_row(run, count, 0.2 + 0.4 * random_unit(seed), 1.2 + 0.3 * random_unit(seed),
+             random_unit(seed) < 0.7 ? 0 : 0.3 * random_unit(seed));
+    for (size_t k = 0; k < count; k++) {
+        run->domino[k].gap *= 0.8 + 0.4 * random_unit(seed);
+        run->domino[k].thickness *= 0.7 + 0.6 * random_unit(seed);
+    }
+    run->domino[at].gap *= random_unit(seed) < 0.5 ? random_log(seed, 0.02, 0.5) : random_log(seed, 1.5, 4);
+    run->row.push *= random_log(seed, 0.6, 4);
+    run->row.floor = random_unit(seed) < 0.2; /* changes nothing */
+}
+
+/*
+ * With each gap that is named all fall, also a third of the way to where they no longer do; two units of the
+ * seventh digit closer to what it was they do not.
+ */
+static void mended_rows_fall(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 82;
+    int mended = 0, lost = 0, ended = 0;
+    for (int i = 0; i < 80; i++) {
+        random_row(&run, &seed);
+        if (row_end(&run) == DOM_ROW_FALLS) {
+            assert_int_equal(mend(&run), 0);
+            continue;
+        }
+        size_t last = run.verdict.domino + 1, count = mend(&run);
+        lost += count == 0;
+        for (size_t j = 0; j < count; j++) {
+            const struct dom_mend *m = &mends[j];
+            double to = m->to, until = m->until, gap = m->gap, away = to > gap ? 1 : -1;
+            double digit = pow(10, floor(log10(fmax(to, gap))) - 6);
+            assert_true(m->domino >= 2 && m->domino <= last);
+            assert_true(m->gap == run.domino[m->domino - 1].gap);
+            assert_true((until - to) * away >= 0 && (to - gap) * away > 0);
+            assert_true(falls_with(&run, m->domino, to));
+            assert_true(falls_with(&run, m->domino, to + (until - to) / 3));
+            assert_true(falls_with(&run, m->domino, until) || until == 0 ||
+                        until == (double)run.domino[m->domino - 2].height);
+            assert_false(falls_with(&run, m->domino, to - 2 * away * digit));
+            if (j > 0)
+                assert_true(fabs(to - gap) >= fabs((double)(mends[j - 1].to - mends[j - 1].gap)));
+            for (size_t k = 0; k < j; k++)
+                assert_true(mends[k].domino != m->domino);
+            ended += until > 0 && until < (double)run.domino[m->domino - 2].height;
+            mended++;
+        }
+    }
+    print_message("# %d mends, %d of them end again; %d rows have none\n", mended, ended, lost);
+    assert_true(mended > 40 && lost > 5 && ended > 5);
+}
+
+/* Every gap of the row in 500 steps up and down: none saves it with a smaller change than the first one
+ * named. */
+static void no_smaller_change(void **state)
+{
+    (void)state;
+    enum { FINE = 500 };
+    static struct run run;
+    uint64_t seed = 83;
+    int compared = 0;
+    for (int i = 0; i < 40 && compared < 4; i++) {
+        random_row(&run, &seed);
+        if (row_end(&run) == DOM_ROW_FALLS)
+            continue;
+        size_t count = mend(&run);
+        double least = count ? fabs((double)(mends[0].to - mends[0].gap)) : (double)INFINITY;
+        for (size_t k = 1; k < run.row.count; k++)
+            for (int up = 0; up < 2; up++) {
+                double gap = run.domino[k].gap, end = up ? (double)run.domino[k - 1].height : 0;
+                for (int j = 1; j <= FINE && fabs(end - gap) * j / FINE < 0.999 * least; j++)
+                    if (falls_with(&run, k + 1, fmax(gap + (end - gap) * j / FINE, 0)))
+                        fail_msg("row %d: domino %zu falls with a change of %g, not %g", i, k + 1,
+                                 fabs(end - gap) * j / FINE, least);
+            }
+        compared += count > 0;
+    }
+    assert_int_equal(compared, 4);
+}
+
+static void progress_seen(size_t done, size_t of, void *context)
+{
+    size_t *before = context;
+    assert_true(done == *before + 1 && done <= of && of <= DOM_MENDS);
+    *before = done == of ? 1000 : done;
+}
+
+/* Of a long row the gap after the last that is hit is looked at, and 30 before it. */
+static void a_long_row(void **state)
+{
+    (void)state;
+    static struct run run;
+    size_t count, done = 0;
+    make_row(&run, 60, 0.3, 1, 0);
+    run.domino[49].height *= 3;
+    run.domino[49].thickness *= 3;
+    run.domino[49].mass *= 200;
+    assert_int_equal(row_end(&run), DOM_ROW_STOPS);
+    assert_int_equal(run.verdict.domino, 50);
+    assert_status(dom_row_mend(&run.row, progress_seen, &done, mends, &count), DOM_OK);
+    assert_int_equal(done, 1000);
+    for (size_t j = 0; j < count; j++)
+        assert_in_range(mends[j].domino, 51 - 30, 51);
+}
+
+/* ---- A push ---- */
+
+/* One domino falls with what turns it over its edge. */
+static void over_its_edge(void **state)
+{
+    (void)state;
+    static struct run run;
+    make_row(&run, 1, 0.3, 1, 0);
+    double edge = push_over(run.domino);
+    dom_real push;
+    for (double own = 0; own < 1; own += 0.3) {
+        run.row.push = own * edge;
+        assert_status(dom_row_push(&run.row, 100, &push), DOM_OK);
+        assert_true(push >= edge * (1 - 1e-12) && push <= 1.002 * edge);
+    }
+    /* Stronger than what is needed it is what it was. */
+    run.row.push = 2 * edge;
+    assert_status(dom_row_push(&run.row, 100, &push), DOM_OK);
+    assert_true(push == run.row.push);
+    run.row.push = 0;
+    push = 0;
+    assert_status(dom_row_push(&run.row, 0.99 * edge, &push), DOM_OK);
+    assert_true(isnan((double)push));
+}
+
+/* All fall with it, and not with 0.2 % less; in a row that leans on the second before it is over its edge,
+ * too. */
+static void the_weakest_push(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 84;
+    int found = 0, none = 0;
+    for (int i = 0; i < 100; i++) {
+        random_row(&run, &seed);
+        run.row.push = i % 2 ? DOM_NAN : 0.3 * push_over(run.domino);
+        if (i % 3 == 0)
+            run.domino[1].gap = 0.05 * (double)run.domino[0].height;
+        if (row_end(&run) == DOM_ROW_FALLS)
+            continue;
+        dom_real push;
+        assert_status(dom_row_push(&run.row, 1e3, &push), DOM_OK);
+        none += isnan((double)push);
+        if (isnan((double)push))
+            continue;
+        assert_true(falls_pushed(&run, push));
+        assert_false(falls_pushed(&run, 0.998 * (double)push));
+        char digits[32];
+        snprintf(digits, sizeof digits, "%.4g", (double)push);
+        assert_near("four digits", push, strtod(digits, NULL), 1e-15);
+        found++;
+    }
+    print_message("# %d pushes, %d rows have none\n", found, none);
+    assert_true(found > 20 && none > 5);
+}
+
+/* Nothing is written where the status is not DOM_OK. */
+static void refusals(void **state)
+{
+    (void)state;
+    const volatile sig_atomic_t now = 1;
+    static struct run run;
+    size_t count = 7;
+    dom_real push = -1;
+    static const double strongest[] = {0, -1, (double)NAN, (double)INFINITY};
+    make_row(&run, 5, 0.3, 1.2, 0);
+    run.row.push = 0.1;
+    for (size_t i = 0; i < sizeof strongest / sizeof *strongest; i++)
+        assert_status(dom_row_push(&run.row, strongest[i], &push), DOM_BAD_PARAMETER);
+    for (int wrong = 0; wrong < 4; wrong++) {
+        struct dom_row row = run.row;
+        enum dom_status status = wrong < 3 ? DOM_BAD_PARAMETER : DOM_INTERRUPTED;
+        row.count = wrong == 0 ? 0 : row.count;
+        row.tol = wrong == 1 ? 1e-30 : row.tol;
+        row.g = wrong == 2 ? 0 : row.g;
+        row.interrupt = wrong == 3 ? &now : NULL;
+        assert_status(dom_row_mend(&row, NULL, NULL, mends, &count), status);
+        assert_status(dom_row_push(&row, 10, &push), status);
+    }
+    assert_true(count == 7 && push == -1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_gap_too_wide),   cmocka_unit_test(nothing_to_mend),
+        cmocka_unit_test(mended_rows_fall), cmocka_unit_test(no_smaller_change),
+        cmocka_unit_test(a_long_row),       cmocka_unit_test(over_its_edge),
+        cmocka_unit_test(the_weakest_push), cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

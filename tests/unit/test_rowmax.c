@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The largest growth of a finite row: against the pair, the endless train, and the verdicts on both sides. */
+#include "run.h"
+#include "support.h"
+
+/* The rows of a train at any r, and how often they were made. */
+struct family {
+    struct dom_train train;
+    struct dom_scale scale;
+    int made;
+};
+
+static void family_make(dom_real r, struct dom_domino *domino, size_t count, void *context)
+{
+    struct family *f = context;
+    struct dom_train train = f->train;
+    train.r = r;
+    f->made++;
+    dom_row_of_train(&train, &f->scale, 0.01, domino, count);
+}
+
+static struct family family_of(double s, double d, double q)
+{
+    struct family f = {.train = dom_train_default(), .scale = dom_scale_default()};
+    f.train.s = s;
+    f.train.d = d;
+    f.train.q = q;
+    return f;
+}
+
+static struct dom_row row_of(size_t count, dom_real push)
+{
+    return (struct dom_row){.count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = DOM_DOUBLE};
+}
+
+static struct dom_row_growth growth_of(struct family *f, const struct dom_row *row)
+{
+    struct dom_row_growth growth;
+    assert_status(dom_row_rmax(row, 1 / f->train.s, family_make, f, &growth), DOM_OK);
+    return growth;
+}
+
+/* How the family's row ends at the growth r. */
+static enum dom_row_end ends_at(struct family *f, const struct dom_row *row, double r)
+{
+    static struct run run;
+    run.row = *row;
+    family_make(r, run.domino, row->count, f);
+    return row_end(&run);
+}
+
+/* Two dominoes, the first of which just tips over, are the pair of the paper. */
+static void two_are_the_pair(void **state)
+{
+    (void)state;
+    int limited = 0;
+    for (int i = 1; i < 10; i++) {
+        struct family f = family_of(0.1 * i, 7.0 / 48, i % 2 ? 3 : 4);
+        struct dom_limit pair;
+        struct dom_row row = row_of(2, DOM_NAN);
+        assert_status(dom_limit_pair(&f.train, &pair, NULL), DOM_OK);
+        if (pair.ends == DOM_END_NONE)
+            continue;
+        struct dom_row_growth growth = growth_of(&f, &row);
+        assert_near("r_max", growth.r_max, pair.r_max, 1e-11);
+        assert_int_equal(growth.ends, pair.ends == DOM_END_REACH ? DOM_ROW_FALLS : DOM_ROW_STOPS);
+        limited += pair.ends == DOM_END_BARRIER;
+    }
+    assert_true(limited > 2);
+}
+
+/* What a strong push adds to domino k of a long row shrinks like a power of r: the endless train is what is
+ * left. */
+static void long_rows_are_the_train(void **state)
+{
+    (void)state;
+    for (int i = 4; i < 8; i++) {
+        struct family f = family_of(0.1 * i, 7.0 / 48, 3 + i % 2);
+        struct dom_limit limit;
+        struct dom_row row = row_of(60, 60);
+        assert_status(dom_limit_rmax(&f.train, &limit, NULL, NULL), DOM_OK);
+        struct dom_row_growth growth = growth_of(&f, &row);
+        assert_near("r_max", growth.r_max, limit.r_max, 1e-6);
+        assert_int_equal(growth.ends, limit.ends == DOM_END_REACH ? DOM_ROW_FALLS : DOM_ROW_STOPS);
+    }
+}
+
+/* All fall at r_max, and not at a little more; in every precision it is the same number. */
+static void falls_up_to_it(void **state)
+{
+    (void)state;
+    uint64_t seed = 81;
+    int stopped = 0, reached = 0;
+    for (int i = 0; i < 60; i++) {
+        struct family f = family_of(random_log(&seed, 0.1, 0.9), random_log(&seed, 0.05, 0.3),
+                                    2.5 + 2 * random_unit(&seed));
+        struct dom_row row = row_of(2 + (size_t)(8 * random_unit(&seed)), i % 3 ? 6 : DOM_NAN);
+        row.mu = i % 4 ? 0 : 0.2;
+        row.floor = i % 2; /* changes nothing */
+        struct dom_row_growth growth = growth_of(&f, &row);
+        assert_true(f.made < 400);
+        if (isnan((double)growth.r_max)) {
+            assert_int_equal(ends_at(&f, &row, 1), growth.ends);
+            continue;
+        }
+        double r_max = growth.r_max;
+        assert_int_equal(ends_at(&f, &row, fmax(1, r_max * (1 - 1e-9))), DOM_ROW_FALLS);
+        reached += growth.ends == DOM_ROW_FALLS;
+        if (growth.ends == DOM_ROW_FALLS) {
+            assert_true(growth.r_max == 1 / f.train.s);
+            continue;
+        }
+        assert_int_equal(ends_at(&f, &row, r_max * (1 + 1e-9)), growth.ends);
+        assert_true(ends_at(&f, &row, r_max * 1.0001) != DOM_ROW_FALLS);
+        stopped++;
+        if (i % 5)
+            continue;
+        row.precision = DOM_QUAD;
+        row.tol = 1e-20;
+        assert_near("in quad", growth_of(&f, &row).r_max, r_max, 1e-10);
+        row.precision = DOM_FLOAT;
+        row.tol = 1e-5;
+        assert_near("in float", growth_of(&f, &row).r_max, r_max, 1e-3);
+    }
+    print_message("# %d stop, %d reach\n", stopped, reached);
+    assert_true(stopped > 20 && reached > 3);
+}
+
+/* One that is pushed over falls at any growth; equal ones that lean from the start do at none. */
+static void at_the_ends(void **state)
+{
+    (void)state;
+    struct family f = family_of(0.4, 7.0 / 48, 4);
+    struct dom_row row = row_of(1, 6);
+    struct dom_row_growth growth = growth_of(&f, &row);
+    assert_true(growth.r_max == 1 / f.train.s && growth.ends == DOM_ROW_FALLS);
+    f = family_of(0.05, 7.0 / 48, 4);
+    row = row_of(3, DOM_NAN);
+    growth = growth_of(&f, &row);
+    assert_true(isnan((double)growth.r_max) && growth.ends == DOM_ROW_LEANS);
+    assert_int_equal(f.made, 1);
+    /* Where equal ones are the most that is asked for, they are the answer. */
+    f = family_of(1, 7.0 / 48, 4);
+    row = row_of(1, 6);
+    growth = growth_of(&f, &row);
+    assert_true(growth.r_max == 1 && growth.ends == DOM_ROW_FALLS);
+}
+
+static void flat_make(dom_real r, struct dom_domino *domino, size_t count, void *context)
+{
+    family_make(r, domino, count, context);
+    if (r > (dom_real)1.1)
+        domino[0].thickness = 0;
+}
+
+/* Nothing is written where the status is not DOM_OK. */
+static void refusals(void **state)
+{
+    (void)state;
+    const volatile sig_atomic_t now = 1;
+    struct family f = family_of(0.4, 7.0 / 48, 3);
+    struct dom_row row = row_of(4, 6), bad;
+    struct dom_row_growth growth = {.r_max = -1};
+    static const double highest[] = {0.99, -1, (double)NAN, (double)INFINITY};
+    for (size_t i = 0; i < sizeof highest / sizeof *highest; i++)
+        assert_status(dom_row_rmax(&row, highest[i], family_make, &f, &growth), DOM_BAD_PARAMETER);
+    bad = row;
+    bad.count = 0;
+    assert_status(dom_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    bad = row;
+    bad.tol = 1e-30;
+    assert_status(dom_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    bad = row;
+    bad.mu = -1;
+    assert_status(dom_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(dom_row_rmax(&row, 2, flat_make, &f, &growth), DOM_BAD_PARAMETER);
+    row.interrupt = &now;
+    assert_status(dom_row_rmax(&row, 2, family_make, &f, &growth), DOM_INTERRUPTED);
+    assert_true(growth.r_max == -1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_are_the_pair), cmocka_unit_test(long_rows_are_the_train),
+        cmocka_unit_test(falls_up_to_it),   cmocka_unit_test(at_the_ends),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
