@@ -27,7 +27,6 @@ KERNEL struct geometry geometry_read(const struct dom_train *t)
                                 .d = (real)t->d,
                                 .q = (real)t->q,
                                 .tol = (real)t->tol,
-                                .mu = (real)t->mu,
                                 .n = CHAIN_ENDLESS,
                                 .interrupt = t->interrupt,
                                 .work = t->work};

@@ -18,7 +18,8 @@ struct tilt {
 /* A domino that nobody has touched yet. */
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
-struct flow; /* friction.h */
+struct dynamics; /* dynamics.h */
+struct flow;     /* flow.h */
 
 /*
  * H, and J, of a train whose head leans at theta_inf - e, a far follower: H1 is dH/dtheta there, J0 is J, and
@@ -34,8 +35,9 @@ struct far {
 /* A checked train with the quantities that its whole cycle shares. */
 struct geometry {
     real s, r, d, q, tol;
-    real mu;           /* 0: no friction, and flow is not used */
-    struct flow *flow; /* whose is the caller's; see geometry_flow */
+    const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
+    real mu;                         /* friction coefficient between dominoes, >= 0 */
+    struct flow *flow;               /* solution of an equation of motion; NULL where the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     size_t *effort; /* of a search so far, in dominoes of a plain pass; NULL: without a limit */
@@ -64,15 +66,12 @@ struct geometry {
 
 #define CHAIN_ENDLESS SIZE_MAX
 
-/* Checks the train, and fills lean. */
+/* Checks the shape of a train, and fills its geometry; dynamics_make adds how it moves. */
 KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry);
 
 /* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
 KERNEL struct geometry geometry_read(const struct dom_train *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
-
-/* Room for the motion of a train with friction, if it has any; for as long as the lean is used. */
-KERNEL void geometry_flow(struct geometry *geometry, struct flow *flow);
 
 /* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);

@@ -17,7 +17,7 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
 {
     real tol = c->geometry.tol;
     enum num_status solver;
-    if (c->train->mu == 0) {
+    if (c->geometry.dynamics->conservative) {
         margin_follow_begin(c);
         solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
                                   margin_share(&hi->margin), tol / 8, r);
