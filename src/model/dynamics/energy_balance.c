@@ -17,25 +17,26 @@ const struct dom_effect energy_balance_text = {
 
 KERNEL real energy_fuel_paper(const struct geometry *geometry)
 {
-    real s = geometry->s, d = geometry->d;
-    /* 1 - h(theta_f) = sin theta_f (tan(theta_f / 2) - d). */
+    real s = geometry->s, d = geometry->d, x = geometry->h.x, y = geometry->h.y;
+    /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
     if (geometry->detaches)
-        return geometry->f.x * (geometry->f.x / (1 + geometry->f.y) - d);
-    /* 1 - h(theta_inf), rationalized: it keeps its digits near P = 0, s = 2 d^3 / (1 - d^2). */
-    return s * fma(s, (1 - d) * (1 + d), -2 * d * d * d) /
-           (geometry->L * (s + d * geometry->L * geometry->inf.x));
+        return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
+    /* h(0) - h(theta_inf), rationalized: it keeps its digits near P = 0, on level floor s = 2 d^3 / (1 -
+     * d^2). */
+    return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
+           (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
 }
 
 /* Of the above: the roundings of the two terms whose difference it is, and the error of theta_f. */
 static real fuel_paper_error(const struct geometry *geometry)
 {
-    real s = geometry->s, d = geometry->d;
+    real s = geometry->s, x = geometry->h.x, y = geometry->h.y;
     if (geometry->detaches) {
-        real rises = d * geometry->f.y + geometry->f.x, half = geometry->f.x / (1 + geometry->f.y);
-        return rises * geometry_error_f(geometry) + 12 * UNIT * geometry->f.x * (half + d);
+        real rises = x * geometry->f.y + y * geometry->f.x, half = y * geometry->f.x / (1 + geometry->f.y);
+        return rises * geometry_error_f(geometry) + 12 * UNIT * geometry->f.x * (half + x);
     }
-    real made_of = s * fabs((1 - d) * (1 + d)) + 2 * d * d * d;
-    return 4 * UNIT * s * made_of / (geometry->L * (s + d * geometry->L * geometry->inf.x)) +
+    real made_of = s * fabs((y - x) * (y + x)) + 2 * geometry->d * x * x;
+    return 4 * UNIT * s * made_of / (geometry->L * (y * s + x * geometry->L * geometry->inf.x)) +
            10 * UNIT * fabs(energy_fuel_paper(geometry));
 }
 

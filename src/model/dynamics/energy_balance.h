@@ -20,7 +20,7 @@ struct fuel {
     real inertia_ratio; /* J(0) - 1 = r^-(q+1) J(theta_c) (d8, corrected) */
 };
 
-/* 1 - h(theta_f): the closed form of (c7). */
+/* h(0) - h(theta_f): the closed form of (c7). */
 KERNEL real energy_fuel_paper(const struct geometry *geometry);
 
 /* From the sums at theta_c (chain_fall). */

@@ -52,7 +52,8 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
     const struct geometry *geometry = c->geometry;
-    real finest = geometry->short_of > 0 ? fmin(geometry->d, sqrt(geometry->short_of)) : geometry->d;
+    real d = geometry->h.x / geometry->h.y; /* tan theta_u */
+    real finest = geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d;
     for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
         enum num_status solver = num_linear_solve(flow_rate, c, *lo, to, tol / 8, &geometry->flow->solution);
         if (solver != NUM_OK)

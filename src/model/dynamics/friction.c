@@ -39,8 +39,7 @@ const struct dom_effect dom_effect_friction = {
  */
 static struct far_rubbing far_rubbing_make(const struct geometry *geometry)
 {
-    real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, y = geometry->inf.y,
-         d = geometry->d, mu = geometry->mu;
+    real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
     real o = geometry->r * geometry->L * x, p = geometry->r * d; /* -X' and -X'' */
     /* theta_1', as a function of theta, and theta_1'', each with its derivatives. */
     const real step[] = {1 - o, -p, o * (1 - o * o)}, contact[] = {-p, step[2], p * (1 - 6 * o * o)};
@@ -54,7 +53,8 @@ static struct far_rubbing far_rubbing_make(const struct geometry *geometry)
     const real b[] = {a[0] * k, a[1] * k + a[0] * k1, a[2] * k + 2 * a[1] * k1 + a[0] * step[2]};
     const real c[] = {S[0] * contact[0], S[1] * contact[0] + S[0] * contact[1],
                       S[2] * contact[0] + 2 * S[1] * contact[1] + S[0] * contact[2]};
-    const real h[] = {(x - d * y) / 2, (y + d * x) / 2, (d * y - x) / 2};
+    const real rise = geometry_rise(geometry, geometry->inf),
+               height = geometry_height(geometry, geometry->inf), h[] = {-rise / 2, height / 2, rise / 2};
     struct far_rubbing f = {.known = fabs(above[0]) < 1};
     /* 1 - r^-q S_1, from r^q - 1. */
     f.C[0] = h[0] / (w * (geometry->rq_1 + o + mu * p));
@@ -102,7 +102,7 @@ static void rubbing_next(struct rubbing *k)
 static void drive_add(const struct rubbing *k, struct series *C)
 {
     const struct link *link = &k->link;
-    series_add(C, link->weight * k->S * (link->tilt.x - link->geometry->d * link->tilt.y) / 2);
+    series_add(C, -link->weight * k->S * geometry_rise(link->geometry, link->tilt) / 2);
 }
 
 /*

@@ -149,22 +149,21 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
 /* Behind theta_u the head falls, and all of its followers are behind it: H falls as well. */
 static bool falls_behind(const struct geometry *geometry)
 {
-    return geometry->dynamics->conservative && !geometry->behind &&
-           geometry->c.x > geometry->d * geometry->c.y;
+    return geometry->dynamics->conservative && !geometry->behind && geometry_rise(geometry, geometry->c) < 0;
 }
 
-/* tan(theta_u / 2), tan theta_u = d (b2). */
+/* tan(theta_u / 2), tan theta_u = h.x / h.y (b2). */
 static real half_of_u(const struct geometry *geometry)
 {
-    return geometry->d / (1 + geometry->reach);
+    return geometry->h.x / (geometry->h.y + geometry->reach);
 }
 
 /*
- * Is H concave up to theta_u, so that it has one top?  There the head's h'' is at most -1.  By (b8) and (b10)
- * theta_{i+1}'' is theta_1' theta_i'' less at most r L y_i / Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2
- * s^2): no theta_i'' is below -i r L / sqrt(1 - r^2 s^2).  Followers, all of them falling, take no more from
- * the concavity than the sum of r^(-q i) times that, where the sum of i w^i is w / (1 - w)^2.  One that
- * leaves only takes less.
+ * Is H concave up to theta_u, so that it has one top?  There the head's h'' is at most -h.y, and no
+ * follower's -h' more than h.y.  By (b8) and (b10) theta_{i+1}'' is theta_1' theta_i'' less at most r L y_i /
+ * Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2 s^2): no theta_i'' is below -i r L / sqrt(1 - r^2 s^2).
+ * Followers, all of them falling, take no more from the concavity than the sum of r^(-q i) times that, where
+ * the sum of i w^i is w / (1 - w)^2.  One that leaves only takes less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
@@ -186,7 +185,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     if (hi <= lo)
         return DOM_OK;
     struct sample last = {lo, rises(lo, c)};
-    real finest = (geometry->short_of > 0 ? fmin(geometry->d, sqrt(geometry->short_of)) : geometry->d) / 32;
+    real d = geometry->h.x / geometry->h.y, /* tan theta_u */
+        finest = (geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d) / 32;
     for (real p = finest; upright && p < (real)sample_place[0] * (hi - lo) && p > lo; p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
     for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
@@ -303,8 +303,8 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 KERNEL real barrier_most(const struct geometry *geometry)
 {
     /* Every domino moves no farther than to where its follower was at first, and weighs no less: all together
-     * they rise by less than one from upright to theta_u would, h(theta_u) - 1. */
-    return geometry->d * half_of_u(geometry);
+     * they rise by less than one from upright to theta_u would, h(theta_u) - h(0). */
+    return geometry->h.x * half_of_u(geometry);
 }
 
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)

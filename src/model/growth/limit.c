@@ -156,7 +156,7 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     bool any;
     *found = no_limit;
     /* (b0): below that growth domino 1 has not tipped over when it hits. */
-    real tips = fmax(c->geometry.d / c->geometry.reach / c->s, 1);
+    real tips = fmax(c->geometry.h.x / c->geometry.reach / c->s, 1);
     if (tips > 1 / c->s)
         return DOM_OK;
     enum dom_status status = limit_energy_change(c, tips, &edge, &any);

@@ -65,12 +65,11 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
-/* Sine and cosine of theta_c - theta_u: before theta_u domino 1 has not tipped over when it hits (b0). */
-static void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
+KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
 {
     real u = geometry->reach; /* h(theta_u) (b2) */
-    *sine = (geometry->c.x - geometry->d * geometry->c.y) / u;
-    *cosine = (geometry->c.y + geometry->d * geometry->c.x) / u;
+    *sine = -geometry_rise(geometry, geometry->c) / u;
+    *cosine = geometry_height(geometry, geometry->c) / u;
 }
 
 KERNEL real pair_push(const struct geometry *geometry)
@@ -97,7 +96,8 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (b11) */
     real kinetic = (1 + k) * geometry->r * pair_push(geometry) * share * share;
-    real sine_error = UNIT * (5 * geometry->c.x + 7 * geometry->d * geometry->c.y) / u, powers = 24 * UNIT;
+    real sine_error = UNIT * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
+         powers = 24 * UNIT;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
                   : (struct margin){.kinetic = 0};
     return margin_barrier(&two, c, NULL, m);

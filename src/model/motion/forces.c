@@ -45,7 +45,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
         real theta_2 = own->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
-        real gravity = own->weight * (own->tilt.x - own->geometry->d * own->tilt.y) / 2;
+        real gravity = -own->weight * geometry_rise(own->geometry, own->tilt) / 2;
         real torque_share = own->leads ? dynamics_arms(geometry->dynamics, own).ratio : 0;
         rest = gravity - own->inertia * theta_2 + torque_share * rest;
         push = own->inertia * own->slope * kinematics->omega_lost + torque_share * push;
@@ -89,8 +89,10 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     real omegasq = own->slope * own->slope * kinematics->omegasq;
     struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
-    hinge_load->x = momentum * (up * theta_2 - across * omegasq) - from.x + onto.x;
-    hinge_load->z = momentum * (-across * theta_2 - up * omegasq) + mass - from.z + onto.z;
+    hinge_load->x =
+        momentum * (up * theta_2 - across * omegasq) - mass * own->geometry->g.along - from.x + onto.x;
+    hinge_load->z =
+        momentum * (-across * theta_2 - up * omegasq) + mass * own->geometry->g.down - from.z + onto.z;
     if (!kinematics->hit)
         return;
     real change = leader ? -own->slope * kinematics->omega_lost : kinematics->omega;

@@ -83,6 +83,7 @@ static enum dom_status row_make(struct row *row)
                                       .c = row_end(asked, k),
                                       .n = k + 1};
         geometry->reach = hypot(1, geometry->d);
+        geometry_gravity(geometry, 0, 1);
         if (k > 0)
             joint_make(asked, k, &row->geometry[k - 1], geometry);
         enum dom_status status = dynamics_choose(&values, geometry);
@@ -249,22 +250,21 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 {
     const struct block block = block_of(run->row.asked, 0);
     const struct geometry *geometry = &run->row.geometry[0];
-    real u = geometry->reach, sine = (geometry->c.x - geometry->d * geometry->c.y) / u,
-         cosine = (geometry->c.y + geometry->d * geometry->c.x) / u;
-    real barrier = geometry->d * geometry->d / (1 + u) * block.unit;
+    real u = geometry->reach, sine = -geometry_rise(geometry, geometry->c) / u,
+         cosine = geometry_height(geometry, geometry->c) / u, x = geometry->h.x, y = geometry->h.y;
+    real barrier = x * x / (y + u) * block.unit;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,
                               .kinetic = barrier,
                               .barrier = barrier,
-                              .theta_m = atan(geometry->d),
+                              .theta_m = atan(x / y),
                               .theta = tilt_angle(geometry->c),
                               .moving = 1};
-    *d = (struct descent){.st = {.geometry = *geometry,
-                                 .start = {.from = {geometry->d / u, 1 / u, 1 - 1 / u}, .J = 1},
-                                 .gain = 1}};
+    *d = (struct descent){
+        .st = {.geometry = *geometry, .start = {.from = {x / u, y / u, 1 - y / u}, .J = 1}, .gain = 1}};
     d->st.geometry.dynamics = &energy_balance; /* nothing leans on it */
-    d->st.lo = atan(geometry->d);
+    d->st.lo = atan(x / y);
     d->st.hi = tilt_angle(geometry->c);
     enum dom_status status = run->row.asked->floor && sine > 0
                                  ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction)
