@@ -102,14 +102,22 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
     X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
 
 /*
- * Effects beyond the paper, each in src/model/effects/: struct dom_effect tells what it adds.  One that is
- * not asked for is not computed, and none of its code is entered (struct dom_work counts).
+ * Effects beyond the paper: struct dom_effect says what each adds.  One that is off is not computed, and none
+ * of its code is entered (struct dom_work counts).
+ *
+ * Effects that change how dominoes move, each in src/model/dynamics/: X(effect, the member of struct
+ * dom_train and struct dom_row that holds its value; 0 is off).
  */
-#define DOM_EFFECTS(X) X(friction) X(row) X(push) X(placement) X(floor)
+#define DOM_DYNAMICS(X) X(friction, mu)
+
+/* Effects of a row and of what is asked about it, each in src/model/effects/: X(effect). */
+#define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
 
 enum dom_effect_name {
-#define DOM_EFFECT_ENUM(name) DOM_EFFECT_##name,
-    DOM_EFFECTS(DOM_EFFECT_ENUM)
+#define DOM_DYNAMICS_ENUM(name, member) DOM_EFFECT_##name,
+#define DOM_EFFECT_ENUM(name)           DOM_EFFECT_##name,
+    DOM_DYNAMICS(DOM_DYNAMICS_ENUM) DOM_EFFECTS(DOM_EFFECT_ENUM)
+#undef DOM_DYNAMICS_ENUM
 #undef DOM_EFFECT_ENUM
         DOM_EFFECT_COUNT
 };
@@ -155,11 +163,12 @@ struct dom_train {
     enum dom_fuel fuel;
     enum dom_method method;
     /*
-     * Coulomb's friction between dominoes, >= 0.  0: none.  Otherwise energies of motion obey the equation of
-     * motion in the place of (c3) and (c6), the paper's closed fuel and the methods to compare with are
-     * NO_METHOD, and no bounds of errors are known: they are NaN.
+     * The effects of DOM_DYNAMICS, each 0 for off.  With any of them the methods to compare with and the
+     * paper's closed fuel are NO_METHOD.  mu is Coulomb's friction between dominoes, >= 0: with it no bounds
+     * of errors are known, they are NaN.
      */
-    dom_real mu;
+#define DOM_DYNAMICS_MEMBER(effect, member) dom_real member;
+    DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
     struct dom_work *work; /* where not NULL, counts */
     /* Where not NULL, long computations end with DOM_INTERRUPTED soon after it becomes non-zero. */
     const volatile sig_atomic_t *interrupt;
@@ -482,9 +491,10 @@ struct dom_row {
     size_t count;
     dom_real g;    /* m/s^2 */
     dom_real push; /* rad/s, of the first, upright domino; NaN: it is tipped over its edge and let go */
-    dom_real mu;   /* friction between dominoes, as of a train */
-    bool floor;    /* is it asked what friction the floor needs? */
-    dom_real tol;  /* relative tolerance */
+    DOM_DYNAMICS(DOM_DYNAMICS_MEMBER) /* as of a train */
+#undef DOM_DYNAMICS_MEMBER
+    bool floor;   /* is it asked what friction the floor needs? */
+    dom_real tol; /* relative tolerance */
     enum dom_precision precision;
     struct dom_work *work;                  /* where not NULL, counts */
     const volatile sig_atomic_t *interrupt; /* as of a train */
@@ -543,7 +553,7 @@ struct dom_verdict {
 /*
  * Runs a row.  visit is called for each domino that is hit, in order, unless it is NULL; it returns false to
  * stop early.  times = false leaves out what only times need: they are NaN.  The verdict is written with
- * DOM_OK.  BAD_PARAMETER: a size, g, mu, push or tol is not finite, or not in its range.
+ * DOM_OK.  BAD_PARAMETER: a size, g, push, tol or an effect is not finite, or not in its range.
  */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, bool times, dom_fall_visit *visit, void *context,
@@ -684,15 +694,22 @@ struct dom_effect {
     const char *plan;    /* what is solved where it is on, and how */
     const char *example; /* commands */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* ends early with a NULL name */
-    unsigned needs; /* 1 << DOM_EFFECT_...: those without which it says nothing */
+    unsigned needs;  /* 1 << DOM_EFFECT_...: those without which it says nothing */
+    bool dissipates; /* it is a law of motion that takes energy: see dom_law */
 };
 
-#define DOM_EFFECT_DECLARE(name) extern const struct dom_effect dom_effect_##name;
+#define DOM_DYNAMICS_DECLARE(name, member) extern const struct dom_effect dom_effect_##name;
+#define DOM_EFFECT_DECLARE(name)           extern const struct dom_effect dom_effect_##name;
+DOM_DYNAMICS(DOM_DYNAMICS_DECLARE)
 DOM_EFFECTS(DOM_EFFECT_DECLARE)
+#undef DOM_DYNAMICS_DECLARE
 #undef DOM_EFFECT_DECLARE
 
-/* All of them, in the order of DOM_EFFECTS. */
+/* All of them, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
+
+/* The law of motion of a train: the effect that takes energy in the motion, or else the energy balance. */
+const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The library's doors: who asks for a precision or a method gets its kernel, and nobody else's. */
+#include "dynamics/list.h"
 #include "precision/kernel.h"
 
 static enum dom_status range_check(const struct dom_train *train)
@@ -13,7 +14,8 @@ static enum dom_status range_check(const struct dom_train *train)
         return DOM_BAD_PARAMETER;
     if (dom_arithmetic(train->precision)->bits == 0)
         return DOM_NO_PRECISION;
-    if (!(train->mu >= 0 && train->mu <= DOM_MU_HIGHEST))
+    const struct dynamics_values values = dynamics_of_train(train);
+    if (!dynamics_allowed(&values))
         return DOM_BAD_PARAMETER;
     return (double)train->tol < (double)dom_arithmetic(train->precision)->tol_floor ? DOM_BAD_PARAMETER
                                                                                     : DOM_OK;
@@ -28,10 +30,12 @@ static const struct kernel *kernel_of(const struct dom_train *train, enum dom_st
     *status = range_check(train);
     if (*status != DOM_OK)
         return NULL;
-    if (train->mu > 0 && train->method != DOM_METHOD_OURS) {
-        *status = DOM_NO_METHOD;
+    const struct dynamics_values values = dynamics_of_train(train);
+    for (int k = 0; k < DYNAMICS_COUNT; k++)
+        if (dynamics_on(values.of[k]) && train->method != DOM_METHOD_OURS)
+            *status = DOM_NO_METHOD;
+    if (*status != DOM_OK)
         return NULL;
-    }
     return train->method == DOM_METHOD_GSL     ? &kernel_gsl
            : train->method == DOM_METHOD_PAPER ? &kernel_paper
                                                : kernels[train->precision];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is the same in every precision; its arithmetic is the widest. */
 #define REAL_QUAD
+#include "dynamics/list.h"
 #include "numerics/real.h"
 
 const char *dom_status_text(enum dom_status status)
@@ -107,9 +108,20 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
 const struct dom_effect *dom_effect(enum dom_effect_name name)
 {
     static const struct dom_effect *const all[] = {
-#define EFFECT(effect) &dom_effect_##effect,
-        DOM_EFFECTS(EFFECT)
+#define DYNAMICS(effect, member) &dom_effect_##effect,
+#define EFFECT(effect)           &dom_effect_##effect,
+        DOM_DYNAMICS(DYNAMICS) DOM_EFFECTS(EFFECT)
+#undef DYNAMICS
 #undef EFFECT
     };
     return all[name];
+}
+
+const struct dom_effect *dom_law(const struct dom_train *train)
+{
+    const struct dynamics_values values = dynamics_of_train(train);
+    for (int k = 0; k < DYNAMICS_COUNT; k++)
+        if (dynamics_on(values.of[k]) && dom_effect((enum dom_effect_name)k)->dissipates)
+            return dom_effect((enum dom_effect_name)k);
+    return &energy_balance_text;
 }

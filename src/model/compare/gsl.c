@@ -82,7 +82,7 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
     struct launch launch = {0};
     enum dom_status status = geometry_set(&c->geometry, (double)c->train->s, r);
     if (status == DOM_OK)
-        status = collision_launch(&c->geometry, c->train->fuel, &launch, NULL);
+        status = c->geometry.dynamics->collide(&c->geometry, c->train->fuel, &launch, NULL);
     if (status == DOM_OK)
         status = gsl_barrier(c, b);
     c->kinetic = launch.kinetic;
@@ -92,7 +92,8 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
 static enum dom_status gsl_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
                                         struct dom_barrier *error)
 {
-    struct gsl_context c = {.train = train, .geometry = geometry_read(train)};
+    struct gsl_context c = {.train = train};
+    dynamics_read(train, &c.geometry);
     struct barrier b;
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     if (status != DOM_OK || error)
@@ -134,7 +135,8 @@ static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_
     if (error)
         return DOM_NO_METHOD;
     quiet_begin();
-    struct gsl_context c = {.train = train, .geometry = geometry_read(train)};
+    struct gsl_context c = {.train = train};
+    dynamics_read(train, &c.geometry);
     double reach = 1 / (double)train->s, r = reach, at_1 = gsl_margin(1, &c);
     enum dom_end ends = DOM_END_REACH;
     if (c.status == DOM_OK && at_1 < 0) {
@@ -167,7 +169,8 @@ static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_rea
 {
     if (error)
         return DOM_NO_METHOD;
-    struct gsl_context c = {.train = train, .geometry = geometry_read(train)};
+    struct gsl_context c = {.train = train};
+    dynamics_read(train, &c.geometry);
     struct barrier b;
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
     if (status != DOM_OK || c.kinetic < b.height)

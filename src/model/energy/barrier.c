@@ -23,32 +23,21 @@ struct slope_context {
     enum dom_status status;
 };
 
-/* With friction it is u that rises and falls: C in the place of -H'/2. */
-static enum dom_status rubbing_slope(const struct geometry *geometry, struct tilt head, real tol, real *slope)
-{
-    enum dom_status status = friction_drive(geometry, head, tol, slope);
-    *slope *= -2;
-    return status;
-}
-
-/* H1, or with friction what is in its place, at p = tan(theta / 2): searches move in p. */
+/* The slope of the required energy at p = tan(theta / 2): searches move in p. */
 static real slope_of_H(real p, void *context)
 {
     struct slope_context *c = context;
-    const struct geometry *geometry = c->geometry;
-    struct sums sums = {0};
-    c->status = geometry->mu > 0 ? rubbing_slope(geometry, tilt_half(p), geometry->tol, &sums.H1)
-                                 : chain_sum(geometry, tilt_half(p), &sums);
-    return c->status == DOM_OK ? sums.H1 : REAL_NAN;
+    real slope = 0;
+    c->status = c->geometry->dynamics->slope(c->geometry, tilt_half(p), false, &slope);
+    return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
 /* Its sign, from as short a train as shows it. */
 static real rises(real p, struct slope_context *c)
 {
-    real H1 = 0;
-    c->status = c->geometry->mu > 0 ? rubbing_slope(c->geometry, tilt_half(p), 1, &H1)
-                                    : chain_sign(c->geometry, tilt_half(p), &H1);
-    return H1;
+    real slope = 0;
+    c->status = c->geometry->dynamics->slope(c->geometry, tilt_half(p), true, &slope);
+    return slope;
 }
 
 /* Keeps p as the top if it is higher. */
@@ -62,14 +51,10 @@ static void barrier_keep(struct barrier *b, real p, real height)
 
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
-    struct sums sums = {0};
-    enum dom_status status = DOM_OK;
-    if (c->geometry->mu > 0)
-        sums.dH = friction_climb(c->geometry, 2 * atan(p));
-    else
-        status = chain_energy_change_from(c->geometry, c->from, tilt_half(p), &sums);
+    real height = 0;
+    enum dom_status status = c->geometry->dynamics->required_energy(c->geometry, c->from, p, &height);
     if (status == DOM_OK)
-        barrier_keep(b, p, sums.dH);
+        barrier_keep(b, p, height);
     return status;
 }
 
@@ -143,7 +128,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     if (c->status != DOM_OK)
         return;
     struct sample next = {p, rises(p, c)};
-    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && c->geometry->mu > 0) {
+    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && !c->geometry->dynamics->conservative) {
         real half = 0;
         enum num_status status =
             num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &half);
@@ -164,21 +149,21 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
 /* Behind theta_u the head falls, and all of its followers are behind it: H falls as well. */
 static bool falls_behind(const struct geometry *geometry)
 {
-    return geometry->mu == 0 && !geometry->behind && geometry->c.x > geometry->d * geometry->c.y;
+    return geometry->dynamics->conservative && !geometry->behind && geometry_rise(geometry, geometry->c) < 0;
 }
 
-/* tan(theta_u / 2), tan theta_u = d (b2). */
+/* tan(theta_u / 2), tan theta_u = h.x / h.y (b2). */
 static real half_of_u(const struct geometry *geometry)
 {
-    return geometry->d / (1 + geometry->reach);
+    return geometry->h.x / (geometry->h.y + geometry->reach);
 }
 
 /*
- * Is H concave up to theta_u, so that it has one top?  There the head's h'' is at most -1.  By (b8) and (b10)
- * theta_{i+1}'' is theta_1' theta_i'' less at most r L y_i / Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2
- * s^2): no theta_i'' is below -i r L / sqrt(1 - r^2 s^2).  Followers, all of them falling, take no more from
- * the concavity than the sum of r^(-q i) times that, where the sum of i w^i is w / (1 - w)^2.  One that
- * leaves only takes less.
+ * Is H concave up to theta_u, so that it has one top?  There the head's h'' is at most -h.y, and no
+ * follower's -h' more than h.y.  By (b8) and (b10) theta_{i+1}'' is theta_1' theta_i'' less at most r L y_i /
+ * Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2 s^2): no theta_i'' is below -i r L / sqrt(1 - r^2 s^2).
+ * Followers, all of them falling, take no more from the concavity than the sum of r^(-q i) times that, where
+ * the sum of i w^i is w / (1 - w)^2.  One that leaves only takes less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
@@ -200,7 +185,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     if (hi <= lo)
         return DOM_OK;
     struct sample last = {lo, rises(lo, c)};
-    real finest = (geometry->short_of > 0 ? fmin(geometry->d, sqrt(geometry->short_of)) : geometry->d) / 32;
+    real d = geometry->h.x / geometry->h.y, /* tan theta_u */
+        finest = (geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d) / 32;
     for (real p = finest; upright && p < (real)sample_place[0] * (hi - lo) && p > lo; p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
     for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
@@ -211,17 +197,6 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
-                                     struct barrier *b)
-{
-    struct slope_context c = {.geometry = geometry, .from = from, .known = -1};
-    *b = (struct barrier){.theta_m = lo, .half = half_of_tilt(from), .edge = {lo, hi}, .edges = 2};
-    enum dom_status status = barrier_scan(&c, b->half, tan(hi / 2), lo == 0, geometry->tol / 8, b);
-    if (b->height > 0)
-        b->theta_m = fmin(2 * atan(b->half), hi);
-    return status;
-}
-
 /* The only top before the tilt hi. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
@@ -230,41 +205,68 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
     return status == DOM_OK ? barrier_try(c, top.p, b) : status;
 }
 
-/* Of all smooth pieces, where b->half is known already, if it is not 0. */
-static enum dom_status barrier_pieces(const struct geometry *geometry, real end, real tol, struct barrier *b)
+/* Over all smooth pieces between the edges of b, relative to H at the tilt `from` of the first; known: a top
+ * that b has already, as tan(theta / 2), or -1. */
+static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
+                                      struct barrier *b)
 {
-    enum dom_status status = chain_edges(geometry, end, b->edge, &b->edges);
-    struct slope_context c = {.geometry = geometry, .from = standing, .known = b->half > 0 ? b->half : -1};
-    real lo = b->edge[0];
-    if (status == DOM_OK && barrier_single(geometry))
-        status =
-            c.known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(geometry)), tol, b);
+    struct slope_context c = {.geometry = geometry, .from = from, .known = known};
+    enum dom_status status = DOM_OK;
+    bool upright = from.x == 0;
+    real end = b->edge[b->edges - 1], lo = upright ? b->edge[0] : half_of_tilt(from);
+    if (upright && barrier_single(geometry))
+        status = known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(geometry)), tol, b);
     else
         for (int i = 1; status == DOM_OK && i < b->edges; i++) {
             real hi = tan(b->edge[i] / 2);
-            status = barrier_scan(&c, lo, hi, i == 1, tol, b);
+            status = barrier_scan(&c, lo, hi, upright && i == 1, tol, b);
             lo = hi;
         }
-    b->theta_m = fmin(2 * atan(b->half), end);
+    if (b->height > 0)
+        b->theta_m = fmin(2 * atan(b->half), end);
     return status;
 }
 
-KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
-                                      struct barrier *barrier)
+KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
+                                     struct barrier *b)
 {
-    enum dom_status status = geometry->mu > 0 ? friction_flow(geometry) : DOM_OK;
-    *barrier = (struct barrier){.theta_m = 0, .height = 0};
-    return status == DOM_OK ? barrier_pieces(geometry, end, tol, barrier) : status;
+    *b = (struct barrier){.theta_m = lo, .half = half_of_tilt(from), .edge = {lo, hi}, .edges = 2};
+    return barrier_pieces(geometry, from, -1, geometry->tol / 8, b);
+}
+
+KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
+                                     const struct barrier *whole, real end, struct barrier *b)
+{
+    *b = (struct barrier){.theta_m = from.x == 0 ? 0 : whole->edge[0], .half = half_of_tilt(from)};
+    while (b->edges + 1 < whole->edges && whole->edge[b->edges] < end) {
+        b->edge[b->edges] = whole->edge[b->edges];
+        b->edges++;
+    }
+    b->edge[b->edges++] = end;
+    return barrier_pieces(geometry, from, -1, geometry->tol / 8, b);
+}
+
+KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol, struct barrier *b)
+{
+    *b = (struct barrier){.theta_m = 0, .height = 0};
+    enum dom_status status = geometry->dynamics->solve ? geometry->dynamics->solve(geometry) : DOM_OK;
+    if (status == DOM_OK)
+        status = chain_edges(geometry, end, b->edge, &b->edges);
+    return status == DOM_OK ? barrier_pieces(geometry, standing, -1, tol, b) : status;
 }
 
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b)
 {
     struct barrier tops = *b;
     if (tops.height <= 0) /* upright it stands higher */
-        tops.height = tops.half = 0;
-    enum dom_status status = barrier_single(geometry) ? DOM_OK
-                                                      : barrier_pieces(geometry, tilt_angle(geometry->c),
-                                                                       TOP_TOL(geometry), &tops);
+        tops.height = tops.half = tops.theta_m = 0;
+    if (barrier_single(geometry)) {
+        *b = tops;
+        return DOM_OK;
+    }
+    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), tops.edge, &tops.edges);
+    if (status == DOM_OK)
+        status = barrier_pieces(geometry, standing, tops.half > 0 ? tops.half : -1, TOP_TOL(geometry), &tops);
     if (status == DOM_OK)
         *b = tops;
     return status;
@@ -301,8 +303,8 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 KERNEL real barrier_most(const struct geometry *geometry)
 {
     /* Every domino moves no farther than to where its follower was at first, and weighs no less: all together
-     * they rise by less than one from upright to theta_u would, h(theta_u) - 1. */
-    return geometry->d * half_of_u(geometry);
+     * they rise by less than one from upright to theta_u would, h(theta_u) - h(0). */
+    return geometry->h.x * half_of_u(geometry);
 }
 
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)
@@ -320,7 +322,7 @@ KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel 
 {
     real asked;
     do {
-        enum dom_status status = collision_launch(geometry, fuel, launch, error);
+        enum dom_status status = geometry->dynamics->collide(geometry, fuel, launch, error);
         if (status == DOM_OK)
             status = barrier_search(geometry, end, geometry->tol / 8, b);
         if (status != DOM_OK || launch->fuel <= 0)
@@ -335,7 +337,7 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
                           real margin)
 {
     struct sums at;
-    if (geometry->mu > 0 || b->height <= 0 ||
+    if (!geometry->dynamics->conservative || b->height <= 0 ||
         chain_second_derivative_from(geometry, from, tilt_half(b->half), &at) != DOM_OK)
         return REAL_NAN;
     bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
@@ -405,10 +407,10 @@ KERNEL enum dom_status barrier_error(const struct geometry *geometry, const stru
     struct sums at, e;
     real steepest = 0;
     *error = (struct barrier){.theta_m = 0, .height = 0};
-    if (geometry->mu > 0)
+    if (!geometry->dynamics->conservative) {
         error->theta_m = error->height = REAL_NAN;
-    if (geometry->mu > 0)
         return DOM_OK;
+    }
     real first = b->edge[0], theta = fmax(b->theta_m, first);
     enum dom_status status =
         top_error(geometry, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
@@ -427,15 +429,16 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
     struct geometry geometry;
     struct barrier b, b_error;
     struct launch l, l_error;
-    FLOW(flow);
-    enum dom_status status = geometry_make(train, &geometry);
-    if (status == DOM_OK)
-        geometry_flow(&geometry, &flow);
+    enum dom_status status = dynamics_make(train, &geometry);
+    if (status != DOM_OK)
+        return status;
+    status = dynamics_begin(&geometry);
     if (status == DOM_OK)
         status =
             barrier_balance(&geometry, train->fuel, tilt_angle(geometry.c), &l, error ? &l_error : NULL, &b);
     if (status == DOM_OK && error)
         status = barrier_error(&geometry, &b, &b_error);
+    dynamics_end(&geometry);
     if (status != DOM_OK)
         return status;
     enum dom_status verdict = barrier_verdict(&l, &b);

@@ -2,7 +2,7 @@
 #ifndef DOM_BARRIER_H
 #define DOM_BARRIER_H
 
-#include "energy/collision.h"
+#include "dynamics/dynamics.h"
 #include "numerics/numerics.h"
 
 /*
@@ -46,10 +46,14 @@ KERNEL real barrier_most(const struct geometry *geometry);
 KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
                                      struct barrier *barrier);
 
+/* The same over the tilts from the first edge of `whole` to `end`, with the edges of whole between. */
+KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
+                                     const struct barrier *whole, real end, struct barrier *barrier);
+
 /*
  * Launch of an endless train and its barrier over [0, end]; unless NULL, error gets the bounds of the
  * launch.  Where the two nearly balance their difference is not known as well as they are: then both come
- * at a tolerance at which it is, if the arithmetic can give it, and lean->tol is that one.
+ * at a tolerance at which it is, if the arithmetic can give it, and geometry->tol is that one.
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct launch *error, struct barrier *barrier);

@@ -1,59 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "energy/energy.h"
-
-KERNEL real energy_fuel_paper(const struct geometry *geometry)
-{
-    real s = geometry->s, d = geometry->d;
-    /* 1 - h(theta_f) = sin theta_f (tan(theta_f / 2) - d). */
-    if (geometry->detaches)
-        return geometry->f.x * (geometry->f.x / (1 + geometry->f.y) - d);
-    /* 1 - h(theta_inf), rationalized: it keeps its digits near P = 0, s = 2 d^3 / (1 - d^2). */
-    return s * fma(s, (1 - d) * (1 + d), -2 * d * d * d) /
-           (geometry->L * (s + d * geometry->L * geometry->inf.x));
-}
-
-/* Of the above: the roundings of the two terms whose difference it is, and the error of theta_f. */
-static real fuel_paper_error(const struct geometry *geometry)
-{
-    real s = geometry->s, d = geometry->d;
-    if (geometry->detaches) {
-        real rises = d * geometry->f.y + geometry->f.x, half = geometry->f.x / (1 + geometry->f.y);
-        return rises * geometry_error_f(geometry) + 12 * UNIT * geometry->f.x * (half + d);
-    }
-    real made_of = s * fabs((1 - d) * (1 + d)) + 2 * d * d * d;
-    return 4 * UNIT * s * made_of / (geometry->L * (s + d * geometry->L * geometry->inf.x)) +
-           10 * UNIT * fabs(energy_fuel_paper(geometry));
-}
-
-KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c)
-{
-    return (struct fuel){.exact = -at_c->dH,
-                         .paper = energy_fuel_paper(geometry),
-                         .inertia_ratio = geometry->inertia * at_c->J};
-}
-
-KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error)
-{
-    struct sums at_c, e;
-    enum dom_status status = chain_fall(geometry, &at_c, error ? &e : NULL);
-    if (status != DOM_OK)
-        return status;
-    *fuel = fuel_of(geometry, &at_c);
-    if (error) {
-        *error = (struct fuel){e.dH, fuel_paper_error(geometry),
-                               geometry->inertia * e.J + 4 * UNIT * fuel->inertia_ratio};
-    }
-    return DOM_OK;
-}
-
-/* ---- Public ---- */
+/* The energies of a train at one tilt, and how its cycle begins. */
+#include "dynamics/energy_balance.h"
 
 KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
                                  struct dom_fuels *error)
 {
     struct geometry geometry;
     struct fuel fuel, e;
-    enum dom_status status = geometry_make(train, &geometry);
+    enum dom_status status = dynamics_make(train, &geometry);
     if (status == DOM_OK)
         status = energy_fuel(&geometry, &fuel, error ? &e : NULL);
     if (status != DOM_OK)
@@ -71,7 +25,9 @@ KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta
     struct tilt head;
     struct sums at, e;
     struct fuel fuel, fuel_error;
-    enum dom_status status = geometry_make_tilted(train, theta, &geometry, &head);
+    enum dom_status status = dynamics_make(train, &geometry);
+    if (status == DOM_OK)
+        status = geometry_tilt(&geometry, (real)theta, &head);
     if (status == DOM_OK)
         status = chain_energy_change(&geometry, head, &at, error ? &e : NULL);
     if (status == DOM_OK)
@@ -83,4 +39,35 @@ KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta
         *error = (struct dom_energy){
             .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};
     return DOM_OK;
+}
+
+KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_launch *launch,
+                                   struct dom_launch *error)
+{
+    struct geometry geometry;
+    struct launch l, e;
+    enum dom_status status = dynamics_make(train, &geometry);
+    if (status != DOM_OK)
+        return status;
+    status = dynamics_begin(&geometry);
+    if (status == DOM_OK)
+        status = geometry.dynamics->collide(&geometry, train->fuel, &l, error ? &e : NULL);
+    dynamics_end(&geometry);
+    if (status != DOM_OK)
+        return status;
+    bool fuelled = l.fuel > 0;
+    *launch = (struct dom_launch){
+        .fuel = l.fuel,
+        .J0 = l.J0,
+        .velocity_ratio = l.velocity_ratio,
+        .omegasq = fuelled ? l.omegasq : REAL_NAN,
+        .kinetic = fuelled ? l.kinetic : REAL_NAN,
+    };
+    if (error)
+        *error = (struct dom_launch){.fuel = e.fuel,
+                                     .J0 = e.J0,
+                                     .velocity_ratio = e.velocity_ratio,
+                                     .omegasq = e.omegasq,
+                                     .kinetic = e.kinetic};
+    return fuelled ? DOM_OK : DOM_NO_FUEL;
 }

@@ -54,8 +54,9 @@ KERNEL real bound_J(const struct link *k, const struct bound *b)
 
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *k, const struct bound *b)
 {
-    real lift = geometry->d * k->tilt.y - k->tilt.x, made_of = geometry->d * k->tilt.y + k->tilt.x;
-    real lift_error = (geometry->d * k->tilt.x + k->tilt.y) * b->angle + 3 * UNIT * made_of;
+    real lift = geometry_rise(geometry, k->tilt),
+         made_of = geometry->h.x * k->tilt.y + geometry->h.y * k->tilt.x;
+    real lift_error = geometry_height(geometry, k->tilt) * b->angle + 3 * UNIT * made_of;
     return k->weight *
            (fabs(lift) * (b->slope + k->slope * (b->weight + 2 * UNIT)) + (k->slope + b->slope) * lift_error);
 }
@@ -63,8 +64,8 @@ KERNEL real bound_H1(const struct geometry *geometry, const struct link *k, cons
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error)
 {
-    real cosines = geometry->d * (a.y + b.y), sines = a.x + b.x;
-    real lift_error = (geometry->d * a.x + a.y) * angle_a + (geometry->d * b.x + b.y) * angle_b +
+    real cosines = geometry->h.x * (a.y + b.y), sines = geometry->h.y * (a.x + b.x);
+    real lift_error = geometry_height(geometry, a) * angle_a + geometry_height(geometry, b) * angle_b +
                       4 * UNIT * (cosines + sines);
     return fabs(cosines - sines) * t_error + (fabs(t) + t_error) * lift_error;
 }

@@ -44,7 +44,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     if (!geometry->detaches)
         return DOM_OK;
     struct link b = link_head(geometry, standing);
-    real passed = 1; /* S_i: where dominoes rub it need not vanish with the slope */
+    real passed = 1; /* share of a torque that comes up to the head: with friction not the slope */
     while (b.leads) {
         enum dom_status status = chain_watch(geometry, b.i);
         if (status != DOM_OK)
@@ -52,7 +52,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         /* Whether a domino falls off that carries less than rounding changes nothing. */
         if (b.i + 1 >= geometry->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        passed = geometry->mu > 0 ? passed * fabs(torque_ratio(&b)) : 0;
+        passed *= fabs(torque_ratio(&b));
         link_next(&b);
     }
     /* Domino b.i has no follower at 0: it falls off when domino b.i - 1 comes to theta_leave. */

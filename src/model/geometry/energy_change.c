@@ -4,12 +4,12 @@
 #include "geometry/chain.h"
 
 /*
- * h(A) - h(B) of one domino at the tilts a and b, h = cos + d sin, from t = tan((A - B)/2): the product
- * form of 2 sin((A-B)/2) (d cos((A+B)/2) - sin((A+B)/2)), free of cancellation.
+ * h(A) - h(B) of one domino at the tilts a and b, h = h.y cos + h.x sin, from t = tan((A - B)/2): the product
+ * form of 2 sin((A-B)/2) (h.x cos((A+B)/2) - h.y sin((A+B)/2)), free of cancellation.
  */
 KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
 {
-    return t * (geometry->d * (a.y + b.y) - (a.x + b.x));
+    return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
 /* The errors of chain_energy_change, where they are asked for. */
@@ -104,8 +104,8 @@ static void far_add(const struct geometry *geometry, struct sum_state *state, co
 /* H2 of one domino, whose theta'' is bend, and of all from there on. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
-    return k->weight * (second_derivative * (k->geometry->d * k->tilt.y - k->tilt.x) -
-                        k->slope * k->slope * (k->tilt.y + k->geometry->d * k->tilt.x));
+    return k->weight * (second_derivative * geometry_rise(k->geometry, k->tilt) -
+                        k->slope * k->slope * geometry_height(k->geometry, k->tilt));
 }
 
 static real far_H2(const struct link *k, real second_derivative)

@@ -27,23 +27,32 @@ KERNEL struct geometry geometry_read(const struct dom_train *t)
                                 .d = (real)t->d,
                                 .q = (real)t->q,
                                 .tol = (real)t->tol,
-                                .mu = (real)t->mu,
                                 .n = CHAIN_ENDLESS,
                                 .interrupt = t->interrupt,
                                 .work = t->work};
     geometry.reach = sqrt(1 + geometry.d * geometry.d);
+    geometry_gravity(&geometry, 0, 1);
     return geometry;
+}
+
+KERNEL void geometry_gravity(struct geometry *geometry, real along, real down)
+{
+    real d = geometry->d;
+    geometry->g.along = along;
+    geometry->g.down = down;
+    geometry->h.x = d * down - along;
+    geometry->h.y = down + d * along;
 }
 
 static struct far far_make(const struct geometry *geometry)
 {
-    real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, y = geometry->inf.y,
-         d = geometry->d;
+    real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, y = geometry->inf.y;
     /* theta_1 and its derivatives: of its slope 1 - r L x / Y, since Y' = 0 and Y'' = -(r L x)^2. */
-    real off = geometry->r * geometry->L * x, slope = 1 - off, second_derivative = -geometry->r * d,
+    real off = geometry->r * geometry->L * x, slope = 1 - off, second_derivative = -geometry->r * geometry->d,
          twist = off * (1 - off * off);
     real slope2 = slope * slope, slope3 = slope2 * slope;
-    real h1 = d * y - x, h2 = -(y + d * x), h3 = -h1;
+    real h1 = geometry_rise(geometry, geometry->inf), h2 = -geometry_height(geometry, geometry->inf),
+         h3 = -h1;
     struct far f = {.per_sine = 1 / x};
     f.half_cot = y * f.per_sine / 2;
     /* 1 - r^-q slope^k, from r^q - 1. */

@@ -18,7 +18,8 @@ struct tilt {
 /* A domino that nobody has touched yet. */
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
-struct flow; /* friction.h */
+struct dynamics; /* dynamics.h */
+struct flow;     /* flow.h */
 
 /*
  * H, and J, of a train whose head leans at theta_inf - e, a far follower: H1 is dH/dtheta there, J0 is J, and
@@ -34,21 +35,28 @@ struct far {
 /* A checked train with the quantities that its whole cycle shares. */
 struct geometry {
     real s, r, d, q, tol;
-    real mu;           /* 0: no friction, and flow is not used */
-    struct flow *flow; /* whose is the caller's; see geometry_flow */
+    const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
+    real mu;                         /* friction coefficient between dominoes, >= 0 */
+    struct flow *flow;               /* solution of an equation of motion; NULL where the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     size_t *effort; /* of a search so far, in dominoes of a plain pass; NULL: without a limit */
     size_t effort_most;
-    real L;            /* s + d */
-    real rs, rL;       /* r s, r L */
-    real short_of;     /* 1 - r s >= 0: by how much the head reaches the next domino */
-    real leave_at;     /* 1 - r^2 s^2, which is leave_by v where a follower leaves */
-    real leave_by;     /* 2 r^2 L d */
-    real weight;       /* r^-q, share of a follower in H over that of its leader (c1) */
-    real inertia;      /* r^-(q+1), the same for J (c2) */
-    real rq, rq_1;     /* r^q and r^q - 1 */
-    real reach;        /* sqrt(1 + d^2), the largest |dh/dtheta| */
+    real L;        /* s + d */
+    real rs, rL;   /* r s, r L */
+    real short_of; /* 1 - r s >= 0: by how much the head reaches the next domino */
+    real leave_at; /* 1 - r^2 s^2, which is leave_by v where a follower leaves */
+    real leave_by; /* 2 r^2 L d */
+    real weight;   /* r^-q, share of a follower in H over that of its leader (c1) */
+    real inertia;  /* r^-(q+1), the same for J (c2) */
+    real rq, rq_1; /* r^q and r^q - 1 */
+    real reach;    /* sqrt(1 + d^2), the largest |dh/dtheta| */
+    struct {
+        real along, down; /* gravity along the floor and into it: 0 and 1, unless the floor slopes */
+    } g;
+    struct {
+        real x, y; /* h(theta) = h.y cos theta + h.x sin theta: d and 1, unless the floor slopes */
+    } h;
     real decay;        /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
     real decay_J;      /* the same of J, where it is not that of the next two */
     struct tilt c;     /* theta_c (a2) */
@@ -64,15 +72,30 @@ struct geometry {
 
 #define CHAIN_ENDLESS SIZE_MAX
 
-/* Checks the train, and fills lean. */
+/* Checks the shape of a train, and fills its geometry; dynamics_make adds how it moves. */
 KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry);
 
 /* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
 KERNEL struct geometry geometry_read(const struct dom_train *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
-/* Room for the motion of a train with friction, if it has any; for as long as the lean is used. */
-KERNEL void geometry_flow(struct geometry *geometry, struct flow *flow);
+/*
+ * Sets gravity, and so the energy of position of a domino: the one place where it enters.  The geometry has
+ * its d.
+ */
+KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
+
+/* Slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. */
+KERNEL_LOOP real geometry_rise(const struct geometry *geometry, struct tilt t)
+{
+    return geometry->h.x * t.y - geometry->h.y * t.x;
+}
+
+/* Energy of position of one domino, h(theta). */
+KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
+{
+    return geometry->h.y * t.y + geometry->h.x * t.x;
+}
 
 /* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);

@@ -7,7 +7,7 @@
 
 struct sums {
     real J;  /* (c2) */
-    real H1; /* dH/dtheta = sum r^(-q i) theta_i' (d cos theta_i - sin theta_i) */
+    real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
     real H2; /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_second_derivative_from
               */
     real dH; /* H(theta) - H(0), or from another tilt; only from chain_energy_change */
@@ -94,7 +94,7 @@ KERNEL_LOOP void add_J(struct sum_state *a, const struct link *k)
 
 KERNEL_LOOP void add_H1(struct sum_state *a, const struct link *k)
 {
-    series_add(&a->H1, k->weight * k->slope * (k->geometry->d * k->tilt.y - k->tilt.x));
+    series_add(&a->H1, k->weight * k->slope * geometry_rise(k->geometry, k->tilt));
 }
 
 KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)

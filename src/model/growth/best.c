@@ -328,7 +328,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     /* A jump of r_max(s) is where a dip of the margin begins, of which the shallowest are not resolved
      * (scan.h). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
-    if (status == DOM_OK && smooth && c->train->mu == 0) {
+    if (status == DOM_OK && smooth && c->geometry.dynamics->conservative) {
         real h = slope_step(s, r) * b->finer, width = 4 * h;
         real second_derivative = fabs(top_slope(s + width, b) - top_slope(s - width, b)) / (2 * width);
         c->s = s;
@@ -356,7 +356,8 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     bool smooth;
     enum dom_status status = search_samples(&b);
     if (status == DOM_OK)
-        status = c->train->mu > 0 ? search_finely(&b) : search_between(&b, BEST_LOWEST, 1, INFINITY);
+        status = c->geometry.dynamics->conservative ? search_between(&b, BEST_LOWEST, 1, INFINITY)
+                                                    : search_finely(&b);
     if (status != DOM_OK)
         return c->status = status;
     if (!(b.r_max > 1))
@@ -364,7 +365,9 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     /* Next to a jump there may be several tops: once more around the best, in narrower intervals. */
     real before = 0;
     status = search_top(&b, (real)1e-6, &smooth);
-    for (int k = 0; status == DOM_OK && c->train->mu == 0 && !smooth && k < 3 && b.r_max > before; k++) {
+    for (int k = 0;
+         status == DOM_OK && c->geometry.dynamics->conservative && !smooth && k < 3 && b.r_max > before;
+         k++) {
         before = b.r_max;
         b.finest = BEST_FINEST / 64;
         status = search_between(&b, b.s * (1 - 4 * BEST_FINEST), b.s * (1 + 4 * BEST_FINEST), (real)INFINITY);

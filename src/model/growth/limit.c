@@ -15,8 +15,9 @@
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
     real r = limit->r_max, reach = 1 / c->s;
-    *error = c->train->mu > 0 ? REAL_NAN : UNIT * r;
-    if (limit->ends != DOM_END_BARRIER || c->train->mu > 0)
+    bool conservative = c->geometry.dynamics->conservative;
+    *error = conservative ? UNIT * r : REAL_NAN;
+    if (limit->ends != DOM_END_BARRIER || !conservative)
         return DOM_OK;
     c->errors = true;
     real margin = margin_at(r, c), wrong = c->error, slope = 0;
@@ -58,7 +59,7 @@ static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 /* First r > from->r at which the margin, >= 0 there, is negative. */
 static enum dom_status limit_fall(struct margin_context *c, const struct edge *from, struct limit *limit)
 {
-    if (c->train->mu == 0)
+    if (c->geometry.dynamics->conservative)
         return scan_fall(c, from, &limit->r_max, &limit->ends);
     struct edge before, after;
     bool found = false;
@@ -74,7 +75,7 @@ static enum dom_status limit_fall(struct margin_context *c, const struct edge *f
 static enum dom_status limit_energy_change(struct margin_context *c, real from, struct edge *edge,
                                            bool *found)
 {
-    if (c->train->mu == 0)
+    if (c->geometry.dynamics->conservative)
         return scan_energy_change(c, from, edge, found);
     struct edge before;
     *edge = (struct edge){from, margin_sign(c, from)};
@@ -95,7 +96,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit,
     /* There P has a closed form, and K = P T, T >= 1. */
     first.margin = (struct margin){
         .kinetic = energy_fuel_paper(&geometry), .barrier = barrier_most(&geometry), .most = true};
-    if (c->train->mu > 0 || !(first.margin.kinetic > 2 * first.margin.barrier))
+    if (!geometry.dynamics->conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
         first.margin = margin_sign(c, 1);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;
@@ -110,16 +111,17 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit,
 
 /*
  * All passes of an answer together follow no more dominoes than this, which takes a second or two in double;
- * beyond it the answer is out of reach (DOM_TOO_LONG).  With friction a domino takes some four times as long.
+ * beyond it the answer is out of reach (DOM_TOO_LONG).  In an equation of motion a domino takes some four
+ * times as long.
  */
-#define WORK_MOST         ((size_t)60000000)
-#define WORK_MOST_RUBBING ((size_t)15000000)
+#define WORK_MOST      ((size_t)60000000)
+#define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c, struct dom_work *work)
 {
     c->geometry.work = work;
     c->geometry.effort = &c->effort;
-    c->geometry.effort_most = c->train->mu > 0 ? WORK_MOST_RUBBING : WORK_MOST;
+    c->geometry.effort_most = c->geometry.dynamics->conservative ? WORK_MOST : WORK_MOST_FLOW;
 }
 
 KERNEL void limit_end(const struct dom_train *train, const struct dom_work *work)
@@ -154,7 +156,7 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     bool any;
     *found = no_limit;
     /* (b0): below that growth domino 1 has not tipped over when it hits. */
-    real tips = fmax(c->geometry.d / c->geometry.reach / c->s, 1);
+    real tips = fmax(c->geometry.h.x / c->geometry.reach / c->s, 1);
     if (tips > 1 / c->s)
         return DOM_OK;
     enum dom_status status = limit_energy_change(c, tips, &edge, &any);

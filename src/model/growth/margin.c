@@ -27,9 +27,10 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* With friction the height is right to the second order of the tilt alone. */
-        status = barrier_search(geometry, tilt_angle(geometry->c),
-                                c->errors || geometry->mu > 0 ? geometry->tol / 8 : TOP_TOL(geometry), b);
+        /* Without Newton's method the height is right to the second order of the tilt alone. */
+        status = barrier_search(
+            geometry, tilt_angle(geometry->c),
+            c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
     if (status == DOM_OK && c->errors)
         status = barrier_error(geometry, b, &b_error);
     m->barrier = b->height;
@@ -47,7 +48,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     enum dom_status status;
     bool both = c->how == MARGIN_FOLLOW && !geometry->detaches;
     /* At r = 1 the fuels agree, and the closed one needs no train. */
-    if (geometry->r == 1 && geometry->mu == 0 && energy_fuel_paper(geometry) <= 0)
+    if (geometry->r == 1 && geometry->dynamics->conservative && energy_fuel_paper(geometry) <= 0)
         return DOM_NO_FUEL;
     if (both) {
         status = chain_both(geometry, barrier_near(geometry, &c->barrier), &near, &at_c);
@@ -56,7 +57,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
         struct fuel f = fuel_of(geometry, &at_c);
         launch = launch_of(geometry, fuel, &f);
     } else {
-        status = collision_launch(geometry, fuel, &launch, c->errors ? &error : NULL);
+        status = geometry->dynamics->collide(geometry, fuel, &launch, c->errors ? &error : NULL);
     }
     if (status == DOM_OK && geometry->r == 1 && launch.fuel <= 0)
         return DOM_NO_FUEL;
@@ -64,12 +65,11 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
-/* Sine and cosine of theta_c - theta_u: before theta_u domino 1 has not tipped over when it hits (b0). */
-static void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
+KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
 {
     real u = geometry->reach; /* h(theta_u) (b2) */
-    *sine = (geometry->c.x - geometry->d * geometry->c.y) / u;
-    *cosine = (geometry->c.y + geometry->d * geometry->c.x) / u;
+    *sine = -geometry_rise(geometry, geometry->c) / u;
+    *cosine = geometry_height(geometry, geometry->c) / u;
 }
 
 KERNEL real pair_push(const struct geometry *geometry)
@@ -87,15 +87,17 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     two.n = c->dominoes;
     real u = geometry->reach, sine, cosine;
     pair_tips(geometry, &sine, &cosine);
-    if (geometry->mu > 0) {
-        enum dom_status status = friction_flow(&two);
-        if (status != DOM_OK)
-            return status;
-    }
-    real k = geometry->inertia, inertia_ratio = geometry->mu > 0 ? geometry->flow->inertia_ratio : k,
-         share = inertia_ratio / (1 + inertia_ratio); /* (b11) */
+    struct geometry one = *geometry;
+    one.n = 1;
+    real k = geometry->inertia, inertia_ratio = 0;
+    enum dom_status status =
+        geometry->dynamics->inertia_ratio(geometry, &one, geometry->c, 1, &inertia_ratio);
+    if (status != DOM_OK)
+        return status;
+    real share = collision_velocity_ratio(inertia_ratio); /* (b11) */
     real kinetic = (1 + k) * geometry->r * pair_push(geometry) * share * share;
-    real sine_error = UNIT * (5 * geometry->c.x + 7 * geometry->d * geometry->c.y) / u, powers = 24 * UNIT;
+    real sine_error = UNIT * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
+         powers = 24 * UNIT;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
                   : (struct margin){.kinetic = 0};
     return margin_barrier(&two, c, NULL, m);
@@ -103,11 +105,10 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
 
 KERNEL struct margin_context margin_of_train(const struct dom_train *train)
 {
-    return (struct margin_context){.train = train,
-                                   .geometry = geometry_read(train),
-                                   .s = (real)train->s,
-                                   .dominoes = CHAIN_ENDLESS,
-                                   .margin = train_margin};
+    struct margin_context c = {
+        .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
+    c.status = dynamics_read(train, &c.geometry);
+    return c;
 }
 
 KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
@@ -122,13 +123,14 @@ KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
 static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
 {
     struct geometry geometry = c->geometry;
-    FLOW(flow);
     geometry.tol = tol;
     c->status = geometry_set(&geometry, c->s, r);
-    if (c->status == DOM_OK)
-        geometry_flow(&geometry, &flow);
-    if (c->status == DOM_OK)
-        c->status = c->margin(&geometry, c, m);
+    if (c->status == DOM_OK) {
+        c->status = dynamics_begin(&geometry);
+        if (c->status == DOM_OK)
+            c->status = c->margin(&geometry, c, m);
+        dynamics_end(&geometry);
+    }
     c->locked = c->status == DOM_LOCKS;
     if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
         c->status = DOM_OK;
@@ -160,7 +162,7 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r)
 {
     struct margin m = {.kinetic = REAL_NAN};
     real tol = fmax(ROUGH, c->geometry.tol);
-    c->how = c->train->mu > 0 ? MARGIN_SURE : MARGIN_SIGN;
+    c->how = c->geometry.dynamics->conservative ? MARGIN_SIGN : MARGIN_SURE;
     if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
         return m;
     c->how = MARGIN_SURE;

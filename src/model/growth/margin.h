@@ -56,6 +56,9 @@ struct margin_context {
 KERNEL struct margin_context margin_of_train(const struct dom_train *train);
 KERNEL struct margin_context margin_of_pair(const struct dom_train *train);
 
+/* Sine and cosine of theta_c - theta_u: before theta_u domino 1 has not tipped over when it hits (b0). */
+KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine);
+
 /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation: 0 where domino 1 has not tipped
  * over. */
 KERNEL real pair_push(const struct geometry *geometry);

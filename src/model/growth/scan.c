@@ -17,7 +17,7 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
 {
     real tol = c->geometry.tol;
     enum num_status solver;
-    if (c->train->mu == 0) {
+    if (c->geometry.dynamics->conservative) {
         margin_follow_begin(c);
         solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
                                   margin_share(&hi->margin), tol / 8, r);
@@ -53,8 +53,8 @@ static real pair_velocity_ratio(const struct geometry *geometry)
  */
 static void pair_strip(const struct geometry *lo, const struct geometry *hi, struct strip *s)
 {
-    real push_lo = pair_push(lo), push_hi = pair_push(hi), u = lo->reach;
-    real sine = (lo->c.x - lo->d * lo->c.y) / u, cosine = (lo->c.y + lo->d * lo->c.x) / u;
+    real push_lo = pair_push(lo), push_hi = pair_push(hi), sine, cosine;
+    pair_tips(lo, &sine, &cosine);
     s->kinetic_least = push_lo * pair_velocity_ratio(hi) * (1 - 256 * REAL_EPSILON);
     s->kinetic_most = push_hi * pair_velocity_ratio(lo) * (1 + 256 * REAL_EPSILON);
     real gains = (1 + cosine) / sine * (hi->c.x / hi->c.y);

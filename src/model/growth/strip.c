@@ -5,22 +5,22 @@
 /* Relative room for rounding in sums over a chain; their terms carry a few units each. */
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
-/* 1 - h(theta). */
+/* h(0) - h(theta). */
 static real strip_fall(const struct geometry *geometry, struct tilt t)
 {
-    return t.v - geometry->d * t.x;
+    return geometry->h.y * t.v - geometry->h.x * t.x;
 }
 
 /* -dh/dtheta: negative before theta_u. */
 static real strip_sink(const struct geometry *geometry, struct tilt t)
 {
-    return t.x - geometry->d * t.y;
+    return -geometry_rise(geometry, t);
 }
 
 /* A follower between its tilts at the two ends. */
 struct between {
     struct tilt lo, hi;
-    real fall_least, fall_most; /* 1 - h */
+    real fall_least, fall_most; /* h(0) - h */
 };
 
 static struct between between_of(const struct geometry *geometry, struct tilt lo, struct tilt hi)
@@ -104,7 +104,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
          u = s->advance;
     real ages = in_r ? lo->q * (real)i : 0;
     if (g_lo >= 0) {
-        real h = 1 - strip_fall(lo, at->lo);
+        real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
         /* h falls by the integral of g, over the turn from this domino to the next, asin X >= X. */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
@@ -119,13 +119,13 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 
 /*
  * The first follower once more, whose turn may be without bound at the reach.  A head that leans less than K
- * / d has not risen by K: at the tops that count it leans more, and there the turn is less than upright, and
- * takes from the margin less than that adds to it.
+ * / h.x has not risen by K: at the tops that count it leans more, and there the turn is less than upright,
+ * and takes from the margin less than that adds to it.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, real least_tilt, real c)
 {
-    real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), h = 1 - strip_fall(lo, at->lo);
+    real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), h = lo->h.y - strip_fall(lo, at->lo);
     if (g_lo < 0 || !(least_tilt > 0))
         return (real)INFINITY;
     real u = strip_advance(lo, hi, tilt_make(sin(least_tilt), cos(least_tilt)));
@@ -140,7 +140,7 @@ static void strip_tail(const struct geometry *lo, const struct geometry *hi, con
 {
     real next = strip_advance(lo, hi, at->lo),
          u = step == 0 ? next : fmax(next + step * s->advance, next / (1 - step));
-    real h = fmax(1 - strip_fall(lo, at->lo), 0), far = strip_sink(lo, hi->f);
+    real h = fmax(lo->h.y - strip_fall(lo, at->lo), 0), far = strip_sink(lo, hi->f);
     s->drops += slope == 0 ? 0 : weight * s->tilt * slope * h * u / (1 - lo->weight * step);
     s->far_rests = weight * far * u;
 }
@@ -168,7 +168,7 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
         rests = c * sums->rests + inertia_ratio_most * sums->far_rests - q * sums->ages / D_most;
         head = sums->first_drops + c * sums->first_rests;
     }
-    real by_tilt = strip_first(lo, hi, first, sums->tilt, kinetic / lo->d, c);
+    real by_tilt = strip_first(lo, hi, first, sums->tilt, kinetic / lo->h.x, c);
     head = isfinite(head) ? fmin(head, by_tilt) : by_tilt;
     s->margin_slope = sums->drops + head + rests;
     s->margin_slope += fabs(s->margin_slope) * STRIP_SLACK - kinetic * ages;
@@ -184,14 +184,14 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
-    if (!(lo->c.x > lo->d * lo->c.y))
+    if (!(strip_sink(lo, lo->c) > 0))
         return tilt_angle(hi->c);
-    real top = atan(lo->d), geometry = strip_sink(lo, first);
+    real last = atan(lo->h.x / lo->h.y), top = last, pull = strip_sink(lo, first);
     for (int k = 0; k < 2 && top > 0; k++) {
         struct tilt head = tilt_make(sin(top), cos(top));
         if (hi->detaches && head.v >= hi->leave.v)
             break;
-        top = fmax(atan(lo->d) - hi->weight * geometry_contact(hi, head).step * geometry / lo->reach, 0);
+        top = fmax(last - hi->weight * geometry_contact(hi, head).step * pull / lo->reach, 0);
     }
     return top;
 }

@@ -22,8 +22,8 @@ static real stop_width(const struct motion *m)
 {
     struct tilt rest;
     struct sums at;
-    const struct geometry *geometry = &m->cycle.geometry;
-    if (geometry->mu > 0 || geometry_tilt(geometry, m->end, &rest) != DOM_OK ||
+    const struct geometry *geometry = &m->cycle.segment.geometry;
+    if (!geometry->dynamics->conservative || geometry_tilt(geometry, m->end, &rest) != DOM_OK ||
         chain_second_derivative_from(geometry, standing, rest, &at) != DOM_OK || !(at.H2 < 0))
         return REAL_NAN;
     return sqrt(2 * fabs(at.H1 / at.H2) / m->end);
@@ -31,8 +31,8 @@ static real stop_width(const struct motion *m)
 
 static enum dom_status tick_make(struct motion *m, struct tick *tick, real *time)
 {
-    struct cycle *c = &m->cycle;
-    const struct barrier *b = &c->barrier;
+    struct segment *st = &m->cycle.segment;
+    const struct barrier *b = &st->barrier;
     enum num_status solver;
     if (tick->before) {
         m->smooth = tick->lo;
@@ -41,17 +41,17 @@ static enum dom_status tick_make(struct motion *m, struct tick *tick, real *time
         solver = num_peak_series(slowness_before, m, 0, 1, 0, stop_width(m) / m->span, m->tol, &tick->series);
         *time = m->span * num_series_at(&tick->series, 1);
     } else {
-        real width = barrier_width(&c->geometry, standing, b, c->launch.kinetic - b->height);
-        solver = num_peak_series(slowness, c, tick->lo, tick->hi, b->theta_m, width, m->tol, &tick->series);
+        real width = barrier_width(&st->geometry, standing, b, st->start.kinetic - b->height);
+        solver = num_peak_series(slowness, st, tick->lo, tick->hi, b->theta_m, width, m->tol, &tick->series);
         *time = num_series_at(&tick->series, tick->hi);
     }
-    return model_status(c->status, solver);
+    return model_status(st->status, solver);
 }
 
 /* DOM_NOT_CONVERGED where a piece has no series that is short enough. */
 static enum dom_status clock_make(struct motion *m, struct clock *clock)
 {
-    const struct barrier *b = &m->cycle.barrier;
+    const struct barrier *b = &m->cycle.segment.barrier;
     *clock = (struct clock){.pieces = 0};
     for (int i = 1; i < b->edges && b->edge[i - 1] < m->end; i++) {
         struct tick *tick = &clock->tick[clock->pieces++];
@@ -103,7 +103,7 @@ static enum dom_status tilt_search(struct motion *m, real time, real tol, real *
     m->tol = tol;
     for (int i = 0; i < 200; i++) {
         real omegasq = 0, passed = 0;
-        enum dom_status status = cycle_speed(&m->cycle, *at, &omegasq, NULL);
+        enum dom_status status = segment_speed(&m->cycle.segment, *at, &omegasq, NULL);
         if (status == DOM_OK)
             status = motion_time(m, 0, *at, &passed);
         if (status != DOM_OK)
@@ -146,24 +146,27 @@ static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *
     return motion_time(m, 0, m->end, whole);
 }
 
-KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time_, dom_real *theta)
+static enum dom_status motion_tilt_at(struct motion *m, real time, real *at)
 {
-    struct motion m;
-    FLOW(flow);
     struct clock clock;
-    real time = (real)time_, whole = 0, at = 0;
-    enum dom_status status = motion_begin(train, &flow, &m, false);
-    if (status == DOM_OK)
-        status = clock_begin(&m, &clock, &whole);
+    real whole = 0;
+    enum dom_status status = clock_begin(m, &clock, &whole);
     if (status != DOM_OK)
         return status;
-    if (!(time >= 0 && time <= whole * (1 + fmax(m.tol, 4 * REAL_EPSILON))))
+    if (!(time >= 0 && time <= whole * (1 + fmax(m->tol, 4 * REAL_EPSILON))))
         return DOM_BAD_TILT;
-    if (time == 0 || time >= whole) {
-        *theta = time == 0 ? 0 : m.end;
-        return DOM_OK;
-    }
-    status = motion_tilt(&m, &clock, time, &at);
+    *at = time == 0 ? 0 : m->end;
+    return time == 0 || time >= whole ? DOM_OK : motion_tilt(m, &clock, time, at);
+}
+
+KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta)
+{
+    struct motion m;
+    real at = 0;
+    enum dom_status status = motion_begin(train, &m, false);
+    if (status == DOM_OK)
+        status = motion_tilt_at(&m, (real)time, &at);
+    motion_end(&m);
     if (status == DOM_OK)
         *theta = at;
     return status;
@@ -197,11 +200,10 @@ KERNEL enum dom_status cycle_walk(const struct dom_train *train, size_t rows, en
                                   bool errors, dom_state_visit *visit, void *context)
 {
     struct table t = {.errors = errors, .visit = visit, .context = context};
-    FLOW(flow);
     struct dom_event events[DOM_EVENTS_MAX];
     int count = 0, next = 0;
     real whole = 0;
-    enum dom_status status = motion_begin(train, &flow, &t.m, errors);
+    enum dom_status status = motion_begin(train, &t.m, errors);
     if (status == DOM_OK)
         status = motion_events(&t.m, events, &count);
     if (status == DOM_OK)
@@ -216,5 +218,6 @@ KERNEL enum dom_status cycle_walk(const struct dom_train *train, size_t rows, en
         if (between && status == DOM_OK && !t.ended)
             status = table_row(&t, theta, NULL);
     }
+    motion_end(&t.m);
     return status == DOM_OK && t.m.stops ? DOM_STOPS : status;
 }

@@ -26,7 +26,7 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
 }
 
 /* Raises need to what this tilt needs; *motion is that of the tilt alone. */
-static enum dom_status required_at(const struct floor_path *path, real theta,
+static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {
     struct tilt head;
@@ -35,9 +35,9 @@ static enum dom_status required_at(const struct floor_path *path, real theta,
                                      .theta = theta,
                                      .hit = required_friction->hit,
                                      .hit_domino = required_friction->hit_domino};
-    enum dom_status status = path->kinematics(theta, &head, &kinematics, path->context);
+    enum dom_status status = segment_kinematics(st, theta, &head, &kinematics);
     if (status == DOM_OK)
-        status = forces_walk(path->geometry, head, &kinematics, kinematics.n, required_seen, &here);
+        status = forces_walk(&st->geometry, head, &kinematics, kinematics.n, required_seen, &here);
     *motion = here.motion;
     required_friction->hit = here.hit;
     required_friction->hit_domino = here.hit_domino;
@@ -54,60 +54,50 @@ static enum dom_status required_at(const struct floor_path *path, real theta,
  * ends and its middle is higher than these by an eighth of their second difference at most, so the whole of
  * that leaves room for the rest.  Of several tops none is given up because another one is seen first.
  */
-static enum dom_status required_between(const struct floor_path *path, real lo, real hi, const real at[2],
+static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)
 {
     real middle = lo + (hi - lo) / 2, motion;
     if (!(lo < middle && middle < hi))
         return DOM_OK;
-    enum dom_status status = required_at(path, middle, required_friction, &motion);
+    enum dom_status status = required_at(st, middle, required_friction, &motion);
     real second_derivative = fabs(at[0] - 2 * motion + at[1]),
          most = fmax(fmax(at[0], at[1]), motion) + second_derivative;
     if (status != DOM_OK || halvings == 0 || !(most > required_friction->motion * (1 + FLOOR_TOL)))
         return status;
-    status = required_between(path, lo, middle, (real[]){at[0], motion}, halvings - 1, required_friction);
+    status = required_between(st, lo, middle, (real[]){at[0], motion}, halvings - 1, required_friction);
     return status == DOM_OK
-               ? required_between(path, middle, hi, (real[]){motion, at[1]}, halvings - 1, required_friction)
+               ? required_between(st, middle, hi, (real[]){motion, at[1]}, halvings - 1, required_friction)
                : status;
 }
 
-KERNEL enum dom_status floor_over(const struct floor_path *path, struct required_friction *required_friction)
+KERNEL enum dom_status floor_over(const struct segment *st, real lo, real hi,
+                                  struct required_friction *required_friction)
 {
-    real step = (path->hi - path->lo) / FLOOR_SAMPLES, motion[FLOOR_SAMPLES + 1];
+    real step = (hi - lo) / FLOOR_SAMPLES, motion[FLOOR_SAMPLES + 1];
     enum dom_status status = DOM_OK;
     for (int k = 0; k <= FLOOR_SAMPLES && status == DOM_OK; k++)
-        status = required_at(path, k < FLOOR_SAMPLES ? path->lo + (real)k * step : path->hi,
-                             required_friction, &motion[k]);
+        status = required_at(st, k < FLOOR_SAMPLES ? lo + (real)k * step : hi, required_friction, &motion[k]);
     for (int k = 0; k < FLOOR_SAMPLES && status == DOM_OK; k++) {
-        real lo = path->lo + (real)k * step, hi = k + 1 < FLOOR_SAMPLES ? lo + step : path->hi;
-        status = required_between(path, lo, hi, &motion[k], FLOOR_HALVINGS, required_friction);
+        real from = lo + (real)k * step, to = k + 1 < FLOOR_SAMPLES ? from + step : hi;
+        status = required_between(st, from, to, &motion[k], FLOOR_HALVINGS, required_friction);
     }
     return status;
 }
 
 /* ---- Of a train ---- */
 
-static enum dom_status train_kinematics(real theta, struct tilt *head, struct kinematics *kinematics,
-                                        void *context)
-{
-    struct motion *m = context;
-    enum dom_status status = geometry_tilt(&m->cycle.geometry, theta, head);
-    return status == DOM_OK ? motion_kinematics(m, theta, *head, kinematics) : status;
-}
-
 KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_floor *floor)
 {
     struct motion m;
-    FLOW(flow);
+    struct segment *st = &m.cycle.segment;
     struct required_friction required_friction = {0};
-    enum dom_status status = motion_begin(train, &flow, &m, false);
-    m.cycle.geometry.tol = fmax(m.cycle.geometry.tol, FORCES_TOL);
-    for (int i = 1; status == DOM_OK && i < m.cycle.barrier.edges; i++) {
-        const real *edge = m.cycle.barrier.edge, inside = 16 * REAL_EPSILON;
-        real lo = i == 1 ? 0 : edge[i - 1] * (1 + inside), hi = fmin(edge[i] * (1 - inside), m.end);
-        struct floor_path path = {&m.cycle.geometry, lo, hi, train_kinematics, &m};
-        if (lo < hi)
-            status = floor_over(&path, &required_friction);
+    enum dom_status status = motion_begin(train, &m, false);
+    st->geometry.tol = fmax(st->geometry.tol, FORCES_TOL);
+    for (int i = 1; status == DOM_OK && i < st->barrier.edges; i++) {
+        real lo, hi;
+        if (motion_part(&m, i, &lo, &hi))
+            status = floor_over(st, lo, hi, &required_friction);
     }
     motion_end(&m);
     if (status != DOM_OK)

@@ -15,16 +15,9 @@ struct required_friction {
     size_t hit_domino;
 };
 
-/* A chain on its way over [lo, hi], where nobody falls off. */
-struct floor_path {
-    const struct geometry *geometry;
-    real lo, hi;
-    enum dom_status (*kinematics)(real theta, struct tilt *head, struct kinematics *kinematics,
-                                  void *context);
-    void *context;
-};
-
-/* Raises what is in need to what this path needs; a smooth maximum is right to a millionth. */
-KERNEL enum dom_status floor_over(const struct floor_path *path, struct required_friction *required_friction);
+/* Raises *required to what the floor must supply over [lo, hi], where no domino detaches; a smooth maximum is
+ * right to a millionth. */
+KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
+                                  struct required_friction *required);
 
 #endif

@@ -45,16 +45,15 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
         real theta_2 = own->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
-        real gravity = own->weight * (own->tilt.x - own->geometry->d * own->tilt.y) / 2;
-        real torque_share = !own->leads ? 0 : geometry->mu > 0 ? torque_ratio(own) : own->step; /* a / b */
+        real gravity = -own->weight * geometry_rise(own->geometry, own->tilt) / 2;
+        real torque_share = own->leads ? dynamics_arms(geometry->dynamics, own).ratio : 0;
         rest = gravity - own->inertia * theta_2 + torque_share * rest;
         push = own->inertia * own->slope * kinematics->omega_lost + torque_share * push;
         if (j + 1 == n && endless) { /* what comes behind is alike: its torques are a geometric series */
             rest = geometric(rest, geometry->weight * torque_share);
             push = geometric(push, geometry->inertia * own->step * torque_share);
         }
-        real rb = geometry->mu > 0 ? contact_arm_b(leader) : leader->contact.Y,
-             arm_b = rb / leader->geometry->r * k[j - 1].size;
+        real arm_b = dynamics_arms(geometry->dynamics, leader).b / leader->geometry->r * k[j - 1].size;
         /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
@@ -90,8 +89,10 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     real omegasq = own->slope * own->slope * kinematics->omegasq;
     struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
-    hinge_load->x = momentum * (up * theta_2 - across * omegasq) - from.x + onto.x;
-    hinge_load->z = momentum * (-across * theta_2 - up * omegasq) + mass - from.z + onto.z;
+    hinge_load->x =
+        momentum * (up * theta_2 - across * omegasq) - mass * own->geometry->g.along - from.x + onto.x;
+    hinge_load->z =
+        momentum * (-across * theta_2 - up * omegasq) + mass * own->geometry->g.down - from.z + onto.z;
     if (!kinematics->hit)
         return;
     real change = leader ? -own->slope * kinematics->omega_lost : kinematics->omega;
@@ -153,23 +154,25 @@ KERNEL real forces_needed(real x, real z)
     return z > 0 ? fabs(x) / z : isnan(x) || isnan(z) ? REAL_NAN : (real)INFINITY;
 }
 
-/* ---- Of a train ---- */
+/* ---- Of a motion ---- */
 
-/* The old train's domino j - 1 is this one's j: in the collision its theta_j' omega falls to J-1 of J. */
-KERNEL enum dom_status motion_kinematics(struct motion *m, real theta, struct tilt head,
-                                         struct kinematics *kinematics)
+/* In the collision the theta_j' omega of the hitting chain falls from 1 + T to T of 1 + T. */
+KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
+                                          struct kinematics *kinematics)
 {
-    const struct geometry *geometry = &m->cycle.geometry;
-    enum dom_status status = cycle_speed(&m->cycle, theta, &kinematics->omegasq, NULL);
-    kinematics->room = &m->room;
-    kinematics->omegasq = fmax(kinematics->omegasq, 0);
+    const struct geometry *geometry = &st->geometry;
+    real omegasq = 0;
+    kinematics->room = st->room;
+    enum dom_status status = geometry_tilt(geometry, theta, head);
     if (status == DOM_OK)
-        status = motion_acceleration(geometry, head, kinematics->omegasq, &kinematics->acceleration,
-                                     &kinematics->n);
-    kinematics->hit = theta == 0;
-    kinematics->omega = sqrt(m->cycle.launch.omegasq);
-    kinematics->omega_lost =
-        kinematics->omega / (geometry->mu > 0 ? geometry->flow->inertia_ratio : m->cycle.launch.J0 - 1);
+        status = segment_speed(st, theta, &omegasq, NULL);
+    kinematics->omegasq = fmax(omegasq, 0);
+    if (status == DOM_OK)
+        status = geometry->dynamics->acceleration(geometry, *head, kinematics->omegasq,
+                                                  &kinematics->acceleration, &kinematics->n);
+    kinematics->hit = theta == 0 && st->inertia_ratio > 0;
+    kinematics->omega = sqrt(st->start.omegasq);
+    kinematics->omega_lost = kinematics->hit ? kinematics->omega / st->inertia_ratio : 0;
     return status;
 }
 
@@ -194,20 +197,20 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
                                     void *context)
 {
     struct motion m;
-    FLOW(flow);
-    struct tilt head = {0, 1, 0};
+    const struct geometry *geometry = &m.cycle.segment.geometry;
+    struct tilt head;
     struct kinematics kinematics = {0};
     real theta = (real)theta_;
-    enum dom_status status = motion_begin(train, &flow, &m, false);
+    enum dom_status status = motion_begin(train, &m, false);
     if (status == DOM_OK)
-        status = geometry_tilt(&m.cycle.geometry, theta, &head);
+        status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK && theta > m.end * (1 + 4 * REAL_EPSILON))
         status = DOM_STOPS;
     if (status == DOM_OK)
-        status = motion_kinematics(&m, fmin(theta, m.end), head, &kinematics);
+        status = segment_kinematics(&m.cycle.segment, fmin(theta, m.end), &head, &kinematics);
     struct force_context c = {visit, context};
     if (status == DOM_OK)
-        status = forces_walk(&m.cycle.geometry, head, &kinematics, kinematics.n, force_visit, &c);
+        status = forces_walk(geometry, head, &kinematics, kinematics.n, force_visit, &c);
     motion_end(&m);
     return status;
 }
@@ -216,7 +219,7 @@ KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real thet
 
 /* The smallest force so far, the tilt and the domino; and that at the tilt that was asked for last. */
 struct least_context {
-    struct motion motion;
+    const struct segment *segment;
     real theta, force, least, least_theta, impulse;
     size_t domino, dominoes; /* the second: in motion */
     enum dom_status status;
@@ -245,15 +248,12 @@ static real least_at(real theta, void *context)
     struct least_context *c = context;
     struct tilt head;
     struct kinematics kinematics = {0};
-    const struct geometry *geometry = &c->motion.cycle.geometry;
     c->theta = theta;
     c->force = (real)INFINITY;
-    c->status = geometry_tilt(geometry, theta, &head);
-    if (c->status == DOM_OK)
-        c->status = motion_kinematics(&c->motion, theta, head, &kinematics);
+    c->status = segment_kinematics(c->segment, theta, &head, &kinematics);
     c->dominoes = kinematics.n;
     if (c->status == DOM_OK)
-        c->status = forces_walk(geometry, head, &kinematics, kinematics.n, least_seen, c);
+        c->status = forces_walk(&c->segment->geometry, head, &kinematics, kinematics.n, least_seen, c);
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
@@ -290,25 +290,40 @@ static enum dom_status least_over(struct least_context *c, real lo, real hi)
     return c->status;
 }
 
+enum { CONTACT_SAMPLES = 3 };
+
+KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
+{
+    struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
+    for (int k = 0; k <= CONTACT_SAMPLES && st->geometry.n > 1 && c.status == DOM_OK; k++) {
+        real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
+        least_at(st->lo + u * (to - st->lo), &c);
+    }
+    *least = c.least;
+    return c.status;
+}
+
+KERNEL bool motion_part(const struct motion *m, int i, real *lo, real *hi)
+{
+    const real *edge = m->cycle.segment.barrier.edge, inside = 16 * REAL_EPSILON;
+    *lo = i == 1 ? 0 : edge[i - 1] * (1 + inside);
+    *hi = fmin(edge[i] * (1 - inside), m->end);
+    return *lo < *hi;
+}
+
 KERNEL enum dom_status cycle_least_force(const struct dom_train *train, struct dom_least_force *least)
 {
-    FLOW(flow);
-    struct least_context c = {.least = (real)INFINITY, .impulse = (real)INFINITY};
-    enum dom_status status = motion_begin(train, &flow, &c.motion, false);
-    if (status != DOM_OK)
-        return status;
-    const struct barrier *b = &c.motion.cycle.barrier;
-    struct geometry *geometry = &c.motion.cycle.geometry;
-    geometry->tol = fmax(geometry->tol, FORCES_TOL);
-    /* A force jumps where a follower leaves: up to there and from there. */
-    for (int i = 1; i < b->edges && status == DOM_OK; i++) {
-        const real inside = 16 * REAL_EPSILON;
-        real lo = i == 1 ? 0 : b->edge[i - 1] * (1 + inside),
-             hi = fmin(b->edge[i] * (1 - inside), c.motion.end);
-        if (lo < hi)
+    struct motion m;
+    struct segment *st = &m.cycle.segment;
+    struct least_context c = {.segment = st, .least = (real)INFINITY, .impulse = (real)INFINITY};
+    enum dom_status status = motion_begin(train, &m, false);
+    st->geometry.tol = fmax(st->geometry.tol, FORCES_TOL);
+    for (int i = 1; status == DOM_OK && i < st->barrier.edges; i++) {
+        real lo, hi;
+        if (motion_part(&m, i, &lo, &hi))
             status = least_over(&c, lo, hi);
     }
-    motion_end(&c.motion);
+    motion_end(&m);
     if (status == DOM_OK)
         *least = (struct dom_least_force){c.least, c.least_theta, c.domino, c.impulse};
     return status;

@@ -39,9 +39,17 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
                                    const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
                                    void *context);
 
-/* How a train moves at a tilt of its head. */
-KERNEL enum dom_status motion_kinematics(struct motion *motion, real theta, struct tilt head,
-                                         struct kinematics *kinematics);
+/* How a chain moves at a tilt of its head. */
+KERNEL enum dom_status segment_kinematics(const struct segment *segment, real theta, struct tilt *head,
+                                          struct kinematics *kinematics);
+
+/* The part of a cycle between edge i - 1 and edge i of its barrier, just inside: forces jump where a domino
+ * detaches.  False where the cycle does not come as far. */
+KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
+
+/* Lowers *least to the smallest contact force at a few tilts up to `to`, in weights of the dominoes that it
+ * is on. */
+KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
 /* |x| / z of the floor's force: the friction that a hinge needs; infinite where the domino is lifted. */
 KERNEL real forces_needed(real x, real z);

@@ -5,14 +5,14 @@
 
 /* ---- Times ---- */
 
-KERNEL enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m,
-                                    bool errors)
+KERNEL enum dom_status motion_begin(const struct dom_train *train, struct motion *m, bool errors)
 {
     m->room = (struct room){0};
-    enum dom_status status = cycle_whole(train, flow, &m->cycle, errors);
+    enum dom_status status = cycle_begin(train, &m->cycle, errors);
+    m->cycle.segment.room = &m->room;
     if (status != DOM_OK)
         return status;
-    real margin = m->cycle.launch.kinetic - m->cycle.barrier.height;
+    real margin = m->cycle.launch.kinetic - m->cycle.segment.barrier.height;
     m->stops = cycle_stops(&m->cycle);
     m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
     if (!(m->tol < (real)0.125))
@@ -22,6 +22,7 @@ KERNEL enum dom_status motion_begin(const struct dom_train *train, struct flow *
 
 KERNEL void motion_end(struct motion *m)
 {
+    cycle_free(&m->cycle);
     free(m->room.list);
 }
 
@@ -34,22 +35,12 @@ KERNEL void motion_end(struct motion *m)
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
-    struct cycle *c = &m->cycle;
-    struct tilt head = standing, rest = standing;
-    struct sums at = {.J = 1};
+    struct segment *st = &m->cycle.segment;
     /* At the stop it is flat, to rounding, where the energy that is left would underflow. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
-    real delta = fmin(m->end * u * u, m->end - m->smooth), theta = m->end - delta, left = 0;
-    c->status = geometry_tilt(&c->geometry, theta, &head);
-    if (c->status == DOM_OK && c->geometry.mu > 0)
-        left = friction_left(&c->geometry, m->end, delta); /* w, as J w with J = 1 */
-    else if (c->status == DOM_OK)
-        c->status = geometry_tilt(&c->geometry, m->end, &rest);
-    if (c->status == DOM_OK && c->geometry.mu == 0) {
-        c->status = chain_energy_change_by(&c->geometry, rest, head, -delta, &at);
-        left = -at.dH;
-    }
-    return c->status == DOM_OK && left > 0 ? 2 * m->end * u * sqrt(at.J / left) : REAL_NAN;
+    real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
+    st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
+    return st->status == DOM_OK ? 2 * m->end * u * sqrt(slowness_squared) : REAL_NAN;
 }
 
 /* The time from m->smooth to a tilt before the stop. */
@@ -60,13 +51,13 @@ static enum dom_status motion_time_before(struct motion *m, real to, real *time)
     m->span = (to - m->smooth) / m->end / (far + m->root);
     enum num_status solver = num_integral(slowness_before, m, 0, 1, m->tol, &part, NULL);
     *time += m->span * part;
-    return model_status(m->cycle.status, solver);
+    return model_status(m->cycle.segment.status, solver);
 }
 
 /* Time from one tilt to another. */
 KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *time)
 {
-    const struct barrier *b = &m->cycle.barrier;
+    const struct barrier *b = &m->cycle.segment.barrier;
     m->smooth = to;
     *time = 0;
     if (to <= from)
@@ -76,7 +67,8 @@ KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *t
         for (int i = 0; i < b->edges; i++)
             m->smooth = b->edge[i] < m->end ? fmax(m->smooth, fmin(b->edge[i], to)) : m->smooth;
     }
-    enum dom_status status = cycle_integral(&m->cycle, slowness, from, m->smooth, m->tol, time, NULL);
+    enum dom_status status =
+        segment_integral(&m->cycle.segment, slowness, from, m->smooth, m->tol, time, NULL);
     return status == DOM_OK && m->smooth < to ? motion_time_before(m, to, time) : status;
 }
 
@@ -86,10 +78,10 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *e
     bool leaves;
     struct tilt leave;
     size_t domino = 0;
-    enum dom_status status = chain_leave(&m->cycle.geometry, &leaves, &leave, &domino);
+    enum dom_status status = chain_leave(&m->cycle.segment.geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    real top = m->cycle.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
+    real top = m->cycle.segment.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
     int n = 0;
     events[n++] = (struct dom_event){.kind = DOM_EVENT_LAUNCH};
     if (top > 0 && top < m->end)
@@ -110,9 +102,8 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *e
 KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
 {
     struct motion m;
-    FLOW(flow);
     int n = 0;
-    enum dom_status status = motion_begin(train, &flow, &m, false);
+    enum dom_status status = motion_begin(train, &m, false);
     if (status == DOM_OK)
         status = motion_events(&m, events, &n);
     for (int i = 1; i < n && status == DOM_OK; i++) {
@@ -120,65 +111,9 @@ KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_ev
         status = motion_time(&m, (real)events[i - 1].theta, (real)events[i].theta, &step);
         events[i].time = events[i - 1].time + step;
     }
+    motion_end(&m);
     *count = status == DOM_OK ? n : 0;
     return status == DOM_OK && m.stops ? DOM_STOPS : status;
-}
-
-/* ---- Accelerations ---- */
-
-/* The rest of J, H1 and J'/2 from this domino on, where it is near enough to theta_inf (far_near). */
-static bool acceleration_closes(const struct link *k, real second_derivative, struct sum_state *a,
-                                real *half_J1)
-{
-    const struct geometry *geometry = k->geometry;
-    const struct far *far = &geometry->far;
-    if (geometry->n != CHAIN_ENDLESS || geometry->detaches || geometry->behind)
-        return false;
-    real e = far_off(geometry, k->tilt), H1 = k->weight * k->slope, J = k->inertia * k->slope * k->slope;
-    if (e > geometry->inf.x / 16 || !far_done(&a->H1, H1 * far->H1, H1 * far->H3 * e * e, geometry->tol) ||
-        !far_done(&a->J, J * far->J0, J * far->J2 * e * e, geometry->tol))
-        return false;
-    real J_far = far->J0 - far->J1 * e + far->J2 * e * e / 2, J1_far = far->J1 - far->J2 * e;
-    series_add(&a->H1, H1 * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
-    series_add(&a->J, J * J_far);
-    *half_J1 += k->inertia * k->slope * (second_derivative * J_far + k->slope * k->slope * J1_far / 2);
-    return true;
-}
-
-/* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w.  *n, unless NULL: the
- * dominoes that matter. */
-KERNEL enum dom_status motion_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                           real *acceleration, size_t *n)
-{
-    struct sum_state a = {0};
-    struct sums at;
-    struct equation_of_motion equation_of_motion;
-    struct link k = link_head(geometry, head);
-    real half_J1 = 0, second_derivative = 0;
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.i);
-        if (status != DOM_OK)
-            return status;
-        if (!n && acceleration_closes(&k, second_derivative, &a, &half_J1))
-            break;
-        add_J(&a, &k);
-        add_H1(&a, &k);
-        half_J1 += k.inertia * k.slope * second_derivative;
-        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
-            break;
-        struct link leader = k;
-        link_next(&k);
-        second_derivative = link_second_derivative(&leader, second_derivative, &k);
-    }
-    enum dom_status status = sum_result(geometry, &a, 0, k.i + 1, &at);
-    if (n)
-        *n = at.n;
-    *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
-    if (status == DOM_OK && geometry->mu > 0) {
-        status = friction_equation_of_motion(geometry, head, &equation_of_motion);
-        *acceleration = (equation_of_motion.C - equation_of_motion.B * w) / equation_of_motion.A;
-    }
-    return status;
 }
 
 /*
@@ -202,9 +137,9 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
             of_speed = fmin(of_speed, time * energy / (2 * (real)state->kinetic));
     }
     if (!m->stops && theta > 0)
-        solver = num_integral(slowness_error, &m->cycle, 0, theta, (real)0.125, &of_speed, NULL);
+        solver = num_integral(slowness_error, &m->cycle.segment, 0, theta, (real)0.125, &of_speed, NULL);
     *error = 2 * of_speed + (real)(m->stops ? 64 : 1) * fmax(m->tol, 8 * UNIT) * time;
-    return model_status(m->cycle.status, solver);
+    return model_status(m->cycle.segment.status, solver);
 }
 
 /* At the tilt where a follower leaves, which rounding may set before or behind it, it has left. */
@@ -230,39 +165,34 @@ static enum dom_status fallen_energy(const struct geometry *geometry, real theta
 KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state,
                                     struct dom_state *error)
 {
-    struct cycle *c = &m->cycle;
+    const struct launch *launch = &m->cycle.launch, *launch_error = &m->cycle.launch_error;
+    const struct segment *st = &m->cycle.segment;
+    const struct geometry *geometry = &st->geometry;
+    const bool conservative = geometry->dynamics->conservative;
     struct tilt head;
     struct sums at, e = {0};
-    struct fuel fuel, fuel_error = {0};
     real omegasq = 0, omegasq_error = 0, acceleration = 0;
-    enum dom_status status = geometry_tilt(&c->geometry, theta, &head);
+    enum dom_status status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK && theta > m->end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
     theta = fmin(theta, m->end);
-    bool rubs = c->geometry.mu > 0;
     if (status == DOM_OK)
-        status = chain_energy_change(&c->geometry, head, &at, error ? &e : NULL);
+        status = chain_energy_change(geometry, head, &at, error ? &e : NULL);
     if (status == DOM_OK)
-        status = cycle_speed(c, theta, &omegasq, error ? &omegasq_error : NULL);
+        status = segment_speed(st, theta, &omegasq, error ? &omegasq_error : NULL);
     /* At the stop it is 0, which rounding hides. */
     bool rests = m->stops && theta >= m->end * (1 - 4 * REAL_EPSILON);
     omegasq = rests ? 0 : fmax(omegasq, 0);
     if (status == DOM_OK)
-        status = fallen_energy(&c->geometry, theta, &at.left);
+        status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK && isnan(time))
         status = motion_time(m, 0, theta, &time);
     if (status == DOM_OK)
-        status = motion_acceleration(&c->geometry, head, omegasq, &acceleration, NULL);
-    if (status == DOM_OK)
-        status = energy_fuel(&c->geometry, &fuel, error ? &fuel_error : NULL);
+        status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
     /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
-    real velocity_ratio = c->launch.velocity_ratio;
-    real after =
-        rubs ? c->geometry.flow->J_c * c->launch.omegasq / (c->geometry.r * velocity_ratio * velocity_ratio)
-             : c->launch.kinetic + fuel.exact;
-    real before = c->geometry.weight * after, J0 = c->launch.J0;
+    real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,
         .time = time,
@@ -272,26 +202,24 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         .climbed = at.dH,
         .fallen = at.left,
         .before = before,
-        .lost = rubs ? before - c->launch.kinetic : before / J0,
-        .friction_work = rubs && theta > 0 ? c->launch.kinetic - at.dH - at.J * omegasq : 0,
+        .lost = conservative ? before / launch->J0 : before - launch->kinetic,
+        .friction_work = conservative || theta == 0 ? 0 : launch->kinetic - at.dH - at.J * omegasq,
     };
     if (!error)
         return DOM_OK;
-    real of_time = 0, of_kinetic = c->launch_error.kinetic;
-    real of_before = c->geometry.weight * (of_kinetic + fuel_error.exact) + 5 * UNIT * before;
-    if (rubs)
-        of_time = REAL_NAN;
-    else
+    real of_time = REAL_NAN;
+    if (conservative)
         status = time_error(m, state, &of_time);
+    real of_before = geometry->weight * launch_error->arrives + 5 * UNIT * before;
     *error = (struct dom_state){
         .time = of_time,
         .omegasq = omegasq_error,
         .acceleration = REAL_NAN, /* no bound is known */
-        .kinetic = of_kinetic + e.dH + 3 * UNIT * at.J * omegasq,
+        .kinetic = launch_error->kinetic + e.dH + 3 * UNIT * at.J * omegasq,
         .climbed = e.dH,
         .fallen = at.left == 0 ? 0 : e.dH,
         .before = of_before,
-        .lost = (of_before + before * c->launch_error.J0 / J0) / J0 + UNIT * before,
+        .lost = (of_before + before * launch_error->J0 / launch->J0) / launch->J0 + UNIT * before,
     };
     return status;
 }
@@ -300,7 +228,9 @@ KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta
                                    struct dom_state *error)
 {
     struct motion m;
-    FLOW(flow);
-    enum dom_status status = motion_begin(train, &flow, &m, error != NULL);
-    return status == DOM_OK ? motion_state(&m, (real)theta, REAL_NAN, state, error) : status;
+    enum dom_status status = motion_begin(train, &m, error != NULL);
+    if (status == DOM_OK)
+        status = motion_state(&m, (real)theta, REAL_NAN, state, error);
+    motion_end(&m);
+    return status;
 }

@@ -5,14 +5,6 @@
 
 #include "motion/cycle.h"
 
-struct moving; /* forces.c */
-
-/* Memory for a list of moving dominoes; begins as {0}, and its list is the owner's to free. */
-struct room {
-    struct moving *list;
-    size_t size;
-};
-
 struct motion {
     struct cycle cycle;
     real end; /* theta_c, or where the train comes to rest */
@@ -24,10 +16,9 @@ struct motion {
 
 /*
  * Begins the motion of a train, up to theta_c or to where it comes to rest; motion_end gives back what it
- * takes. DOM_NO_MARGIN where times have no value.
+ * takes, also after a failure. DOM_NO_MARGIN where times have no value.
  */
-KERNEL enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *motion,
-                                    bool errors);
+KERNEL enum dom_status motion_begin(const struct dom_train *train, struct motion *motion, bool errors);
 KERNEL void motion_end(struct motion *motion);
 
 /* The slowness before a stop, as a smooth function of x; see its definition. */
@@ -38,13 +29,6 @@ KERNEL enum dom_status motion_time(struct motion *motion, real from, real to, re
 
 /* The events without their times. */
 KERNEL enum dom_status motion_events(const struct motion *motion, struct dom_event *events, int *count);
-
-/*
- * tau^2 times the angular acceleration of the head at a tilt, where tau^2 omega^2 is w: half of dw/dtheta,
- * from (c3) differentiated; *n, unless NULL, gets the dominoes that matter.
- */
-KERNEL enum dom_status motion_acceleration(const struct geometry *geometry, struct tilt head, real w,
-                                           real *acceleration, size_t *n);
 
 /* The state at a tilt; time NaN where it is not known yet. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,

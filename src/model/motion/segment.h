@@ -1,61 +1,77 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A part of the way of one head, between two tilts where a domino falls off: from a state at lo to hi, by
- * energy (c3), or by the equation of motion where dominoes rub.
+ * A part of the way of one head, from a state at lo to hi, by the law of motion of its geometry.  The cycle
+ * of a train is one segment, whose barrier has the edge where a domino detaches; in a row each segment ends
+ * there.
  */
 #ifndef DOM_SEGMENT_H
 #define DOM_SEGMENT_H
 
 #include "energy/barrier.h"
-#include "motion/floor.h"
+
+struct moving; /* forces.c */
+
+/* Memory for a list of moving dominoes; begins as {0}, and its list is the owner's to free. */
+struct room {
+    struct moving *list;
+    size_t size;
+};
 
 struct segment {
     struct geometry geometry; /* n: dominoes that move */
-    struct tilt from;
-    real lo, hi;
-    real J, omegasq;    /* at lo */
-    real gain;          /* d omegasq / d omegasq at the launch */
-    real inertia_ratio; /* of the collision that it begins with; 0 for none */
-    bool locks;         /* friction locks at hi */
-    struct barrier barrier;
-    enum dom_status status; /* of what is being searched or integrated */
+    real lo, hi;              /* tilts of the head, in rad */
+    struct start start;       /* the state at lo */
+    real gain;                /* d omegasq / d omegasq at the launch */
+    real inertia_ratio;       /* of the collision that the segment begins with; 0 for none */
+    bool locks;               /* friction locks at hi */
+    struct barrier barrier;   /* from lo to hi */
+    struct room *room;        /* for forces; NULL for none */
+    enum dom_status status;   /* of what is being searched or integrated */
 };
 
-/* Ends the stretch where a domino falls off; *stay move on from there. */
+/* Ends the segment where a domino detaches; *stay dominoes move on from there. */
 KERNEL enum dom_status segment_cut(struct segment *segment, size_t *stay);
 
-/* From from, lo, hi, J, omegasq, gain: its barrier, and J of those that move now.  It ends where it locks. */
+/*
+ * From geometry, lo, hi, gain and start: finds the barrier, and J of the dominoes that move now.  The segment
+ * ends where it locks.
+ */
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
- * Where it ends begins the next one, of those that move on from there.  Its omegasq is linear in that at the
- * launch, and negative where the motion is used up before: so much is missing to come as far.
+ * Begins the next segment where this one ends, of the dominoes that move on from there.  Its omegasq is
+ * linear in that at the launch, and negative where the motion is used up before: so much is missing to come
+ * as far.
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* Does what locks there push back?  Then no motion comes to hi. */
+/* Finds whether what locks at hi pushes back: then no motion comes to hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
-
-/* At lo, in m g h / 2 of the head. */
-KERNEL real segment_kinetic(const struct segment *segment);
 
 /* H(theta) - H(lo), and J; NaN with a status. */
 KERNEL real segment_climbed(struct segment *segment, real theta, real *J);
 
-/* tau^2 omega^2 at a tilt; NaN with a status. */
-KERNEL real segment_speed(struct segment *segment, real theta);
+/* tau^2 omega^2 at a tilt, and unless error is NULL the bound of its error. */
+KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);
 
-/* Where the motion is used up. */
+/*
+ * Finds the tilt where the energy is used up, of a motion that stops.  With friction the solution of the
+ * motion may not reach farther than that any more.
+ */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
+
+/* 1 / (tau omega) at a tilt, and the bound of its error, for integrals; context is the segment. */
+KERNEL real slowness(real theta, void *context);
+KERNEL real slowness_error(real theta, void *context);
+
+/*
+ * Integrates f, which is as smooth as the slowness, from one tilt to another, piece by piece between the
+ * edges of the barrier; unless NULL, error gets the bound.
+ */
+KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
+                                        real tol, real *sum, real *error);
 
 /* In tau of the head; NaN where the margin is 0 to rounding, since it grows like ln(1/margin). */
 KERNEL enum dom_status segment_time(struct segment *segment, real *time);
-
-/* For floor_over: how the chain moves at a tilt. */
-KERNEL enum dom_status segment_kinematics(real theta, struct tilt *head, struct kinematics *kinematics,
-                                          void *segment);
-
-/* The smallest contact force at a few tilts up to `to`, in weights of the dominoes that it is on. */
-KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
 #endif

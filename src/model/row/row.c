@@ -7,7 +7,7 @@
  *
  * Inside, the head of the moment is the unit, as everywhere in here: its height, m g h / 2, tau.
  */
-#include "motion/segment.h"
+#include "motion/floor.h"
 #include <stdlib.h>
 
 /* ---- The row as a chain ---- */
@@ -15,7 +15,6 @@
 struct row {
     const struct dom_row *asked;
     struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
-    struct flow *flow;
 };
 
 /* Of one domino, in SI units. */
@@ -69,14 +68,14 @@ static struct tilt row_end(const struct dom_row *row, size_t k)
     return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
 }
 
-static void row_make(struct row *row)
+static enum dom_status row_make(struct row *row)
 {
     const struct dom_row *asked = row->asked;
+    const struct dynamics_values values = dynamics_of_row(asked);
     for (size_t k = 0; k < asked->count; k++) {
         struct geometry *geometry = &row->geometry[k];
         *geometry = (struct geometry){.tol = (real)asked->tol,
-                                      .mu = (real)asked->mu,
-                                      .flow = row->flow,
+                                      .flow = row->geometry[0].flow,
                                       .interrupt = asked->interrupt,
                                       .work = asked->work,
                                       .d = block_of(asked, k).d,
@@ -84,9 +83,16 @@ static void row_make(struct row *row)
                                       .c = row_end(asked, k),
                                       .n = k + 1};
         geometry->reach = hypot(1, geometry->d);
+        geometry_gravity(geometry, 0, 1);
         if (k > 0)
             joint_make(asked, k, &row->geometry[k - 1], geometry);
+        enum dom_status status = dynamics_choose(&values, geometry);
+        if (status == DOM_OK && k == 0) /* all of them share what the law needs */
+            status = dynamics_begin(geometry);
+        if (status != DOM_OK)
+            return status;
     }
+    return DOM_OK;
 }
 
 /* Also where it is rounded to the precision. */
@@ -97,7 +103,8 @@ static bool positive(dom_real value)
 
 static enum dom_status row_check(const struct dom_row *row)
 {
-    if (row->count == 0 || !positive(row->g) || !(row->mu >= 0 && row->mu <= DOM_MU_HIGHEST) ||
+    const struct dynamics_values values = dynamics_of_row(row);
+    if (row->count == 0 || !positive(row->g) || !dynamics_allowed(&values) ||
         !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ||
         (!isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))))
         return DOM_BAD_PARAMETER;
@@ -153,10 +160,9 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     struct segment *st = &d->st;
     bool ends = d->stops || d->locks;
     real to = ends ? d->stop : st->hi, part = 0, J;
-    struct floor_path path = {&st->geometry, st->lo, to, segment_kinematics, st};
     enum dom_status status = st->lo < to ? segment_contact(st, to, &d->least_force) : DOM_OK;
     if (status == DOM_OK && floor && st->lo < to)
-        status = floor_over(&path, &d->required_friction);
+        status = floor_over(st, st->lo, to, &d->required_friction);
     if (ends || status != DOM_OK)
         return status;
     d->climbed += segment_climbed(st, st->hi, &J);
@@ -182,7 +188,7 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
     /* In energy at the launch: with friction not all of it comes as far as here. */
-    real margin = (st->omegasq - st->barrier.height / st->J) / st->gain * d->J0;
+    real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     bool used_up = margin < 0;
     if (margin < d->least_margin || st->locks) {
         d->least_margin = st->locks ? -(real)INFINITY : margin;
@@ -206,8 +212,8 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     const struct block block = block_of(run->row.asked, k);
     const real end = tilt_angle(run->row.geometry[k].c);
     *d = (struct descent){.st = {.geometry = run->row.geometry[k],
-                                 .from = standing,
-                                 .omegasq = run->omegasq,
+                                 .start = {.from = standing, .omegasq = run->omegasq},
+                                 .gain = 1,
                                  .inertia_ratio = run->inertia_ratio},
                           .stay = run->moving,
                           .least_margin = (real)INFINITY,
@@ -215,16 +221,16 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     struct sums at;
     struct geometry geometry = d->st.geometry;
     geometry.n = run->moving;
-    enum dom_status status = chain_sum(&geometry, d->st.from, &at);
+    enum dom_status status = chain_sum(&geometry, standing, &at);
     real kinetic = at.J * run->omegasq;
-    d->J0 = d->st.J = at.J; /* all there is where the next one is touched already */
-    d->st.gain = 1;
+    d->J0 = d->st.start.J = at.J; /* all there is where the next one is touched already */
+    d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
         status = descent_segment(d, end, run->times, run->row.asked->floor);
     if (status != DOM_OK)
         return status;
     run->moving = d->stay;
-    run->carried = segment_kinetic(&d->st) * block.unit;
+    run->carried = d->st.start.kinetic * block.unit;
     fall->omega = sqrt(run->omegasq) / block.tau;
     fall->kinetic = kinetic * block.unit;
     fall->margin = d->least_margin < (real)INFINITY ? d->least_margin * block.unit : (real)fall->kinetic;
@@ -234,7 +240,7 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     fall->theta = ends ? d->stop : end;
     fall->duration = run->times && !ends ? d->time * block.tau : REAL_NAN;
     fall->friction_work = ends ? REAL_NAN : 0;
-    if (!ends && run->row.asked->mu > 0)
+    if (!ends && !run->row.geometry[k].dynamics->conservative)
         fall->friction_work = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
     return DOM_OK;
 }
@@ -244,28 +250,28 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 {
     const struct block block = block_of(run->row.asked, 0);
     const struct geometry *geometry = &run->row.geometry[0];
-    real u = geometry->reach, sine = (geometry->c.x - geometry->d * geometry->c.y) / u,
-         cosine = (geometry->c.y + geometry->d * geometry->c.x) / u;
-    real barrier = geometry->d * geometry->d / (1 + u) * block.unit;
+    real u = geometry->reach, sine = -geometry_rise(geometry, geometry->c) / u,
+         cosine = geometry_height(geometry, geometry->c) / u, x = geometry->h.x, y = geometry->h.y;
+    real barrier = x * x / (y + u) * block.unit;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,
                               .kinetic = barrier,
                               .barrier = barrier,
-                              .theta_m = atan(geometry->d),
+                              .theta_m = atan(x / y),
                               .theta = tilt_angle(geometry->c),
                               .moving = 1};
     *d = (struct descent){
-        .st = {.geometry = *geometry, .from = {geometry->d / u, 1 / u, 1 - 1 / u}, .J = 1, .gain = 1}};
-    d->st.geometry.mu = 0; /* nothing rubs on it */
-    d->st.lo = atan(geometry->d);
+        .st = {.geometry = *geometry, .start = {.from = {x / u, y / u, 1 - y / u}, .J = 1}, .gain = 1}};
+    d->st.geometry.dynamics = &energy_balance; /* nothing leans on it */
+    d->st.lo = atan(x / y);
     d->st.hi = tilt_angle(geometry->c);
-    struct floor_path path = {&d->st.geometry, d->st.lo, d->st.hi, segment_kinematics, &d->st};
-    enum dom_status status =
-        run->row.asked->floor && sine > 0 ? floor_over(&path, &d->required_friction) : DOM_OK;
-    d->st.from = geometry->c;
-    d->st.omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0;
-    run->carried = d->st.omegasq * block.unit;
+    enum dom_status status = run->row.asked->floor && sine > 0
+                                 ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction)
+                                 : DOM_OK;
+    d->st.start.from = geometry->c;
+    d->st.start.omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0;
+    run->carried = d->st.start.omegasq * block.unit;
     run->verdict.end = sine > 0 ? DOM_ROW_FALLS : DOM_ROW_LEANS;
     return status;
 }
@@ -280,8 +286,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
     const struct dom_domino *own = &run->row.asked->domino[k], *next = own + 1;
-    struct geometry *geometry = &run->row.geometry[k + 1];
-    struct equation_of_motion equation_of_motion = {.A = d->st.J};
+    const struct geometry *geometry = &run->row.geometry[k + 1];
     enum dom_row_end *end = &run->verdict.end;
     if ((real)next->gap > (real)own->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
@@ -289,20 +294,17 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
         *end = DOM_ROW_PASSES;
     if (*end != DOM_ROW_FALLS)
         return DOM_OK;
-    struct link upright = link_head(geometry, standing);
-    enum dom_status status =
-        geometry->mu > 0 ? friction_equation_of_motion(&d->st.geometry, d->st.from, &equation_of_motion)
-                         : DOM_OK;
-    real inertia_ratio =
-             geometry->inertia * equation_of_motion.A * (geometry->mu > 0 ? torque_ratio(&upright) : 1),
-         velocity_ratio = inertia_ratio / (1 + inertia_ratio);
-    if (!(inertia_ratio > 0) && geometry->mu == 0)
-        return DOM_UNDERFLOW;
-    if (!(inertia_ratio > 0))
+    real inertia_ratio = 0, velocity_ratio;
+    enum dom_status status = geometry->dynamics->inertia_ratio(geometry, &d->st.geometry, d->st.start.from,
+                                                               d->st.start.J, &inertia_ratio);
+    if (status == DOM_LOCKS) {
         *end = DOM_ROW_LOCKS;
+        return DOM_OK;
+    }
+    velocity_ratio = collision_velocity_ratio(inertia_ratio);
     real slower = block_of(run->row.asked, k + 1).tau / block_of(run->row.asked, k).tau;
     run->inertia_ratio = inertia_ratio;
-    run->omegasq = velocity_ratio * velocity_ratio * slower * slower * d->st.omegasq;
+    run->omegasq = velocity_ratio * velocity_ratio * slower * slower * d->st.start.omegasq;
     run->moving++;
     return status;
 }
@@ -380,18 +382,20 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall_visit *visit, void *context,
                                struct dom_verdict *verdict)
 {
-    FLOW(flow);
     enum dom_status status = row_check(asked);
     if (status != DOM_OK)
         return status;
-    struct run run = {.row = {.asked = asked, .flow = &flow},
+    struct run run = {.row = {.asked = asked},
                       .times = times,
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     run.row.geometry = malloc(asked->count * sizeof *run.row.geometry);
     if (!run.row.geometry)
         return DOM_NO_MEMORY;
-    row_make(&run.row);
-    status = row_falls(&run, visit, context);
+    run.row.geometry[0] = (struct geometry){.dynamics = &energy_balance};
+    status = row_make(&run.row);
+    if (status == DOM_OK)
+        status = row_falls(&run, visit, context);
+    dynamics_end(&run.row.geometry[0]);
     run.verdict.seconds = times ? run.time : REAL_NAN;
     if (status == DOM_OK)
         *verdict = run.verdict;

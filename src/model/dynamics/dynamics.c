@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The list of the effects that change how a train moves, and the law of motion without any. */
+#include "dynamics/dynamics.h"
+#include "dynamics/energy_balance.h"
+#include "dynamics/friction.h"
+
+KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, struct geometry *geometry)
+{
+    static enum dom_status (*const apply[])(struct geometry *, real) = {
+#define DYNAMICS_APPLY(effect, member) effect##_apply,
+        DOM_DYNAMICS(DYNAMICS_APPLY)
+#undef DYNAMICS_APPLY
+    };
+    enum dom_status status = DOM_OK;
+    geometry->dynamics = &energy_balance;
+    for (int i = 0; i < DYNAMICS_COUNT && status == DOM_OK; i++)
+        if (dynamics_on(values->of[i]))
+            status = apply[i](geometry, (real)values->of[i]);
+    return status;
+}
+
+KERNEL enum dom_status dynamics_read(const struct dom_train *train, struct geometry *geometry)
+{
+    const struct dynamics_values values = dynamics_of_train(train);
+    *geometry = geometry_read(train);
+    return dynamics_choose(&values, geometry);
+}
+
+KERNEL enum dom_status dynamics_make(const struct dom_train *train, struct geometry *geometry)
+{
+    enum dom_status status = dynamics_read(train, geometry);
+    return status == DOM_OK ? geometry_set(geometry, geometry->s, geometry->r) : status;
+}
+
+KERNEL enum dom_status dynamics_begin(struct geometry *geometry)
+{
+    return geometry->dynamics->begin ? geometry->dynamics->begin(geometry) : DOM_OK;
+}
+
+KERNEL void dynamics_end(struct geometry *geometry)
+{
+    if (geometry->dynamics->end)
+        geometry->dynamics->end(geometry);
+}

@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dynamics/energy_balance.h"
+
+#ifdef KERNEL_TEXTS
+const struct dom_effect energy_balance_text = {
+    .name = "energy balance",
+    .adds = "no effect: contacts without friction take no energy",
+    .help =
+        "Kinetic energy and height are kept through a cycle (c3), and the collision keeps angular momentum "
+        "(c4), so a train that repeats itself has its kinetic energy in closed form (c6).",
+    .source = "J. M. J. van Leeuwen, Domino Magnification",
+    .plan = "(c3) (c4) (c6) in closed form, not integrated",
+};
+#endif
+
+/* ---- Fuel ---- */
+
+KERNEL real energy_fuel_paper(const struct geometry *geometry)
+{
+    real s = geometry->s, d = geometry->d, x = geometry->h.x, y = geometry->h.y;
+    /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
+    if (geometry->detaches)
+        return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
+    /* h(0) - h(theta_inf), rationalized: it keeps its digits near P = 0, on level floor s = 2 d^3 / (1 -
+     * d^2). */
+    return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
+           (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
+}
+
+/* Of the above: the roundings of the two terms whose difference it is, and the error of theta_f. */
+static real fuel_paper_error(const struct geometry *geometry)
+{
+    real s = geometry->s, x = geometry->h.x, y = geometry->h.y;
+    if (geometry->detaches) {
+        real rises = x * geometry->f.y + y * geometry->f.x, half = y * geometry->f.x / (1 + geometry->f.y);
+        return rises * geometry_error_f(geometry) + 12 * UNIT * geometry->f.x * (half + x);
+    }
+    real made_of = s * fabs((y - x) * (y + x)) + 2 * geometry->d * x * x;
+    return 4 * UNIT * s * made_of / (geometry->L * (y * s + x * geometry->L * geometry->inf.x)) +
+           10 * UNIT * fabs(energy_fuel_paper(geometry));
+}
+
+KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c)
+{
+    return (struct fuel){.exact = -at_c->dH,
+                         .paper = energy_fuel_paper(geometry),
+                         .inertia_ratio = geometry->inertia * at_c->J};
+}
+
+KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error)
+{
+    struct sums at_c, e;
+    enum dom_status status = chain_fall(geometry, &at_c, error ? &e : NULL);
+    if (status != DOM_OK)
+        return status;
+    *fuel = fuel_of(geometry, &at_c);
+    if (error) {
+        *error = (struct fuel){e.dH, fuel_paper_error(geometry),
+                               geometry->inertia * e.J + 4 * UNIT * fuel->inertia_ratio};
+    }
+    return DOM_OK;
+}
+
+/* ---- Collision ---- */
+
+KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f)
+{
+    real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = 1 + f->inertia_ratio;
+    /* (c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): terms of one sign. */
+    real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
+    return (struct launch){.fuel = P,
+                           .J0 = J0,
+                           .inertia_ratio = f->inertia_ratio,
+                           .velocity_ratio = collision_velocity_ratio(f->inertia_ratio),
+                           .omegasq = kinetic / J0,
+                           .kinetic = kinetic,
+                           .arrives = kinetic + f->exact};
+}
+
+static enum dom_status energy_collide(const struct geometry *geometry, enum dom_fuel fuel,
+                                      struct launch *launch, struct launch *error)
+{
+    struct fuel f, e;
+    enum dom_status status = energy_fuel(geometry, &f, error ? &e : NULL);
+    if (status != DOM_OK)
+        return status;
+    *launch = launch_of(geometry, fuel, &f);
+    real J0 = launch->J0, kinetic = launch->kinetic;
+    if (error) {
+        real size = fabs(kinetic), P_error = fuel == DOM_FUEL_PAPER ? e.paper : e.exact;
+        real powers = 12 * UNIT; /* of the denominator, and of what is left to do */
+        real of_kinetic = P_error * f.inertia_ratio / (geometry->rq + f.inertia_ratio * geometry->rq_1) +
+                          size * (e.inertia_ratio / f.inertia_ratio + powers);
+        real of_J0 = e.inertia_ratio + UNIT * J0;
+        *error = (struct launch){
+            .fuel = P_error,
+            .J0 = of_J0,
+            .inertia_ratio = e.inertia_ratio,
+            .velocity_ratio =
+                (e.inertia_ratio + of_J0 * f.inertia_ratio / J0) / J0 + UNIT * f.inertia_ratio / J0,
+            .omegasq = (of_kinetic + size * (of_J0 / J0 + UNIT)) / J0,
+            .kinetic = of_kinetic,
+            .arrives = of_kinetic + e.exact,
+        };
+    }
+    return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+static enum dom_status energy_inertia_ratio(const struct geometry *next, const struct geometry *hitting,
+                                            struct tilt at, real J, real *inertia_ratio)
+{
+    (void)hitting, (void)at;
+    *inertia_ratio = next->inertia * J;
+    return *inertia_ratio > 0 ? DOM_OK : DOM_UNDERFLOW;
+}
+
+/* ---- Motion ---- */
+
+static enum dom_status energy_slope(const struct geometry *geometry, struct tilt head, bool rough,
+                                    real *slope)
+{
+    struct sums sums = {0};
+    if (rough)
+        return chain_sign(geometry, head, slope);
+    enum dom_status status = chain_sum(geometry, head, &sums);
+    *slope = sums.H1;
+    return status;
+}
+
+static enum dom_status energy_required(const struct geometry *geometry, struct tilt from, real p,
+                                       real *energy)
+{
+    struct sums sums;
+    enum dom_status status = chain_energy_change_from(geometry, from, tilt_half(p), &sums);
+    *energy = sums.dH;
+    return status;
+}
+
+/* (c3), solved for tau^2 omega(theta)^2. */
+static enum dom_status energy_speed(const struct geometry *geometry, const struct start *start, real theta,
+                                    real *omegasq, real *error)
+{
+    struct tilt head;
+    struct sums at = {0}, e = {0};
+    enum dom_status status = geometry_tilt(geometry, theta, &head);
+    if (status == DOM_OK)
+        status = error ? chain_energy_change(geometry, head, &at, &e)
+                       : chain_energy_change_from(geometry, start->from, head, &at);
+    if (status != DOM_OK)
+        return status;
+    *omegasq = (start->kinetic - at.dH) / at.J;
+    if (error)
+        *error = (start->kinetic_error + e.dH + fabs(*omegasq) * (e.J + 3 * UNIT * at.J)) / at.J;
+    return DOM_OK;
+}
+
+static enum dom_status energy_before_rest(const struct geometry *geometry, real end, real by, real *slowness)
+{
+    struct tilt head, rest;
+    struct sums at;
+    enum dom_status status = geometry_tilt(geometry, end - by, &head);
+    if (status == DOM_OK)
+        status = geometry_tilt(geometry, end, &rest);
+    if (status == DOM_OK)
+        status = chain_energy_change_by(geometry, rest, head, -by, &at);
+    if (status == DOM_OK)
+        *slowness = at.dH < 0 ? at.J / -at.dH : REAL_NAN;
+    return status;
+}
+
+/* The rest of J, H1 and J'/2 from this domino on, where it is near enough to theta_inf (far_near). */
+static bool acceleration_closes(const struct link *k, real second_derivative, struct sum_state *a,
+                                real *half_J1)
+{
+    const struct geometry *geometry = k->geometry;
+    const struct far *far = &geometry->far;
+    if (geometry->n != CHAIN_ENDLESS || geometry->detaches || geometry->behind)
+        return false;
+    real e = far_off(geometry, k->tilt), H1 = k->weight * k->slope, J = k->inertia * k->slope * k->slope;
+    if (e > geometry->inf.x / 16 || !far_done(&a->H1, H1 * far->H1, H1 * far->H3 * e * e, geometry->tol) ||
+        !far_done(&a->J, J * far->J0, J * far->J2 * e * e, geometry->tol))
+        return false;
+    real J_far = far->J0 - far->J1 * e + far->J2 * e * e / 2, J1_far = far->J1 - far->J2 * e;
+    series_add(&a->H1, H1 * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
+    series_add(&a->J, J * J_far);
+    *half_J1 += k->inertia * k->slope * (second_derivative * J_far + k->slope * k->slope * J1_far / 2);
+    return true;
+}
+
+/* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w.  *n, unless NULL: the
+ * dominoes that matter. */
+KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
+                                           real *acceleration, size_t *n)
+{
+    struct sum_state a = {0};
+    struct sums at;
+    struct link k = link_head(geometry, head);
+    real half_J1 = 0, second_derivative = 0;
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, k.i);
+        if (status != DOM_OK)
+            return status;
+        if (!n && acceleration_closes(&k, second_derivative, &a, &half_J1))
+            break;
+        add_J(&a, &k);
+        add_H1(&a, &k);
+        half_J1 += k.inertia * k.slope * second_derivative;
+        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
+            break;
+        struct link leader = k;
+        link_next(&k);
+        second_derivative = link_second_derivative(&leader, second_derivative, &k);
+    }
+    enum dom_status status = sum_result(geometry, &a, 0, k.i + 1, &at);
+    if (n)
+        *n = at.n;
+    *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
+    return status;
+}
+
+static real energy_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
+                        real J_at)
+{
+    (void)geometry, (void)theta;
+    return gain * start->J / J_at;
+}
+
+static const struct dynamics energy_balance = {
+    .name = "energy balance",
+    .conservative = true,
+    .collide = energy_collide,
+    .inertia_ratio = energy_inertia_ratio,
+    .slope = energy_slope,
+    .required_energy = energy_required,
+    .speed = energy_speed,
+    .before_rest = energy_before_rest,
+    .acceleration = energy_acceleration,
+    .gain = energy_gain,
+};

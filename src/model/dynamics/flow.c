@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "dynamics/flow.h"
+#include <stdlib.h>
+
+KERNEL void flow_free(struct flow *flow)
+{
+    if (flow)
+        num_linear_free(&flow->solution);
+    free(flow);
+}
+
+/* Of all passes of a flow, some hundred: in double they take half a second. */
+#define FLOW_DOMINOES ((size_t)8000000)
+
+struct flow_context {
+    const struct geometry *geometry;
+    enum dom_status status;
+    real locked;     /* the last tilt that was found locked */
+    size_t dominoes; /* so far */
+};
+
+/* dw/dtheta = -2 B / A w + 2 C / A. */
+static bool flow_rate(real theta, void *context, struct num_rate *rate)
+{
+    struct flow_context *f = context;
+    struct tilt head;
+    struct equation_of_motion law = {.n = 0};
+    f->status = geometry_tilt(f->geometry, theta, &head);
+    if (f->status == DOM_OK)
+        f->status = friction_equation_of_motion(f->geometry, head, &law);
+    f->dominoes += f->status == DOM_OK ? law.n : 0;
+    if (f->dominoes > FLOW_DOMINOES)
+        f->status = DOM_TOO_LONG;
+    if (f->status == DOM_OK && law.locks) {
+        f->status = DOM_LOCKS;
+        f->locked = theta;
+    }
+    if (f->status != DOM_OK)
+        return false;
+    const real units = 32 * UNIT / law.A, of_A = law.A_size / law.A;
+    *rate = (struct num_rate){.p = -2 * law.B / law.A,
+                              .c = 2 * law.C / law.A,
+                              .p_noise = units * (law.B_size + fabs(law.B) * of_A),
+                              .c_noise = units * (law.C_size + fabs(law.C) * of_A)};
+    return true;
+}
+
+/*
+ * From upright on, u moves by d^2 up to theta ~ d, and by much more behind: it is told apart there on panels
+ * of its own, and so it is near the tilt sqrt(1 - r s), where followers come down.
+ */
+static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
+{
+    const struct geometry *geometry = c->geometry;
+    real d = geometry->h.x / geometry->h.y; /* tan theta_u */
+    real finest = geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d;
+    for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
+        enum num_status solver = num_linear_solve(flow_rate, c, *lo, to, tol / 8, &geometry->flow->solution);
+        if (solver != NUM_OK)
+            return model_status(c->status, solver);
+        *lo = to;
+    }
+    return DOM_OK;
+}
+
+/* Over the smooth parts between the edges. */
+static enum dom_status flow_over(struct flow_context *c, real tol, const real *edge, int edges)
+{
+    for (int i = 1; i < edges; i++) {
+        real lo = edge[i - 1];
+        enum dom_status status = lo <= REAL_MIN ? flow_finely(c, tol, &lo, edge[i]) : DOM_OK;
+        if (status != DOM_OK)
+            return status;
+        enum num_status solver =
+            num_linear_solve(flow_rate, c, lo, edge[i], tol / 8, &c->geometry->flow->solution);
+        if (solver != NUM_OK)
+            return model_status(c->status, solver);
+    }
+    return DOM_OK;
+}
+
+/* To a series a sum that ends elsewhere is a jump: it must stay below what the series resolves. */
+static struct geometry flow_begin(const struct geometry *geometry)
+{
+    struct geometry fine = *geometry;
+    fine.tol = fmax(geometry->tol / 64, 64 * REAL_EPSILON);
+    geometry->flow->solution.panels = 0;
+    geometry->flow->tol = geometry->tol;
+    return fine;
+}
+
+/* The hitting train has all but the head, which stands upright. */
+static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
+{
+    struct sums sums;
+    struct geometry hitting = *geometry;
+    hitting.n = geometry->n == CHAIN_ENDLESS ? CHAIN_ENDLESS : geometry->n - 1;
+    enum dom_status status =
+        friction_inertia_ratio(geometry, &hitting, geometry->c, REAL_NAN, &flow->inertia_ratio);
+    if (status == DOM_OK)
+        status = chain_sum(&hitting, geometry->c, &sums);
+    if (status != DOM_OK)
+        return status;
+    flow->J0 = 1 + geometry->inertia * sums.J;
+    flow->J_c = sums.J;
+    return DOM_OK;
+}
+
+KERNEL enum dom_status flow_solve(const struct geometry *geometry)
+{
+    struct flow *flow = geometry->flow;
+    if (flow->solution.panels > 0 && flow->tol <= geometry->tol)
+        return DOM_OK;
+    struct geometry fine = flow_begin(geometry);
+    real edge[CHAIN_EDGES];
+    int edges;
+    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges);
+    if (status != DOM_OK)
+        return status;
+    struct flow_context c = {.geometry = &fine};
+    status = flow_collision(&fine, flow);
+    return status == DOM_OK ? flow_over(&c, geometry->tol, edge, edges) : status;
+}
+
+/* How far the flow has come. */
+static real flow_end(const struct flow *flow, real lo)
+{
+    return flow->solution.panels > 0 ? flow->solution.panel[flow->solution.panels - 1].hi : lo;
+}
+
+/*
+ * Comes to where A vanishes as near as the tolerance asks, by halving the way to a tilt that is locked; the
+ * panels become as short as what is left, since 2 B / A has a pole there.
+ */
+static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
+{
+    struct flow_context c = {.geometry = fine, .status = DOM_OK, .locked = locked};
+    struct flow *flow = fine->flow;
+    for (;;) {
+        real from = flow_end(flow, lo), to = from + (c.locked - from) / 2;
+        if (!(c.locked - from > tol * c.locked && to > from && to < c.locked))
+            break;
+        enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
+        if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
+            break; /* so near to the pole that its panels have no digits left */
+        if (solver != NUM_OK && c.status != DOM_LOCKS)
+            return model_status(c.status, solver);
+    }
+    *hi = flow_end(flow, lo);
+    return DOM_LOCKS;
+}
+
+/* Where panels became too short before a pole: a locked tilt close behind; NaN where there is none. */
+static real flow_locked_near(const struct geometry *geometry, real from, real hi)
+{
+    for (real step = 4 * REAL_EPSILON * hi; from + step < hi; step *= 2) {
+        struct tilt head;
+        struct equation_of_motion law;
+        if (geometry_tilt(geometry, from + step, &head) != DOM_OK ||
+            friction_equation_of_motion(geometry, head, &law) != DOM_OK)
+            break;
+        if (law.locks)
+            return from + step;
+    }
+    return REAL_NAN;
+}
+
+KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0, real lo, real *hi)
+{
+    struct geometry fine = flow_begin(geometry);
+    struct flow_context c = {.geometry = &fine, .locked = REAL_NAN};
+    geometry->flow->J0 = J0;
+    enum dom_status status = flow_over(&c, geometry->tol, (real[]){lo, *hi}, 2);
+    if (status == DOM_NOT_CONVERGED)
+        c.locked = flow_locked_near(&fine, flow_end(geometry->flow, lo), *hi);
+    bool locks = status == DOM_LOCKS || (status == DOM_NOT_CONVERGED && !isnan(c.locked));
+    return locks ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
+}
+
+KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
+{
+    num_linear_at(&geometry->flow->solution, theta, ln_G, u);
+    *u = -*u;
+}
+
+KERNEL real flow_left(const struct geometry *geometry, real end, real by)
+{
+    real ln_G, u;
+    flow_at(geometry, end - by, &ln_G, &u);
+    return -exp(ln_G) * num_linear_moved(&geometry->flow->solution, end, by);
+}
+
+/* du/dtheta at a tilt. */
+static enum dom_status flow_slope(const struct geometry *geometry, struct tilt head, real theta, real *slope)
+{
+    struct equation_of_motion law;
+    real ln_G, u;
+    enum dom_status status = friction_equation_of_motion(geometry, head, &law);
+    flow_at(geometry, theta, &ln_G, &u);
+    *slope = -2 * law.C / (law.A * exp(ln_G));
+    return status;
+}
+
+/* A motion that is used up before *hi in a smooth piece from lo on: solves it again over its first part. */
+static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
+                                     real *hi)
+{
+    real slope = 0, ln_G, u, omegasq = start->omegasq, J0 = geometry->flow->J0;
+    bool cut = false;
+    enum dom_status status = flow_slope(geometry, start->from, lo, &slope);
+    if (status != DOM_OK || !(slope > 0))
+        return status;
+    for (real close = lo + 4 * omegasq / slope; close < *hi && close > lo; close = lo + 4 * (close - lo)) {
+        cut = true;
+        status = flow_solve_piece(geometry, J0, lo, &close);
+        if (status != DOM_OK)
+            return status;
+        flow_at(geometry, close, &ln_G, &u);
+        if (u >= omegasq) {
+            *hi = close;
+            return DOM_OK;
+        }
+    }
+    /* It goes on for long enough to be seen in the whole. */
+    return cut ? flow_solve_piece(geometry, J0, lo, hi) : DOM_OK;
+}
+
+KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
+                                  const real edge[2], real *hi)
+{
+    real first = fmin(*hi, edge[1]), spent = first;
+    enum dom_status status = flow_spent_in(geometry, start, edge[0], &spent);
+    if (status != DOM_OK || spent < first || first == *hi) {
+        *hi = spent;
+        return status;
+    }
+    geometry->flow->solution.panels = 0; /* it goes on over the edge: the whole flow is needed again */
+    return flow_solve(geometry);
+}
