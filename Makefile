@@ -46,7 +46,7 @@ OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
 .PHONY: all run quick test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
-all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc $(B)/domino-effects.7
+all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc
 
 # ---- Dependencies: only what the goals of this call need ----
 
@@ -108,10 +108,6 @@ $(B)/libdomino.a: $(call OBJ,$(MODEL))
 $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lreadline -o $@
-
-# The manual of effects comes from the effects themselves.
-$(B)/domino-effects.7: $(B)/domino
-	@$(B)/domino -n -e manual > $@
 
 # The library is static alone: its structures still grow with every effect, and no soname would keep up with
 # that.  So what it needs is named for every link, not under Requires.private and Libs.private.
@@ -292,8 +288,7 @@ lint: $(B)/kernel_names.h | $(FIRST)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	tests/layers $(B)/gcc
-	mandoc -T lint man/domino.1 man/libdomino.3
-	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
+	mandoc -T lint man/domino.1 man/libdomino.3 man/domino-effects.7
 	shellcheck tests/run tests/layers tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
 	  src/shell/prompt/domino.bash
 
@@ -305,7 +300,7 @@ format:
 # What goes where under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
 INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib include/domino.h:include $(B)/domino.pc:lib/pkgconfig \
-  man/domino.1:share/man/man1 man/libdomino.3:share/man/man3 $(B)/domino-effects.7:share/man/man7 \
+  man/domino.1:share/man/man1 man/libdomino.3:share/man/man3 man/domino-effects.7:share/man/man7 \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
   $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f))))
 # Every file and folder that installing made, so that uninstall leaves what was there before.

@@ -99,6 +99,57 @@ checked() {
     cmp "$archive" "$tree/.build/$name.tar.gz"
 }
 
+# ---- domino-effects(7) against the registry ----
+
+@test "domino-effects(7) has every effect with its values, ranges, units and defaults, and no other effect" {
+    page=$root/man/domino-effects.7
+    cat >"$BATS_TEST_TMPDIR/effects.c" <<'C'
+#include <domino.h>
+#include <stdio.h>
+int main(void)
+{
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+            printf("%s|%s|%s|Range %g .. %g%s%s; default %g.\n", e->name, e->argument[i].name, e->argument[i].meaning,
+                   (double)e->argument[i].lowest, (double)e->argument[i].highest, *e->argument[i].unit ? " " : "",
+                   e->argument[i].unit, (double)e->argument[i].usual);
+    }
+}
+C
+    # shellcheck disable=SC2046
+    cc -I"$root/include" "$BATS_TEST_TMPDIR/effects.c" "$build/libdomino.a" $(checked "$build/libdomino.a") \
+        -lgsl -lgslcblas -lm -pthread -o "$BATS_TEST_TMPDIR/effects"
+    "$BATS_TEST_TMPDIR/effects" >"$BATS_TEST_TMPDIR/rows"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/rows")" -ge 6 ]
+    # Each effect has a section, in the order of the registry, which is that of the program.
+    cut -d'|' -f1 "$BATS_TEST_TMPDIR/rows" | uniq >"$BATS_TEST_TMPDIR/names"
+    "$DOMINO" -e 'complete effect ' | diff -u "$BATS_TEST_TMPDIR/names" -
+    sed -n 's/^\.Ss //p' "$page" | diff -u "$BATS_TEST_TMPDIR/names" -
+    # Each value has an entry there, and there is no other.
+    awk '/^\.Ss / { name = $2 } /^\.Sh / { name = "" } name && /^\.It Ar / { print name "|" $3 }' "$page" |
+        diff -u <(cut -d'|' -f1,2 "$BATS_TEST_TMPDIR/rows") -
+    while IFS='|' read -r name item meaning range; do
+        entry=$(awk -v name=".Ss $name" -v item=".It Ar $item" '/^\.Ss / { inside = $0 == name } /^\.It|^\.El/ { on = 0 }
+            on; inside && $0 == item { on = 1 }' "$page" | paste -sd ' ' -)
+        [[ ${entry,,} == "${meaning,,}"* && $entry == *" $range" ]] || { echo "$name $item: $meaning, $range, not: $entry"; false; }
+    done <"$BATS_TEST_TMPDIR/rows"
+}
+
+@test "domino-effects(7) has a source for each effect, and an example that runs" {
+    page=$root/man/domino-effects.7
+    effects=$(grep -c '^\.Ss ' "$page")
+    [ "$effects" -ge 5 ]
+    same sources "$effects" "$(grep -c '^Source: *' "$page")"
+    sed -n 's/^\.Dl //p' "$page" >"$BATS_TEST_TMPDIR/examples"
+    same examples "$effects" "$(wc -l <"$BATS_TEST_TMPDIR/examples")"
+    while IFS= read -r example; do
+        run -0 --separate-stderr "$DOMINO" -n --bail -e "$example"
+        expects "$example" "$output"
+        same "$example: errors" '(nothing)' "$stderr"
+    done <"$BATS_TEST_TMPDIR/examples"
+}
+
 # ---- libdomino(3) against the header ----
 
 header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }
