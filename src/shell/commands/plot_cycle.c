@@ -150,7 +150,7 @@ static bool plot_samples(struct session *session, const struct call *call,
         good = rows(session, &c, &c.at[k], call->answer);
     if (!people)
         return good;
-    return good && script(&picture, session, &c) ? picture_end(session, &picture) : picture_drop(&picture);
+    return picture_end(session, &picture, good && script(&picture, session, &c));
 }
 
 /* ---- Energy ---- */
