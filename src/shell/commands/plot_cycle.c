@@ -280,7 +280,7 @@ static bool lines_at(struct session *session, struct cycle_samples *c, dom_real 
 static bool chain_rows(struct session *session, struct cycle_samples *c, const struct sample *at,
                        struct answer *answer)
 {
-    struct angles a;
+    struct angles a = {.count = 0};
     if (!lines_at(session, c, at->theta, &a))
         return false;
     for (int i = 0; i < c->lines; i++)
