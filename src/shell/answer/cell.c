@@ -128,6 +128,8 @@ bool cell_finite(const struct output_style *style, struct cell cell)
 
 const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT])
 {
+    if (cell.kind == CELL_FLAG)
+        return cell.number != 0 ? "true" : "false";
     style = style_of(style, cell);
     const int all = style->all_digits, few = all < 15 ? all - 2 : 15;
     cell.digits = 0;

@@ -12,9 +12,7 @@ static void cell_write(const struct answer *a, struct cell cell)
             fputs_unlocked(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, a->out);
         putc_unlocked('"', a->out);
     } else if (cell.kind != CELL_NONE)
-        fputs_unlocked(cell.kind == CELL_FLAG ? (cell.number != 0 ? "true" : "false")
-                                              : cell_plain(&a->style, cell, text),
-                       a->out);
+        fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
 /* The first row decides whether there is a column for reasons. */

@@ -9,10 +9,7 @@ static void cell_write(const struct answer *a, struct cell cell)
     if (cell.kind == CELL_WORD)
         escape_json(a->out, cell.word);
     else
-        fputs_unlocked(cell.kind == CELL_NONE   ? "null"
-                       : cell.kind == CELL_FLAG ? (cell.number != 0 ? "true" : "false")
-                                                : cell_plain(&a->style, cell, text),
-                       a->out);
+        fputs_unlocked(cell.kind == CELL_NONE ? "null" : cell_plain(&a->style, cell, text), a->out);
 }
 
 static void json_row(struct answer *a, const struct cell *cells, const char *reason)

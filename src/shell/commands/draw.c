@@ -239,7 +239,7 @@ static bool draw_file(struct session *session, dom_real theta, const struct scen
     if (forces)
         script_arrows(out, scene);
     fprintf(out, "plot NaN\n");
-    return picture_end(session, &picture);
+    return picture_end(session, &picture, true);
 }
 
 static const struct column draw_columns[] = {

@@ -161,8 +161,7 @@ static bool film_write(struct session *session, const struct film *film, FILE *o
     int height = (int)(FRAMES_WIDTH * film->top / (film->right - film->left)) + 100;
     height = height < 260 ? 260 : height > 700 ? 700 : height;
     return picture_animation(session, &picture, out, FRAMES_WIDTH, height, FRAMES_DELAY) &&
-           (film_script(session, film, picture.script) || picture_drop(&picture)) &&
-           picture_end(session, &picture);
+           picture_end(session, &picture, film_script(session, film, picture.script));
 }
 
 static bool film_file(struct session *session, const struct film *film, const char *path)

@@ -86,10 +86,10 @@ static bool plot_cost(struct session *session, const struct call *call)
     if (!picture_begin(session, &picture))
         return false;
     const struct costed *answer = &cost_answers[(int)call->number[1]];
-    if (!cost_of(session, answer, &cost))
-        return picture_drop(&picture);
-    cost_script(picture.script, session, answer, &cost, picture.text);
-    return picture_end(session, &picture);
+    bool good = cost_of(session, answer, &cost);
+    if (good)
+        cost_script(picture.script, session, answer, &cost, picture.text);
+    return picture_end(session, &picture, good);
 }
 
 /* ---- The paper's figures ---- */
@@ -217,11 +217,11 @@ static bool plot_limits(struct session *session, const struct call *call, const 
         return limits_find(session, curves, &table) && limit_rows(call, &table);
     if (!picture_begin(session, &picture))
         return false;
-    if (!limits_find(session, curves, &table))
-        return picture_drop(&picture);
     fprintf(picture.script, "set title \"%s\"\n", title);
-    limit_script(picture.script, session, curves, &table);
-    return picture_end(session, &picture);
+    bool good = limits_find(session, curves, &table);
+    if (good)
+        limit_script(picture.script, session, curves, &table);
+    return picture_end(session, &picture, good);
 }
 
 static bool plot_growth(struct session *session, const struct call *call)

@@ -150,7 +150,7 @@ static bool plot_samples(struct session *session, const struct call *call,
         good = rows(session, &c, &c.at[k], call->answer);
     if (!people)
         return good;
-    return good && script(&picture, session, &c) ? picture_end(session, &picture) : picture_drop(&picture);
+    return picture_end(session, &picture, good && script(&picture, session, &c));
 }
 
 /* ---- Energy ---- */
@@ -280,7 +280,7 @@ static bool lines_at(struct session *session, struct cycle_samples *c, dom_real 
 static bool chain_rows(struct session *session, struct cycle_samples *c, const struct sample *at,
                        struct answer *answer)
 {
-    struct angles a;
+    struct angles a = {.count = 0};
     if (!lines_at(session, c, at->theta, &a))
         return false;
     for (int i = 0; i < c->lines; i++)

@@ -11,8 +11,9 @@
 
 /* ---- Tables ---- */
 
-/* KEEPS: the value is of the same kind as the arguments, which are of one kind. */
-enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS };
+/* KEEPS: the value is of the same kind as the arguments, which are of one kind; HALVES: so are its
+ * dimensions. */
+enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {
     const char *name;
@@ -31,18 +32,15 @@ static const struct function functions[] = {
     {"floor", OF_NUMBER, quad(floor), NULL}, {"ceil", OF_NUMBER, quad(ceil), NULL},
     {"round", OF_NUMBER, quad(round), NULL}, {"hypot", KEEPS, NULL, quad(hypot)},
     {"min", KEEPS, NULL, quad(fmin)},        {"max", KEEPS, NULL, quad(fmax)},
-    {NULL, OF_NUMBER, NULL, NULL},
+    {"sqrt", HALVES, quad(sqrt), NULL},      {NULL, OF_NUMBER, NULL, NULL},
 };
-
-/* sqrt halves dimensions, so it stands beside the table; pi is the one constant. */
-static const char *const more_names[] = {"sqrt", "pi", NULL};
 
 const char *expression_name(int k)
 {
     for (const struct function *f = functions; f->name; f++)
         if (k-- == 0)
             return f->name;
-    return k <= 2 ? more_names[k] : NULL;
+    return k == 0 ? "pi" : NULL; /* the one constant */
 }
 
 /* ---- Messages ---- */
@@ -120,32 +118,24 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     if (count != wanted)
         return expression_fail(e, "%s takes %d value%s", f->name, wanted, wanted == 1 ? "" : "s");
     bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
-    if (f->one && f->kind != KEEPS && !number)
+    if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2))
+        return expression_fail(e, "%s of this is not defined", f->name);
+    if (f->kind == HALVES && a[0].value < 0)
+        return expression_no_value(e, "%s of this is not defined", f->name);
+    if (f->one && f->kind < KEEPS && !number)
         return expression_fail(e, "%s of %s is not defined", f->name,
                                expression_kind(a[0], kind, sizeof kind));
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
         return expression_fail(e, "%s takes two of a kind", f->name);
-    *q = f->kind == KEEPS ? a[0] : (struct quantity){.angle = f->kind == TO_ANGLE};
+    *q = f->kind == KEEPS    ? a[0]
+         : f->kind == HALVES ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2}
+                             : (struct quantity){.angle = f->kind == TO_ANGLE};
     dom_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
     if (f->two)
         q->value = f->two(a[0].value, a[1].value);
     else if (f->one)
         q->value = f->one(one);
     return finite_result(e, at, q);
-}
-
-static bool root(struct expression *e, const char *at, const struct quantity *a, int count,
-                 struct quantity *q)
-{
-    e->end = at;
-    if (count != 1)
-        return expression_fail(e, "sqrt takes 1 value");
-    if (a->length % 2 || a->time % 2)
-        return expression_fail(e, "sqrt of this is not defined");
-    if (a->value < 0)
-        return expression_no_value(e, "sqrt of this is not defined");
-    *q = (struct quantity){quad(sqrt)(a->value), a->length / 2, a->time / 2, a->angle / 2};
-    return true;
 }
 
 /* "(a, b)" behind a name; "()" has no values. */
@@ -190,8 +180,6 @@ static bool named(struct expression *e, struct quantity *q)
         for (const struct function *f = functions; f->name; f++)
             if (strcmp(f->name, name) == 0)
                 return apply(e, f, at, a, count, q) && ((e->end = end), true);
-        if (strcmp(name, "sqrt") == 0)
-            return root(e, at, a, count, q) && ((e->end = end), true);
     } else if (strcmp(name, "pi") == 0) {
         *q = (struct quantity){.value = QUAD_PI};
         return true;

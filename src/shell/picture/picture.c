@@ -245,21 +245,15 @@ static bool draw(struct session *session, const struct picture *picture, FILE *d
     return true;
 }
 
-bool picture_end(struct session *session, struct picture *picture)
+bool picture_end(struct session *session, struct picture *picture, bool whole)
 {
-    FILE *drawing = tmpfile(), *complaints = tmpfile();
-    bool drawn = drawing && complaints ? draw(session, picture, drawing, complaints)
-                                       : session_error(session, "cannot draw: %s", strerror(errno));
+    FILE *drawing = whole ? tmpfile() : NULL, *complaints = drawing ? tmpfile() : NULL;
+    bool drawn = complaints ? draw(session, picture, drawing, complaints)
+                            : whole && session_error(session, "cannot draw: %s", strerror(errno));
     if (drawing)
         fclose(drawing);
     if (complaints)
         fclose(complaints);
     fclose(picture->script);
     return drawn;
-}
-
-bool picture_drop(struct picture *picture)
-{
-    fclose(picture->script);
-    return false;
 }

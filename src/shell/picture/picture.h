@@ -22,11 +22,8 @@ bool picture_begin(struct session *session, struct picture *picture);
 bool picture_animation(struct session *session, struct picture *picture, FILE *out, int width, int height,
                        int delay);
 
-/* Draws and closes; false: an error was reported. */
-bool picture_end(struct session *session, struct picture *picture);
-
-/* Closes without a picture; false, for the caller to return. */
-bool picture_drop(struct picture *picture);
+/* Closes; draws, if the script is whole.  False: it is not, or an error was reported. */
+bool picture_end(struct session *session, struct picture *picture, bool whole);
 
 /* Returns true if the name of a file promises a picture: .svg, .png, .pdf. */
 bool picture_named(const char *path);

@@ -3,6 +3,7 @@
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
+#include "language/text.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -61,10 +62,8 @@ static long lines_read(FILE *in)
     char *text = NULL;
     size_t size = 0;
     long lines = 0;
-    for (; getline(&text, &size, in) != -1; lines++) {
-        text[strcspn(text, "\n")] = '\0';
+    for (; text_read(&text, &size, in) != -1; lines++)
         add_history(text);
-    }
     free(text);
     return lines;
 }
