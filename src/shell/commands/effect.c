@@ -9,49 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- effect ---- */
-
-/* Says what 'on' took, since it was not typed: with csv and json on standard error. */
-static void effect_say(struct session *session, struct answer *a, enum dom_effect_name name, bool before)
-{
-    char setting[EFFECT_SETTING], usage[EFFECT_USAGE];
-    const struct dom_effect *e = dom_effect(name);
-    bool listed = name == DOM_EFFECT_row && session->listed.domino;
-    const struct dom_effect_argument *first = &e->argument[0];
-    char text[3 * EFFECT_SETTING];
-    snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", e->name,
-             before ? "on" : "on now", listed ? "" : first->name, listed ? "" : " = ",
-             effect_setting(session, name, setting),
-             listed ? first->or_file + strspn(first->or_file, "a ") : first->meaning,
-             effect_usage(name, usage));
-    if (answer_for_people(a))
-        answer_say(a, "%s", text);
-    else
-        session_note(session, "%s", text);
-    session->fresh = false;
-    session->answered = session->answered || answer_for_people(a);
-}
-
-static bool run_effect(struct session *session, const struct call *call)
-{
-    enum dom_effect_name name = (enum dom_effect_name)call->number[0];
-    const struct effect_state *now = &session->effect[name];
-    const char *word = call->count > 1 ? call->word[1] : NULL;
-    if (word && strcmp(word, "off") == 0)
-        return effect_turn_off(session, name);
-    if (word && strcmp(word, "on") == 0) {
-        dom_real usual[DOM_EFFECT_ARGUMENTS];
-        for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
-            usual[i] = dom_effect(name)->argument[i].usual;
-        bool before = now->on;
-        if (!before && !effect_turn_on(session, name, usual, DOM_EFFECT_ARGUMENTS, NULL))
-            return false;
-        effect_say(session, call->answer, name, before);
-        return true;
-    }
-    return effect_turn_on(session, name, &call->number[1], call->count - 1, word);
-}
-
 /* ---- effects: what each costs ---- */
 
 /* One answer of the scene: does it go on, or do all fall?  What effects are on decides what is computed. */
@@ -195,8 +152,7 @@ static bool run_effects(struct session *session, const struct call *call)
     memcpy(fitted, price_columns, sizeof fitted);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
-        if (session->effect[k].on)
-            column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
+        column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
     }
     if (answer_for_people(a))
         a->columns = fitted;
@@ -208,8 +164,7 @@ static bool run_effects(struct session *session, const struct call *call)
         if (dom_raised(session->train.interrupt))
             return session_status(session, DOM_INTERRUPTED);
         answer_row(a,
-                   ROW(cell_word(e->name),
-                       cell_word(session->effect[k].on ? effect_setting(session, name, setting) : "off"),
+                   ROW(cell_word(e->name), cell_word(effect_setting(session, name, setting)),
                        cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
                        cell_count((dom_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
                    NULL);
@@ -302,9 +257,9 @@ static bool run_scene(struct session *session, const struct call *call)
 
 const struct command effect_commands[] = {
     {.name = "effect",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_CHOICE, .of = "effect", .choices = effect_names},
-                  {.name = "X", .kind = ARGUMENT_EFFECT, .optional = true},
-                  {.name = "Y", .kind = ARGUMENT_EFFECT, .optional = true}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .of = "effect", .choices = effect_names},
+                  {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
+                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "turn an effect on with its values, or 'off'",
      .help = "'effect friction 0.2', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect "
              "placement 1 mm', "
@@ -312,7 +267,7 @@ const struct command effect_commands[] = {
              "computed.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
      .see = "effects scene",
-     .run = run_effect},
+     .run = run_set},
     {.name = "effects",
      .summary = "all effects: on or off, what they add and cost here",
      .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "
