@@ -37,13 +37,23 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Its work; what random rows enter is not counted, so that the row is asked without errors. */
-static enum dom_status scene_work(const struct session *session, const struct scene_row *row,
-                                  struct dom_work *work)
+/*
+ * Counts the work of the scene's answer, without errors of placement, since what random rows enter is not
+ * counted; with `placed` the work of one random row too.  Returns false after an error.
+ */
+static bool scene_work(struct session *session, bool placed, struct dom_work *work, size_t *dominoes)
 {
+    struct scene_row row = {.domino = NULL};
     struct session core = *session;
     core.effect[DOM_EFFECT_placement].on = false;
-    return scene_answer(&core, row, work);
+    if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
+        return false;
+    enum dom_status status = scene_answer(&core, &row, work);
+    if (status == DOM_OK && placed)
+        status = scene_answer(session, &row, work);
+    *dominoes = row.row.count;
+    free(row.domino);
+    return status == DOM_OK || session_status(session, status);
 }
 
 /* The clock ticks in nanoseconds: a batch of this length is known well. */
@@ -84,23 +94,14 @@ static double scene_price(struct session *scene)
 static double price_with(const struct session *session, enum dom_effect_name name, bool on)
 {
     struct session scene = *session; /* its row is shared: nothing in here changes it */
-    const struct dom_effect *e = dom_effect(name);
-    if (name != DOM_EFFECT_placement)
-        scene.effect[DOM_EFFECT_placement].on = false;
-    else
-        scene.effect[DOM_EFFECT_floor].on = false;
+    effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *other = dom_effect((enum dom_effect_name)k);
-        bool wanted = k == (int)name ? on : (e->needs >> k & 1) != 0;
-        bool without = k == (int)name ? !on : !on && (other->needs >> name & 1) != 0;
-        if (wanted && !scene.effect[k].on) {
-            scene.effect[k].on = true;
-            for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
-                scene.effect[k].value[i] = other->argument[i].name ? other->argument[i].usual : 0;
-        } else if (without)
-            scene.effect[k].on = false;
+        const struct dom_effect *e = effect_at(k);
+        bool wanted = k == (int)name ? on : (dom_effect(name)->needs >> k & 1) != 0;
+        bool without = !on && (k == (int)name || (e->needs >> name & 1) != 0);
+        if (without || (wanted && !scene.effect[k].on))
+            effect_put(&scene, (enum dom_effect_name)k, without ? EFFECT_OFF : e->argument[0].usual);
     }
-    effects_apply(&scene);
     return scene_price(&scene);
 }
 
@@ -130,7 +131,7 @@ static void effects_say(const struct session *session, struct answer *a)
                "placement is timed for one random row, which may stop early.\n",
                row ? "does the whole row fall" : "does the train go on ('barrier')");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        const struct dom_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
 }
@@ -138,16 +139,10 @@ static void effects_say(const struct session *session, struct answer *a)
 static bool run_effects(struct session *session, const struct call *call)
 {
     struct dom_work work = {0};
-    struct scene_row row = {.domino = NULL};
+    size_t dominoes;
     struct answer *a = call->answer;
-    if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
+    if (!scene_work(session, session->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
-    enum dom_status status = scene_work(session, &row, &work);
-    if (status == DOM_OK && session->effect[DOM_EFFECT_placement].on)
-        status = scene_answer(session, &row, &work);
-    free(row.domino);
-    if (status != DOM_OK)
-        return session_status(session, status);
     struct column fitted[sizeof price_columns / sizeof *price_columns];
     memcpy(fitted, price_columns, sizeof fitted);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
@@ -223,21 +218,15 @@ static void plan_of_row(const struct session *session, struct answer *a, size_t 
 static bool run_scene(struct session *session, const struct call *call)
 {
     struct dom_work work = {0};
-    struct scene_row row = {.domino = NULL};
+    size_t count;
     struct answer *a = call->answer;
     bool is_row = session->effect[DOM_EFFECT_row].on;
     char on[256] = "", setting[EFFECT_SETTING];
-    if (is_row && !scene_row_make(session, &row))
+    if (!scene_work(session, false, &work, &count))
         return false;
-    enum dom_status status = scene_work(session, &row, &work);
-    size_t count = row.row.count;
-    free(row.domino);
-    if (status != DOM_OK)
-        return session_status(session, status);
     for (int k = 0, n = 0; k < DOM_EFFECT_COUNT; k++)
         if (session->effect[k].on && k != DOM_EFFECT_row)
-            n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ",
-                          dom_effect((enum dom_effect_name)k)->name,
+            n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
                           effect_setting(session, (enum dom_effect_name)k, setting));
     const struct dom_train *t = &session->train;
     if (is_row)
@@ -248,8 +237,8 @@ static bool run_scene(struct session *session, const struct call *call)
     (is_row ? plan_of_row : plan_train)(session, a, work.longest);
     for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
         if (session->effect[k].on)
-            plan_row(a, dom_effect((enum dom_effect_name)k)->name, dom_effect((enum dom_effect_name)k)->plan,
-                     0, k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
+            plan_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
+                     k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
     answer_say(a, "%zu passes down the %s give its verdict at tol = %g in %s precision.", work.passes,
                is_row ? "row" : "train", (double)t->tol, dom_arithmetic(t->precision)->name);
     return true;

@@ -10,7 +10,7 @@
 const char *effect_names(const void *context, int k)
 {
     (void)context;
-    return k < DOM_EFFECT_COUNT ? dom_effect((enum dom_effect_name)k)->name : NULL;
+    return k < DOM_EFFECT_COUNT ? effect_at(k)->name : NULL;
 }
 
 bool effect_hint(const char *word, char message[NAMES_MESSAGE])
@@ -89,8 +89,7 @@ const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPL
         return examples[name];
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (e->needs >> k & 1)
-            n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ",
-                          dom_effect((enum dom_effect_name)k)->name);
+            n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
     snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; scene", e->name);
     return example;
 }
@@ -110,22 +109,27 @@ static char *path_beside(const struct session *session, const char *path)
     return beside;
 }
 
-/* What is on and says nothing without the row, as ", with push and placement". */
+/* Returns true if effect k needs the row. */
+static bool needs_row(int k)
+{
+    return effect_at(k)->needs >> DOM_EFFECT_row & 1;
+}
+
+/* Writes what is on and needs the row, as ", with push and placement". */
 static void row_needed(const struct session *session, char *text, size_t size)
 {
     int n = 0;
     text[0] = '\0';
     for (int k = 0; k < DOM_EFFECT_COUNT && n < (int)size; k++)
-        if (session->effect[k].on && dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
-            n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ",
-                          dom_effect((enum dom_effect_name)k)->name);
+        if (session->effect[k].on && needs_row(k))
+            n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ", effect_at(k)->name);
 }
 
 /* Row off, and what needs it. */
 static void row_drop(struct session *session)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (k == DOM_EFFECT_row || dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
+        if (k == DOM_EFFECT_row || needs_row(k))
             session->effect[k] = (struct effect_state){.on = false};
     listed_free(&session->listed);
     effects_apply(session);
@@ -174,9 +178,19 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (dom_effect(name)->needs >> k & 1 && !session->effect[k].on)
             return session_error(session, "%s is about a %s: 'effect %s' first", dom_effect(name)->name,
-                                 dom_effect((enum dom_effect_name)k)->name,
-                                 effect_usage((enum dom_effect_name)k, usage));
+                                 effect_at(k)->name, effect_usage((enum dom_effect_name)k, usage));
     return !checks[name] || checks[name](session);
+}
+
+/* Makes this the state of an effect; a row from a file ends with it. */
+static bool effect_store(struct session *session, enum dom_effect_name name, struct effect_state state,
+                         bool from_file)
+{
+    if (dom_effect(name)->argument[0].or_file && !from_file)
+        listed_free(&session->listed);
+    session->effect[name] = state;
+    effects_apply(session);
+    return true;
 }
 
 static bool turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
@@ -192,27 +206,17 @@ static bool turn_on(struct session *session, enum dom_effect_name name, const do
                                  e->argument[i].meaning, effect_usage(name, usage));
         state.value[i] = i < given && !usual ? value[i] : e->argument[i].usual;
     }
-    if (!effect_needs(session, name) || (path && !row_from_file(session, path)))
-        return false;
-    if (e->argument[0].or_file && !path)
-        listed_free(&session->listed);
-    session->effect[name] = state;
-    effects_apply(session);
-    return true;
+    return effect_needs(session, name) && (!path || row_from_file(session, path)) &&
+           effect_store(session, name, state, path);
 }
 
 static bool turn_off(struct session *session, enum dom_effect_name name)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (session->effect[k].on && dom_effect((enum dom_effect_name)k)->needs >> name & 1)
-            return session_error(session, "%s is about the %s: 'effect %s off' first",
-                                 dom_effect((enum dom_effect_name)k)->name, dom_effect(name)->name,
-                                 dom_effect((enum dom_effect_name)k)->name);
-    if (dom_effect(name)->argument[0].or_file)
-        listed_free(&session->listed);
-    session->effect[name] = (struct effect_state){.on = false};
-    effects_apply(session);
-    return true;
+        if (session->effect[k].on && effect_at(k)->needs >> name & 1)
+            return session_error(session, "%s is about the %s: 'effect %s off' first", effect_at(k)->name,
+                                 dom_effect(name)->name, effect_at(k)->name);
+    return effect_store(session, name, (struct effect_state){.on = false}, false);
 }
 
 bool effect_turn(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
@@ -226,13 +230,12 @@ bool effect_turn(struct session *session, enum dom_effect_name name, const dom_r
 
 void effect_put(struct session *session, enum dom_effect_name name, dom_real value)
 {
-    const struct dom_effect *e = dom_effect(name);
     struct effect_state *state = &session->effect[name];
-    for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
-        state->value[i] = e->argument[i].usual;
+    for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS; i++)
+        state->value[i] = dom_effect(name)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
-    if (e->argument[0].or_file)
+    if (dom_effect(name)->argument[0].or_file)
         session->listed = (struct listed_row){.domino = NULL};
     effects_apply(session);
 }

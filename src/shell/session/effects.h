@@ -11,6 +11,11 @@
 #define EFFECT_OFF ((dom_real)-HUGE_VAL)
 #define EFFECT_ON  ((dom_real)HUGE_VAL)
 
+static inline const struct dom_effect *effect_at(int k)
+{
+    return dom_effect((enum dom_effect_name)k);
+}
+
 /* For names.h: the effects. */
 const char *effect_names(const void *context, int k);
 

@@ -2,15 +2,6 @@
 #include "session/parameters.h"
 #include "language/names.h"
 #include "language/quad.h"
-#include <string.h>
-
-static const struct word mass_words[] = {{"hollow", 3}, {"massive", 4}, {NULL, 0}};
-static const struct word fuel_words[] = {{"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}, {NULL, 0}};
-static const struct word output_words[] = {
-    {"table", OUTPUT_TABLE}, {"csv", OUTPUT_CSV}, {"json", OUTPUT_JSON}, {NULL, 0}};
-static const struct word angle_words[] = {{"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}, {NULL, 0}};
-static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
-static const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON}, {NULL, 0}};
 
 /* So that 'show' says which. */
 #if defined DOM_REAL_FLOAT128
@@ -23,26 +14,19 @@ static const struct word effect_words[] = {{"off", EFFECT_OFF}, {"on", EFFECT_ON
 #define QUAD_TYPE "not to be had here"
 #endif
 
-static const struct word precision_words[] = {
-    {"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}, {NULL, 0}};
-
 static const char tol_help[] =
     "It decides how far down the train the sums go and when iterations stop; tables show no more digits than "
-    "it "
-    "promises. Where a parameter's last digit moves the answer by more than that, so does rounding: 'set "
-    "errors "
-    "on' tells. The floor is that of the "
-    "precision: 1e-6, 1e-15, 1e-33. A new precision takes its own default along, unless another tol was set; "
-    "'cost rmax' shows what a digit costs.";
+    "it promises. Where a parameter's last digit moves the answer by more than that, so does rounding: 'set "
+    "errors on' tells. The floor is that of the precision: 1e-6, 1e-15, 1e-33. A new precision takes its own "
+    "default along, unless another tol was set; 'cost rmax' shows what a digit costs.";
 static const char precision_help[] =
     "One source of the model, compiled for each. Parameters are kept in the widest and rounded to this one: "
     "in quad 7/48 has 34 digits. tol and digits follow where they still have their defaults.";
 static const char errors_help[] =
     "Behind each number stands +/- and a bound: of all rounding on the way from the parameters, as the "
-    "precision "
-    "has them, of what tol cuts off, and of the digits that are not printed; digits does not matter then. In "
-    "csv "
-    "and json it is a column or key of its own, KEY_error. The values of 'print' have none.";
+    "precision has them, of what tol cuts off, and of the digits that are not printed; digits does not "
+    "matter then. In csv and json it is a column or key of its own, KEY_error. The values of 'print' have "
+    "none.";
 
 static dom_real tol_default(const struct dom_arithmetic *arithmetic)
 {
@@ -98,77 +82,57 @@ static void precision_put(struct session *session, dom_real precision)
 #define MORE_s
 #define MORE_r
 #define MORE_d
-#define MORE_q   .words = mass_words,
+#define MORE_q   .words = (const struct word[]){{"hollow", 3}, {"massive", 4}, {NULL, 0}},
 #define MORE_tol .help = tol_help, .fallback_of = tol_default, .lowest_of = tol_floor,
 #define MORE_h
 #define MORE_g
 
-#define VALUE(...)                                                                                           \
-    .value = (const struct dom_effect_argument[])                                                            \
-    {                                                                                                        \
-        {                                                                                                    \
-            __VA_ARGS__                                                                                      \
-        }                                                                                                    \
-    }
-#define NUMBER(member, name_, default_, lowest_, highest_, unit_, meaning_)                                  \
-    {.name = #name_,                                                                                         \
-     VALUE(.name = #name_, .unit = unit_, .meaning = meaning_, .usual = (dom_real)(default_),                \
-           .lowest = (dom_real)(lowest_), .highest = (dom_real)(highest_)),                                  \
-     .offset = offsetof(struct session, member name_),                                                       \
-     MORE_##name_},
-#define TRAIN_NUMBER(...) NUMBER(train., __VA_ARGS__)
-#define SCALE_NUMBER(...) NUMBER(scale., __VA_ARGS__)
-#define WORDS(name_, member, words_, default_, meaning_, ...)                                                \
-    {.name = name_,                                                                                          \
-     VALUE(.name = name_, .unit = "", .meaning = meaning_, .usual = default_),                               \
-     .words = words_,                                                                                        \
-     .words_only = true,                                                                                     \
-     .offset = offsetof(struct session, member),                                                             \
-     __VA_ARGS__},
-#define EFFECT(name_)                                                                                        \
-    {.name = #name_,                                                                                         \
-     .value = dom_effect_##name_.argument,                                                                   \
-     .effect = &dom_effect_##name_,                                                                          \
-     .which = DOM_EFFECT_##name_,                                                                            \
-     .words = effect_words},
+/* Rows whose commas are a macro's are not rows to clang-format. */
+/* clang-format off */
+#define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
+#define SWITCH WORD_LIST({"off", 0}, {"on", 1})
+/* A row's first members: where it is stored, and its value. */
+#define ROW(name_, member, unit_, meaning_, ...) \
+    .name = name_, .offset = offsetof(struct session, member), \
+    .value = (const struct dom_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
+#define NUMBER(of, name_, default_, lowest_, highest_, unit_, meaning_) \
+    {ROW(#name_, of.name_, unit_, meaning_, .usual = (dom_real)(default_), .lowest = (dom_real)(lowest_), \
+         .highest = (dom_real)(highest_)), MORE_##name_},
+#define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
+#define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
+#define EFFECT(name_) \
+    {.name = #name_, .value = dom_effect_##name_.argument, .effect = &dom_effect_##name_, \
+     .which = DOM_EFFECT_##name_, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
 
-/* clang-format off: to it the lists, whose commas are their own, are no elements. */
 const struct parameter session_parameters[] = {
-    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER){
-        .name = "mass",
-        VALUE(.name = "mass", .unit = "kg", .highest = 1e9,
-              .meaning = "mass of the first domino, 0 for none: energies are then in m g h/2"),
-        .offset = offsetof(struct session, mass)},
-    {.name = "density",
-     VALUE(.name = "density", .unit = "kg/m^3", .highest = 1e9,
-           .meaning = "of solid dominoes half as wide as tall, where no mass is set"),
-     .offset = offsetof(struct session, density)},
-    WORDS("fuel", train.fuel, fuel_words, DOM_FUEL_EXACT,
-          "energy balance, or the paper's closed form of (c7)", .check = fuel_check)
-        WORDS("precision", train.precision, precision_words, DOM_DOUBLE,
-              "arithmetic of the answers; quad is " QUAD_TYPE, .help = precision_help, .moves = "tol",
-              .check = precision_check, .put = precision_put){
-            .name = "seed",
-            VALUE(.name = "seed", .unit = "", .highest = (dom_real)4294967295.0, .usual = SEED_DEFAULT,
-                  .whole = true, .meaning = "of random rows: the same seed, the same rows"),
-            .offset = offsetof(struct session, seed)},
-    {.name = "threads",
-     VALUE(.name = "threads", .unit = "", .highest = 256, .whole = true,
-           .meaning = "of curves, sweeps and studies; 0: as many as there are processors"),
-     .offset = offsetof(struct session, threads),
+    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER)
+    DOM_SCALE_PARAMETERS(SCALE_NUMBER)
+    {ROW("mass", mass, "kg", "mass of the first domino, 0 for none: energies are then in m g h/2", .highest = 1e9)},
+    {ROW("density", density, "kg/m^3", "of solid dominoes half as wide as tall, where no mass is set",
+         .highest = 1e9)},
+    {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (c7)", .usual = DOM_FUEL_EXACT),
+     .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
+     .check = fuel_check},
+    {ROW("precision", train.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+     .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
+     .help = precision_help, .moves = "tol", .check = precision_check, .put = precision_put},
+    {ROW("seed", seed, "", "of random rows: the same seed, the same rows", .highest = (dom_real)4294967295.0,
+         .usual = SEED_DEFAULT, .whole = true)},
+    {ROW("threads", threads, "", "of curves, sweeps and studies; 0: as many as there are processors",
+         .highest = 256, .whole = true), .setting = true},
+    {ROW("output", style.output, "", "how answers are written", .usual = OUTPUT_TABLE),
+     .words = WORD_LIST({"table", OUTPUT_TABLE}, {"csv", OUTPUT_CSV}, {"json", OUTPUT_JSON}), .words_only = true,
      .setting = true},
-    WORDS("output", style.output, output_words, OUTPUT_TABLE, "how answers are written", .setting = true){
-        .name = "digits",
-        VALUE(.name = "digits", .unit = "", .lowest = 1, .highest = WIDE_DIGITS, .whole = true,
-              .meaning = "significant digits in tables; csv and json have all"),
-        .fallback_of = digits_default,
-        .offset = offsetof(struct session, style.digits),
-        .setting = true},
-    WORDS("angle", style.angle, angle_words, ANGLE_RAD, "unit of angles, typed and answered", .setting = true)
-        WORDS("errors", style.errors, switch_words, 0, "whether every number has the bound of its error",
-              .help = errors_help, .setting = true)
-            WORDS("timing", timing, switch_words, 0, "whether every answer ends with its time",
-                  .setting = true) DOM_EFFECTS(EFFECT){.name = NULL},
+    {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
+         .highest = WIDE_DIGITS, .whole = true), .fallback_of = digits_default, .setting = true},
+    {ROW("angle", style.angle, "", "unit of angles, typed and answered", .usual = ANGLE_RAD),
+     .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
+    {ROW("errors", style.errors, "", "whether every number has the bound of its error", .usual = 0),
+     .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
+    {ROW("timing", timing, "", "whether every answer ends with its time", .usual = 0),
+     .words = SWITCH, .words_only = true, .setting = true},
+    DOM_EFFECTS(EFFECT)
+    {.name = NULL},
 };
 /* clang-format on */
 
@@ -186,10 +150,8 @@ const char *parameter_words(const void *parameter, int k)
 
 const struct parameter *parameter_find(const char *name)
 {
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (strcmp(p->name, name) == 0)
-            return p;
-    return NULL;
+    int k = names_exact(parameter_names, NULL, name);
+    return k < 0 ? NULL : &session_parameters[k];
 }
 
 const struct dom_effect_argument *parameter_value(const struct parameter *p, int i)
