@@ -685,14 +685,13 @@ struct dom_effect_argument {
 
 enum { DOM_EFFECT_ARGUMENTS = 2 };
 
-/* What an effect tells of itself: the manual is made of it. */
+/* What an effect tells of itself. */
 struct dom_effect {
     const char *name;
-    const char *adds;    /* in a few words */
-    const char *help;    /* in full sentences, equations in the paper's letters */
-    const char *source;  /* where its mathematics is from */
-    const char *plan;    /* what is solved where it is on, and how */
-    const char *example; /* commands */
+    const char *adds;   /* in a few words */
+    const char *help;   /* in full sentences, equations in the paper's letters */
+    const char *source; /* where its mathematics is from */
+    const char *plan;   /* what is solved where it is on, and how */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* ends early with a NULL name */
     unsigned needs;  /* 1 << DOM_EFFECT_...: those without which it says nothing */
     bool dissipates; /* it is a law of motion that takes energy: see dom_law */

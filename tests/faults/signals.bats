@@ -104,8 +104,8 @@ END
 
 @test "eight that append to one file tear no line" {
     enter
-    "$DOMINO" -n -e 'manual; manual; manual' >answer # more than one block
-    echo 'manual; manual; manual' >three
+    "$DOMINO" -n -e 'help; help; help' >answer # more than one block
+    echo 'help; help; help' >three
     for _ in {1..8}; do
         for _ in {1..25}; do echo 'source three >> log'; done | timeout -k 1 60 "$DOMINO" -n -f - 3>&- &
     done

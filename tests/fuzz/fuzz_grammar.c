@@ -9,7 +9,6 @@
 #include "interpreter/command.h"
 #include "interpreter/lookup.h"
 #include "session.h"
-#include "session/effects.h"
 #include <dirent.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -169,10 +168,13 @@ static const char *const files[] = {"row.csv",
 
 static void put_parameter_value(struct maker *m, const struct parameter *p)
 {
+    static const char *const of_effects[] = {"1 mm", "3", "row.csv", "\"a \"\"b\"\".csv\""};
     if (p && p->words && pick(m, 4))
         put_name(m, parameter_words, p);
+    else if (p && p->effect && pick(m, 2))
+        put(m, PICK(m, of_effects));
     else if (p && pick(m, 2)) {
-        dom_real lowest = p->lowest, highest = p->highest;
+        dom_real lowest = p->value->lowest, highest = p->value->highest;
         fprintf(m->line, "%.17g", (double)(lowest + (highest - lowest) * pick(m, 256) / 255));
     } else
         put_expression(m, 0);
@@ -209,7 +211,6 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
 {
     static const char *const words[] = {"barrier", "\"a b\"", "\"", "\"\x1b[3m\"", "\xc2\x9b",
                                         "\xff",    "x\ty",    "#",  "on"};
-    static const char *const switches[] = {"on", "off", "0.2", "1 mm", "3", "row.csv", "\"a \"\"b\"\".csv\""};
     switch (a->kind) {
     case ARGUMENT_OF:
         put_parameter_value(m, parameter_find(a->of));
@@ -244,10 +245,7 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         put(m, PICK(m, files));
         break;
     case ARGUMENT_EFFECT:
-        if (pick(m, 2))
-            put(m, PICK(m, switches));
-        else
-            put_expression(m, 0);
+        *named = parameter_find(put_name(m, effect_names, NULL));
         break;
     case ARGUMENT_GRID:
         put_grid(m);

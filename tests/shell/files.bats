@@ -23,7 +23,7 @@ soon() { timeout 30 "$@"; }
 }
 @test "^C ends the wait for a reader that reads nothing" {
     # More than a FIFO holds, at once.
-    for _ in {1..40}; do echo manual; done >"$BATS_TEST_TMPDIR/script"
+    for _ in {1..40}; do echo help; done >"$BATS_TEST_TMPDIR/script"
     prompt interrupt_partner '<' "source $BATS_TEST_TMPDIR/script > %s" 'cannot write [^\n]*canceled'
 }
 @test "^C ends a command that reads the terminal" {

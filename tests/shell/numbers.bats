@@ -31,7 +31,7 @@ calls() {
     local name
     for name in $("$DOMINO" -e complete); do
         case $name in
-        quit | exit | help | manual | complete | apropos | source | save | pool | animate | set | reset | effect | \
+        quit | exit | help | complete | apropos | source | save | pool | animate | set | reset | effect | \
             place | cost | effects | plot | placement | budget | mend | rowmax | best) ;;
         theta1 | energy | omega | chain) printf '%s\n' "$name 0" "$name 1e-9" ;;
         goto) printf '%s\n' 'goto 0' 'goto 1e-6' 'goto stop' ;;

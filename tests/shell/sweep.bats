@@ -80,6 +80,14 @@ curve 0.02 0.9 100'
         "$(json "effect row $root/examples/record.csv; effect push 3; sweep push 3 4 2 : verdict" | tail -n 1 | values short_by)"
 }
 
+@test "an effect is swept over off, its numbers, and on, its usual value" {
+    for value in off 0.1 on; do differ "$value" "$(json 'effect friction 0.5; rmax' | values r_max)" \
+        "$(json "effect friction $value; rmax" 2>/dev/null | values r_max)"; done
+    same 'r_max' "$(for value in off 0.1 on; do json "effect friction $value; rmax" 2>/dev/null | values r_max; done)" \
+        "$(json 'effect friction 0.5; sweep friction off, 0.1, on : rmax' | values r_max)"
+    same 'values' 'off 0.1 0.2' "$(json 'sweep friction off, 0.1, on : rmax' | values friction | paste -sd ' ' -)"
+}
+
 @test "grids: even, by equal ratios, lists, words, units, one point, in degrees" {
     grid() { csv "sweep $1 : print 0" | tail -n +2 | cut -d , -f "1-${2:-1}" | paste -sd ' ' -; }
     same even '0.1 0.3 0.5' "$(grid 's 0.1 0.5 3')"
@@ -169,6 +177,8 @@ curve 0.02 0.9 100'
     wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is no count'
     wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' stands twice"
     wrong_line 'sweep fuel exact paper 2 : rmax' 'fuel has words'
+    wrong_line 'sweep friction off 0.2 3 : rmax' "friction has words: 'sweep friction off, on : ...' lists them"
+    wrong_line 'sweep friction 0.1 off 3 : rmax' 'friction has words'
     wrong_line 'sweep seed 1 10 5 : rmax' 'whole numbers only'
     wrong_line 'sweep mass 0 1 3 log : rmax' 'equal ratio need FROM and TO above 0'
     wrong_line 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'

@@ -847,6 +847,8 @@ completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
 @test "complete: commands, parameters, topics, words, names of expressions, files" {
     all=$("$DOMINO" -e help | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' | paste -sd ' ' -)
     parameters=$(json show | values name | paste -sd ' ' -)
+    effects=$(completed 'effect ')
+    [ "$(wc -w <<<"$effects")" -ge 5 ]
     [ "$(wc -w <<<"$all")" -ge 22 ]
     while IFS='|' read -r line expected; do
         same "complete $line" "$expected" "$(completed "$line")"
@@ -855,9 +857,12 @@ completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
 th|thetac theta1
 bar|barrier
 zzz|(nothing)
-set |$parameters
-show |$parameters
-reset |$parameters
+set |$parameters $effects
+show |$parameters $effects
+reset |$parameters $effects
+set friction |off on
+effect floor |off on
+set placement 0.1 |(nothing)
 set ou|output
 set d|d density digits
 show t|tol threads timing

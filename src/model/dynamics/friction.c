@@ -20,7 +20,6 @@ const struct dom_effect dom_effect_friction = {
         "cannot turn it. There is no closed form of the fuel: 'set fuel paper' excludes friction.",
     .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
     .plan = "the motion, linear in omega^2: Chebyshev series",
-    .example = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     .dissipates = true,
     .argument = {{.name = "MU",
                   .unit = "",

@@ -17,7 +17,6 @@ const struct dom_effect dom_effect_placement = {
     .source =
         "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; generators of GSL",
     .plan = "many rows, verdicts only, on all processors",
-    .example = "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
     .argument = {{.name = "SIGMA",
                   .unit = "m",
                   .meaning = "standard deviation of every gap",

@@ -12,7 +12,6 @@ const struct dom_effect dom_effect_push = {
             "over its edge is a verdict; where it touches the next before it tips over, it needs one.",
     .source = "energy of a single domino, (b2) and (b5)",
     .plan = "omega^2 of the first domino",
-    .example = "effect row 5; effect push 3; fall; effect push off; effect row off",
     .argument = {{.name = "OMEGA",
                   .unit = "rad/s",
                   .meaning = "angular velocity of the first domino",

@@ -22,7 +22,6 @@ const struct dom_effect dom_effect_row = {
         "domino, or a contact would have to pull, the model ends, and says so. 'fall' runs it.",
     .source = "energy balance and collision of the paper, (c1) to (c4), with sizes of their own",
     .plan = "each head: kinetic energy against the top of H",
-    .example = "effect row 13; fall; effect row off",
     .argument = {{.name = "N",
                   .unit = "",
                   .meaning = "number of dominoes",

@@ -9,49 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- effect ---- */
-
-/* Says what 'on' took, since it was not typed: with csv and json on standard error. */
-static void effect_say(struct session *session, struct answer *a, enum dom_effect_name name, bool before)
-{
-    char setting[EFFECT_SETTING], usage[EFFECT_USAGE];
-    const struct dom_effect *e = dom_effect(name);
-    bool listed = name == DOM_EFFECT_row && session->listed.domino;
-    const struct dom_effect_argument *first = &e->argument[0];
-    char text[3 * EFFECT_SETTING];
-    snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", e->name,
-             before ? "on" : "on now", listed ? "" : first->name, listed ? "" : " = ",
-             effect_setting(session, name, setting),
-             listed ? first->or_file + strspn(first->or_file, "a ") : first->meaning,
-             effect_usage(name, usage));
-    if (answer_for_people(a))
-        answer_say(a, "%s", text);
-    else
-        session_note(session, "%s", text);
-    session->fresh = false;
-    session->answered = session->answered || answer_for_people(a);
-}
-
-static bool run_effect(struct session *session, const struct call *call)
-{
-    enum dom_effect_name name = (enum dom_effect_name)call->number[0];
-    const struct effect_state *now = &session->effect[name];
-    const char *word = call->count > 1 ? call->word[1] : NULL;
-    if (word && strcmp(word, "off") == 0)
-        return effect_turn_off(session, name);
-    if (word && strcmp(word, "on") == 0) {
-        dom_real usual[DOM_EFFECT_ARGUMENTS];
-        for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
-            usual[i] = dom_effect(name)->argument[i].usual;
-        bool before = now->on;
-        if (!before && !effect_turn_on(session, name, usual, DOM_EFFECT_ARGUMENTS, NULL))
-            return false;
-        effect_say(session, call->answer, name, before);
-        return true;
-    }
-    return effect_turn_on(session, name, &call->number[1], call->count - 1, word);
-}
-
 /* ---- effects: what each costs ---- */
 
 /* One answer of the scene: does it go on, or do all fall?  What effects are on decides what is computed. */
@@ -80,13 +37,23 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Its work; what random rows enter is not counted, so that the row is asked without errors. */
-static enum dom_status scene_work(const struct session *session, const struct scene_row *row,
-                                  struct dom_work *work)
+/*
+ * Counts the work of the scene's answer, without errors of placement, since what random rows enter is not
+ * counted; with `placed` the work of one random row too.  Returns false after an error.
+ */
+static bool scene_work(struct session *session, bool placed, struct dom_work *work, size_t *dominoes)
 {
+    struct scene_row row = {.domino = NULL};
     struct session core = *session;
     core.effect[DOM_EFFECT_placement].on = false;
-    return scene_answer(&core, row, work);
+    if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
+        return false;
+    enum dom_status status = scene_answer(&core, &row, work);
+    if (status == DOM_OK && placed)
+        status = scene_answer(session, &row, work);
+    *dominoes = row.row.count;
+    free(row.domino);
+    return status == DOM_OK || session_status(session, status);
 }
 
 /* The clock ticks in nanoseconds: a batch of this length is known well. */
@@ -127,23 +94,14 @@ static double scene_price(struct session *scene)
 static double price_with(const struct session *session, enum dom_effect_name name, bool on)
 {
     struct session scene = *session; /* its row is shared: nothing in here changes it */
-    const struct dom_effect *e = dom_effect(name);
-    if (name != DOM_EFFECT_placement)
-        scene.effect[DOM_EFFECT_placement].on = false;
-    else
-        scene.effect[DOM_EFFECT_floor].on = false;
+    effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *other = dom_effect((enum dom_effect_name)k);
-        bool wanted = k == (int)name ? on : (e->needs >> k & 1) != 0;
-        bool without = k == (int)name ? !on : !on && (other->needs >> name & 1) != 0;
-        if (wanted && !scene.effect[k].on) {
-            scene.effect[k].on = true;
-            for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
-                scene.effect[k].value[i] = other->argument[i].name ? other->argument[i].usual : 0;
-        } else if (without)
-            scene.effect[k].on = false;
+        const struct dom_effect *e = effect_at(k);
+        bool wanted = k == (int)name ? on : (dom_effect(name)->needs >> k & 1) != 0;
+        bool without = !on && (k == (int)name || (e->needs >> name & 1) != 0);
+        if (without || (wanted && !scene.effect[k].on))
+            effect_put(&scene, (enum dom_effect_name)k, without ? EFFECT_OFF : e->argument[0].usual);
     }
-    effects_apply(&scene);
     return scene_price(&scene);
 }
 
@@ -173,7 +131,7 @@ static void effects_say(const struct session *session, struct answer *a)
                "placement is timed for one random row, which may stop early.\n",
                row ? "does the whole row fall" : "does the train go on ('barrier')");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        const struct dom_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
 }
@@ -181,21 +139,14 @@ static void effects_say(const struct session *session, struct answer *a)
 static bool run_effects(struct session *session, const struct call *call)
 {
     struct dom_work work = {0};
-    struct scene_row row = {.domino = NULL};
+    size_t dominoes;
     struct answer *a = call->answer;
-    if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
+    if (!scene_work(session, session->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
-    enum dom_status status = scene_work(session, &row, &work);
-    if (status == DOM_OK && session->effect[DOM_EFFECT_placement].on)
-        status = scene_answer(session, &row, &work);
-    free(row.domino);
-    if (status != DOM_OK)
-        return session_status(session, status);
-    struct column *fitted = answer_columns(a, answer_for_people(a) ? price_columns : effects_columns);
+    struct column *fitted = answer_columns(a, price_columns);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
-        if (session->effect[k].on)
-            column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
+        column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
     }
     for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
@@ -205,8 +156,7 @@ static bool run_effects(struct session *session, const struct call *call)
         if (dom_raised(session->train.interrupt))
             return session_status(session, DOM_INTERRUPTED);
         answer_row(a,
-                   ROW(cell_word(e->name),
-                       cell_word(session->effect[k].on ? effect_setting(session, name, setting) : "off"),
+                   ROW(cell_word(e->name), cell_word(effect_setting(session, name, setting)),
                        cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
                        cell_count((dom_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
                    NULL);
@@ -264,21 +214,15 @@ static void plan_of_row(const struct session *session, struct answer *a, size_t 
 static bool run_scene(struct session *session, const struct call *call)
 {
     struct dom_work work = {0};
-    struct scene_row row = {.domino = NULL};
+    size_t count;
     struct answer *a = call->answer;
     bool is_row = session->effect[DOM_EFFECT_row].on;
     char on[256] = "", setting[EFFECT_SETTING];
-    if (is_row && !scene_row_make(session, &row))
+    if (!scene_work(session, false, &work, &count))
         return false;
-    enum dom_status status = scene_work(session, &row, &work);
-    size_t count = row.row.count;
-    free(row.domino);
-    if (status != DOM_OK)
-        return session_status(session, status);
     for (int k = 0, n = 0; k < DOM_EFFECT_COUNT; k++)
         if (session->effect[k].on && k != DOM_EFFECT_row)
-            n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ",
-                          dom_effect((enum dom_effect_name)k)->name,
+            n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
                           effect_setting(session, (enum dom_effect_name)k, setting));
     const struct dom_train *t = &session->train;
     if (is_row)
@@ -289,8 +233,8 @@ static bool run_scene(struct session *session, const struct call *call)
     (is_row ? plan_of_row : plan_train)(session, a, work.longest);
     for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
         if (session->effect[k].on)
-            plan_row(a, dom_effect((enum dom_effect_name)k)->name, dom_effect((enum dom_effect_name)k)->plan,
-                     0, k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
+            plan_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
+                     k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
     answer_say(a, "%zu passes down the %s give its verdict at tol = %g in %s precision.", work.passes,
                is_row ? "row" : "train", (double)t->tol, dom_arithmetic(t->precision)->name);
     return true;
@@ -298,9 +242,9 @@ static bool run_scene(struct session *session, const struct call *call)
 
 const struct command effect_commands[] = {
     {.name = "effect",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_CHOICE, .of = "effect", .choices = effect_names},
-                  {.name = "X", .kind = ARGUMENT_EFFECT, .optional = true},
-                  {.name = "Y", .kind = ARGUMENT_EFFECT, .optional = true}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .of = "effect", .choices = effect_names},
+                  {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
+                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "turn an effect on with its values, or 'off'",
      .help = "'effect friction 0.2', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect "
              "placement 1 mm', "
@@ -308,7 +252,7 @@ const struct command effect_commands[] = {
              "computed.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
      .see = "effects scene",
-     .run = run_effect},
+     .run = run_set},
     {.name = "effects",
      .summary = "all effects: on or off, what they add and cost here",
      .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "

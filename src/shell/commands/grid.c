@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/grid.h"
 #include "language/quad.h"
-#include "session/effects.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,12 +9,7 @@
 
 static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
 
-static const struct dom_effect_argument *of_effect(const struct axis *axis)
-{
-    return &dom_effect(axis->effect)->argument[0];
-}
-
-/* Parameters of the model; the others say how the calculator works. */
+/* The parameters of the model; the others say how the calculator works. */
 static const struct parameter *grid_parameter(int k)
 {
     for (const struct parameter *p = session_parameters; p->name; p++)
@@ -24,33 +18,11 @@ static const struct parameter *grid_parameter(int k)
     return NULL;
 }
 
-static int grid_parameters(void)
-{
-    int n = 0;
-    while (grid_parameter(n))
-        n++;
-    return n;
-}
-
 const char *grid_names(const void *context, int k)
 {
+    (void)context;
     const struct parameter *p = grid_parameter(k);
-    return p ? p->name : effect_names(context, k - grid_parameters());
-}
-
-const char *axis_name(const struct axis *axis)
-{
-    return axis->parameter ? axis->parameter->name : dom_effect(axis->effect)->name;
-}
-
-const char *axis_unit(const struct axis *axis)
-{
-    return axis->parameter ? axis->parameter->unit : of_effect(axis)->unit;
-}
-
-static bool axis_whole(const struct axis *axis)
-{
-    return axis->parameter ? axis->parameter->whole : of_effect(axis)->whole;
+    return p ? p->name : NULL;
 }
 
 /* ---- Reading ---- */
@@ -70,7 +42,7 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
     if (!word)
         return session_status(session, DOM_NO_MEMORY);
     const struct parameter *setting = parameter_find(word);
-    int k = names_find(grid_names, NULL, "parameter", word, message), parameters = grid_parameters();
+    int k = names_find(grid_names, NULL, "parameter", word, message);
     names_shown(word, shown);
     free(word);
     if (setting && setting->setting)
@@ -82,28 +54,26 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
         return session_error(session, "%s", message);
     if (k < 0)
         return session_error(session, "'%s' stands where the name of a parameter belongs; %s", shown, form);
-    *axis = (struct axis){.parameter = k < parameters ? grid_parameter(k) : NULL,
-                          .effect = (enum dom_effect_name)(k < parameters ? 0 : k - parameters)};
+    *axis = (struct axis){.parameter = grid_parameter(k)};
     for (int i = 0; i < grid->axes; i++)
-        if (strcmp(axis_name(&grid->axis[i]), axis_name(axis)) == 0)
-            return session_error(session, "'%s' stands twice in the grid", axis_name(axis));
+        if (grid->axis[i].parameter == axis->parameter)
+            return session_error(session, "'%s' stands twice in the grid", axis->parameter->name);
     return grid->axes < AXES_MAX ||
            session_error(session, "more than %d parameters; the others can be set before", AXES_MAX);
 }
 
 static bool read_one(struct reader *r, const struct axis *axis, const char *what, dom_real *value)
 {
-    struct quantity q;
-    struct session *session = r->session;
+    const struct parameter *p = axis->parameter;
     r->at = skip_blanks(r->at);
-    session->column = reader_column(r, r->at);
+    r->session->column = reader_column(r, r->at);
     if (grid_ends(r->at))
-        return session_error(session, "%s: %s is missing; %s", axis_name(axis), what, form);
-    if (axis->parameter)
-        return read_value(r, axis->parameter, axis->parameter->name, value);
-    const struct argument a = {
-        .name = of_effect(axis)->name, .kind = ARGUMENT_EFFECT, .effect = of_effect(axis)};
-    return read_quantity(r, &a, &q, value);
+        return session_error(r->session, "%s: %s is missing; %s", p->name, what, form);
+    if (!read_value(r, p, 0, p->value->name, value))
+        return false;
+    if (p->effect && *value == EFFECT_ON)
+        *value = p->value->usual;
+    return true;
 }
 
 /* The comma has been seen: values up to the one that has none behind it. */
@@ -135,7 +105,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
     struct session *session = r->session;
     struct quantity q;
     dom_real n;
-    const char *name = axis_name(axis);
+    const char *name = axis->parameter->name;
     r->at = skip_blanks(r->at);
     session->column = reader_column(r, r->at);
     if (grid_ends(r->at))
@@ -156,7 +126,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
                session_error(session, "%s: steps of equal ratio need FROM and TO above 0", name);
     }
     dom_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
-    return !axis_whole(axis) || quad(fabs)(step - quad(round)(step)) < (dom_real)1e-9 ||
+    return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (dom_real)1e-9 ||
            session_error(session, "%s has whole numbers only, and %s to %s in %zu values are not", name,
                          quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
@@ -164,17 +134,19 @@ static bool read_steps(struct reader *r, struct axis *axis)
 static bool read_values(struct reader *r, struct axis *axis)
 {
     dom_real first = 0;
-    bool words = axis->parameter && axis->parameter->words_only;
-    if (!read_one(r, axis, words ? "a value" : "FROM", &first))
+    const struct parameter *p = axis->parameter;
+    if (!read_one(r, axis, p->words_only ? "a value" : "FROM", &first))
         return false;
     r->at = skip_blanks(r->at);
     if (*r->at == ',')
         return read_list(r, axis, first);
     axis->from = first;
-    if (words)
-        return session_error(r->session, "%s has words: 'sweep %s %s, %s : ...' lists them", axis_name(axis),
-                             axis_name(axis), axis->parameter->words[0].name, axis->parameter->words[1].name);
-    return read_one(r, axis, "TO", &axis->to) && read_steps(r, axis);
+    if (!p->words_only && !read_one(r, axis, "TO", &axis->to))
+        return false;
+    if (p->words_only || axis->from == EFFECT_OFF || axis->to == EFFECT_OFF)
+        return session_error(r->session, "%s has words: 'sweep %s %s, %s : ...' lists them", p->name, p->name,
+                             p->words[0].name, p->words[1].name);
+    return read_steps(r, axis);
 }
 
 bool grid_read(struct reader *r, struct grid *grid)
@@ -215,39 +187,30 @@ dom_real axis_value(const struct axis *axis, size_t k)
     dom_real value = axis->logarithmic && !end
                          ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
                          : (1 - f) * axis->from + f * axis->to;
-    return axis_whole(axis) ? quad(round)(value) : value;
+    return axis->parameter->value->whole ? quad(round)(value) : value;
 }
 
 struct cell axis_cell(const struct axis *axis, dom_real value)
 {
-    if (axis->parameter && axis->parameter->words_only)
-        return cell_word(parameter_word(axis->parameter, value));
-    return axis_whole(axis) ? cell_count(value) : cell_real(value);
+    const char *word = parameter_is_number(axis->parameter) ? NULL : parameter_word(axis->parameter, value);
+    if (word)
+        return cell_word(word);
+    return axis->parameter->value->whole ? cell_count(value) : cell_real(value);
 }
 
 /* Words first: the precision has its own default of tol. */
 void grid_put(const struct grid *grid, const dom_real *value, struct session *session)
 {
-    for (int words = 1; words >= 0; words--) {
-        for (int i = 0; i < grid->axes; i++) {
-            const struct axis *axis = &grid->axis[i];
-            const struct parameter *p = axis->parameter;
-            if (!p && words)
-                effect_put(session, axis->effect, value[i]);
-            if (!p || p->words_only != (words == 1))
-                continue;
-            if (strcmp(p->name, "precision") == 0)
-                session_precision(session, (enum dom_precision)value[i]);
-            else
-                parameter_put(session, p, value[i]);
-        }
-    }
+    for (int words = 1; words >= 0; words--)
+        for (int i = 0; i < grid->axes; i++)
+            if (grid->axis[i].parameter->words_only == (words == 1))
+                parameter_put(session, grid->axis[i].parameter, value[i]);
 }
 
 bool grid_check(const struct grid *grid, struct session *session)
 {
     for (int i = 0; i < grid->axes; i++)
-        if (!grid->axis[i].parameter && !effect_needs(session, grid->axis[i].effect))
+        if (grid->axis[i].parameter->effect && !effect_needs(session, grid->axis[i].parameter->which))
             return false;
     return true;
 }

@@ -9,8 +9,7 @@ enum { AXES_MAX = 8 };
 
 /* The values of one parameter, or of the first argument of one effect. */
 struct axis {
-    const struct parameter *parameter; /* NULL: the effect */
-    enum dom_effect_name effect;
+    const struct parameter *parameter;
     size_t count;
     dom_real from, to;
     bool logarithmic; /* steps of equal ratio */
@@ -29,9 +28,6 @@ void grid_free(struct grid *grid);
 
 /* What a grid can go over, for names.h: parameters of the model, then effects. */
 const char *grid_names(const void *context, int k);
-
-const char *axis_name(const struct axis *axis);
-const char *axis_unit(const struct axis *axis);
 
 /* Value k, counted from 0; and as a cell. */
 dom_real axis_value(const struct axis *axis, size_t k);

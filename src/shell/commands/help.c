@@ -6,8 +6,6 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "prompt/complete.h"
-#include "session/effects.h"
-#include <ctype.h>
 #include <string.h>
 
 enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */
@@ -42,35 +40,73 @@ static void help_list(FILE *out)
             fprintf(out, "  %-*s %s\n", column, command_usage(c, usage), c->summary);
     }
     char names[256] = "Parameters:";
-    for (const struct parameter *p = session_parameters; p->name; p++) {
+    for (const struct parameter *p = session_parameters; !p->effect; p++) {
         size_t used = strlen(names);
         snprintf(names + used, sizeof names - used, " %s", p->name);
     }
     putc('\n', out);
     output_wrapped(out, names, 0, 80);
     fputs("\nEffects:", out);
-    for (int e = 0; e < DOM_EFFECT_COUNT; e++)
-        fprintf(out, " %s", effect_names(NULL, e));
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (p->effect)
+            fprintf(out, " %s", p->name);
     fputs("\n'help NAME' explains one of these, 'apropos WORD' finds one.\n", out);
 }
 
-static void help_parameter(const struct session *session, const struct parameter *p)
+static void help_text(FILE *out, const char *text)
 {
-    char range[64], value[WIDE_TEXT], fallback[WIDE_TEXT];
+    putc('\n', out);
+    output_wrapped(out, text, 0, help_width(out));
+    putc('\n', out);
+}
+
+/* Writes what the i-th value of an effect is, and in which range. */
+static void help_value(FILE *out, const struct dom_effect_argument *a, const char *range)
+{
+    fprintf(out, "  %-8s %s, %s%s%s%s%s%s\n", a->name, a->meaning, range, *a->unit ? " " : "", a->unit,
+            a->or_file ? "; or " : "", a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
+}
+
+static void help_effect_state(const struct session *session, const struct parameter *p)
+{
+    char setting[EFFECT_SETTING], shown[NAMES_SHOWN];
+    fprintf(session->out, "\nSource: %s\n", p->effect->source);
+    if (session->effect[p->which].on)
+        fprintf(session->out, "It is on: %s\n",
+                names_shown(effect_setting(session, p->which, setting), shown));
+    else
+        fputs("It is off, and nothing of it is computed.\n", session->out);
+}
+
+static void help_parameter(struct session *session, const struct parameter *p)
+{
+    char range[64], text[WIDE_TEXT], usage[USAGE_SIZE];
     FILE *out = session->out;
-    parameter_range(session, p, range, sizeof range);
-    parameter_text(p, parameter_get(session, p), session_style(session).all_digits, value, sizeof value);
-    parameter_text(p, parameter_fallback(session, p), 6, fallback, sizeof fallback);
-    fprintf(out, "%s: %s\n\n  value    %s%s%s\n  range    %s\n  default  %s\n", p->name, p->meaning, value,
-            *p->unit ? " " : "", p->unit, range, fallback);
-    for (const struct word *w = p->words; !p->words_only && w && w->name; w++)
-        fprintf(out, "  %-8s %g\n", w->name, (double)w->value);
-    if (p->help) {
-        putc('\n', out);
-        output_wrapped(out, p->help, 0, help_width(out));
-        putc('\n', out);
+    if (p->effect)
+        effect_usage(p->which, usage);
+    else
+        snprintf(usage, sizeof usage, "%s VALUE", p->name);
+    fprintf(out, "%s%s: %s\n\n", p->effect ? "effect " : "", p->effect ? usage : p->name,
+            parameter_meaning(p));
+    parameter_text(p, parameter_get(session, p), session_style(session).all_digits, text, sizeof text);
+    if (!p->effect)
+        fprintf(out, "  value    %s%s%s\n", text, *p->value->unit ? " " : "", p->value->unit);
+    for (int i = 0; parameter_value(p, i); i++) {
+        parameter_range(session, p, i, range, sizeof range);
+        if (p->effect)
+            help_value(out, parameter_value(p, i), range);
+        else
+            fprintf(out, "  range    %s\n", range);
     }
-    fprintf(out, "\n'set %s VALUE' changes it, 'reset %s' takes it back.\n", p->name, p->name);
+    parameter_text(p, parameter_fallback(session, p), 6, text, sizeof text);
+    fprintf(out, "  default  %s\n", text);
+    for (const struct word *w = p->words; parameter_is_number(p) && w && w->name; w++)
+        fprintf(out, "  %-8s %g\n", w->name, (double)w->value);
+    if (parameter_help(p))
+        help_text(out, parameter_help(p));
+    if (p->effect)
+        help_effect_state(session, p);
+    fprintf(out, "\n'set %s' changes it, 'reset %s' takes it back.\n", usage, p->name);
 }
 
 /* The example runs in a session of its own, with the defaults: its output is true, or ends at its first
@@ -121,11 +157,8 @@ static void help_command(struct session *session, const struct command *c)
     fprintf(out, "%s: %s\n", command_usage(c, usage), c->summary);
     if (c->equation)
         fprintf(out, "Equation: %s\n", c->equation);
-    if (c->help) {
-        putc('\n', out);
-        output_wrapped(out, c->help, 0, help_width(out));
-        putc('\n', out);
-    }
+    if (c->help)
+        help_text(out, c->help);
     if (c->columns && c->columns->key)
         fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
     help_columns(out, c->columns);
@@ -142,50 +175,24 @@ static void help_command(struct session *session, const struct command *c)
         fprintf(out, "\nSee also: %s\n", c->see);
 }
 
-static void help_effect(struct session *session, enum dom_effect_name name, bool example)
-{
-    const struct dom_effect *e = dom_effect(name);
-    char usage[EFFECT_USAGE], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
-    FILE *out = session->out;
-    fprintf(out, "effect %s: %s\n\n", effect_usage(name, usage), e->adds);
-    output_wrapped(out, e->help, 0, help_width(out));
-    fputs("\n\n", out);
-    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
-         a++) {
-        fprintf(out, "  %-8s %s, %g .. %g%s%s", a->name, a->meaning, (double)a->lowest, (double)a->highest,
-                *a->unit ? " " : "", a->unit);
-        fprintf(out, "%s%s%s\n", a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
-                a->optional ? "; may be left out" : "");
-    }
-    fprintf(out, "\nSource: %s\n", e->source);
-    if (session->effect[name].on)
-        fprintf(out, "It is on: %s\n", names_shown(effect_setting(session, name, setting), shown));
-    else
-        fputs("It is off, and nothing of it is computed.\n", out);
-    if (example)
-        help_example(session, e->example);
-}
-
 static bool run_help(struct session *session, const struct call *call)
 {
     if (call->count == 0) {
         help_list(session->out);
         return true;
     }
+    char example[EFFECT_EXAMPLE];
     const char *topic = topic_names(NULL, (int)call->number[0]);
     const struct command *c = command_find(topic);
     const struct parameter *p = parameter_find(topic);
     if (c)
         help_command(session, c);
     if (c && p)
-        fputs("\nThe parameter of this name:\n\n", session->out);
+        fprintf(session->out, "\nThe %s of this name:\n\n", p->effect ? "effect" : "parameter");
     if (p)
         help_parameter(session, p);
-    int effect = names_exact(effect_names, NULL, topic);
-    if (effect >= 0 && c)
-        fputs("\nThe effect of this name:\n\n", session->out);
-    if (effect >= 0)
-        help_effect(session, (enum dom_effect_name)effect, !c);
+    if (p && p->effect && !c)
+        help_example(session, effect_example(p->which, example));
     return true;
 }
 
@@ -212,86 +219,18 @@ static bool run_apropos(struct session *session, const struct call *call)
         }
     }
     for (const struct parameter *p = session_parameters; p->name; p++) {
-        bool hit = mentions(p->name, word) || mentions(p->meaning, word);
-        for (const struct word *w = p->words; w && w->name && !hit; w++)
+        bool hit = mentions(p->name, word) || mentions(parameter_meaning(p), word) ||
+                   mentions(parameter_help(p), word);
+        for (const struct word *w = p->words; !p->effect && w && w->name && !hit; w++)
             hit = mentions(w->name, word);
+        const char *verb = p->effect ? "effect" : "set";
         found += hit;
         if (hit)
-            fprintf(session->out, "set %-*s %s\n", column - (int)strlen("set "), p->name, p->meaning);
-    }
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
-        bool hit = mentions(e->name, word) || mentions(e->adds, word) || mentions(e->help, word);
-        found += hit;
-        if (hit)
-            fprintf(session->out, "effect %-*s %s\n", column - (int)strlen("effect "), e->name, e->adds);
+            fprintf(session->out, "%s %-*s %s\n", verb, column - (int)strlen(verb) - 1, p->name,
+                    parameter_meaning(p));
     }
     return found > 0 || session_error(session, "nothing is said about '%s'; 'help' lists everything",
                                       names_shown(word, usage));
-}
-
-/* ---- The manual of effects, as mdoc(7) ---- */
-
-/* A sentence begins a line, and no line begins with what is a request there. */
-static void mdoc_text(FILE *out, const char *text)
-{
-    int at = 0;
-    while (*text) {
-        size_t length = strcspn(text, " ");
-        if (at > 0 && at + (int)length > 76)
-            at = (putc('\n', out), 0);
-        at += fprintf(out, at > 0 ? " " : "");
-        for (size_t i = 0; i < length; i++)
-            at += text[i] == '\'' ? fprintf(out, "\\(aq") : fprintf(out, "%c", text[i]);
-        bool ends = length > 1 && text[length] != '\0' && text[length - 1] == '.' &&
-                    isupper((unsigned char)text[length + 1]) && !isupper((unsigned char)text[length - 2]);
-        if (ends)
-            at = (putc('\n', out), 0);
-        text += length + (text[length] == ' ');
-    }
-    if (at > 0)
-        putc('\n', out);
-}
-
-static void mdoc_effect(FILE *out, const struct dom_effect *e)
-{
-    fprintf(out, ".Ss %s\n.Bd -ragged -compact\n.Nm effect %s\n", e->name, e->name);
-    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
-         a++)
-        fprintf(out, a->optional ? ".Op Ar %s\n" : ".Ar %s\n", a->or_file ? "N | FILE" : a->name);
-    fputs(".Ed\n.Pp\nAdds\n", out);
-    mdoc_text(out, e->adds);
-    fputs(".Pp\n", out);
-    mdoc_text(out, e->help);
-    fputs(".Bl -tag -width HEIGHTS\n", out);
-    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
-         a++) {
-        fprintf(out, ".It Ar %s\n%s, %g .. %g%s%s%s%s%s\n", a->name, a->meaning, (double)a->lowest,
-                (double)a->highest, *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "",
-                a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
-    }
-    fputs(".El\n.Pp\nComputed:\n", out);
-    mdoc_text(out, e->plan);
-    fputs(".Pp\nSource:\n", out);
-    mdoc_text(out, e->source);
-    fputs(".Pp\nExample:\n.Dl ", out);
-    fprintf(out, "%s\n", e->example);
-}
-
-static bool run_manual(struct session *session, const struct call *call)
-{
-    FILE *out = session->out;
-    (void)call;
-    fputs(".\\\" SPDX-License-Identifier: GPL-3.0-or-later\n.\\\" Made by the command manual of domino.\n"
-          ".Dd November 21, 2026\n.Dt DOMINO-EFFECTS 7\n.Os\n.Sh NAME\n.Nm domino-effects\n"
-          ".Nd effects beyond the paper in scenes of domino\n.Sh DESCRIPTION\n"
-          "A scene is the parameters of\n.Xr domino 1\nand the effects that it asks for.\n"
-          "An effect that is off is not computed.\n",
-          out);
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        mdoc_effect(out, dom_effect((enum dom_effect_name)k));
-    fputs(".Sh SEE ALSO\n.Xr domino 1\n", out);
-    return true;
 }
 
 static void print_candidate(const char *candidate, void *out)
@@ -318,11 +257,6 @@ const struct command help_commands[] = {
      .example = "apropos barrier",
      .see = "help",
      .run = run_apropos},
-    {.name = "manual",
-     .summary = "the manual page of the effects, for man(1)",
-     .help = "domino-effects(7), made from what each effect tells of itself; 'make install' installs it.",
-     .see = "help effects",
-     .run = run_manual},
     {.name = "complete",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
      .summary = "how LINE may go on, a line each, as <TAB> does",

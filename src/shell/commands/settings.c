@@ -7,37 +7,38 @@
 #include "io/io.h"
 #include "io/redirect.h"
 #include "language/quad.h"
-#include "session/effects.h"
 #include <errno.h>
 #include <string.h>
 
-/* The parameter that the i-th argument names. */
-static const struct parameter *parameter_of(const struct call *call, int i)
+/* Says what 'on' took, since it was not typed: with csv and json on standard error. */
+static void effect_say(struct session *session, struct answer *a, const struct parameter *p, bool before)
 {
-    return &session_parameters[(int)call->number[i]];
+    char text[3 * EFFECT_SETTING], setting[EFFECT_SETTING], usage[EFFECT_USAGE];
+    bool listed = effect_file(session, p->which);
+    snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", p->name,
+             before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
+             effect_setting(session, p->which, setting),
+             listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
+             effect_usage(p->which, usage));
+    if (answer_for_people(a))
+        answer_say(a, "%s", text);
+    else
+        session_note(session, "%s", text);
+    session->fresh = false;
+    session->answered = session->answered || answer_for_people(a);
 }
 
-static bool choose_precision(struct session *session, const struct call *call, enum dom_precision precision)
+bool run_set(struct session *session, const struct call *call)
 {
-    if (dom_arithmetic(precision)->bits == 0)
-        return session_error(session, "%s: %s", dom_arithmetic(precision)->name,
-                             dom_status_text(DOM_NO_PRECISION));
+    const struct parameter *p = call->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
+    dom_real before = parameter_get(session, p), was = moved ? parameter_get(session, moved) : 0;
+    if (!parameter_set(session, p, &call->number[1], call->count - 1, call->word[1]))
+        return false;
     /* A file that is sourced goes on to say what it wants. */
-    if (session_precision(session, precision) && session->depth == 0)
-        answer_say(call->answer, "tol is now %g", (double)session->train.tol);
-    return true;
-}
-
-static bool run_set(struct session *session, const struct call *call)
-{
-    const struct parameter *p = parameter_of(call, 0);
-    if (strcmp(p->name, "precision") == 0)
-        return choose_precision(session, call, (enum dom_precision)call->number[1]);
-    if (strcmp(p->name, "fuel") == 0 && call->number[1] == DOM_FUEL_PAPER && session->train.mu > 0)
-        return session_error(
-            session, "the paper's closed form of the fuel knows no friction: they exclude each other; "
-                     "'effect friction off' first");
-    parameter_put(session, p, call->number[1]);
+    if (moved && parameter_get(session, moved) != was && session->depth == 0)
+        answer_say(call->answer, "%s is now %g", moved->name, (double)parameter_get(session, moved));
+    if (p->effect && call->count > 1 && call->number[1] == EFFECT_ON)
+        effect_say(session, call->answer, p, before != EFFECT_OFF);
     return true;
 }
 
@@ -55,7 +56,7 @@ enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
 
 /* A parameter as it is shown: the cells of its row, and the words in them. */
 struct shown {
-    char range[64], value[WIDE_TEXT], fallback[WIDE_TEXT];
+    char range[64], value[EFFECT_SETTING], fallback[WIDE_TEXT];
     struct cell cell[SHOW_COLUMNS];
 };
 
@@ -63,16 +64,20 @@ static void shown_make(const struct session *session, const struct parameter *p,
                        struct shown *shown)
 {
     dom_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
-    bool words = people || p->words_only;
-    parameter_range(session, p, shown->range, sizeof shown->range);
-    parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
+    bool number = !people && parameter_is_number(p);
+    bool on = !people && p->effect && value != EFFECT_OFF && !effect_file(session, p->which);
+    parameter_range(session, p, 0, shown->range, sizeof shown->range);
+    if (p->effect)
+        effect_setting(session, p->which, shown->value);
+    else
+        parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
     parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
     const struct cell cells[] = {cell_word(p->name),
-                                 words ? cell_word(shown->value) : cell_real(value),
-                                 cell_word(p->unit),
+                                 number || on ? cell_real(value) : cell_word(shown->value),
+                                 cell_word(people && p->effect ? "" : p->value->unit),
                                  cell_word(shown->range),
-                                 words ? cell_word(shown->fallback) : cell_real(fallback),
-                                 cell_word(p->meaning)};
+                                 number ? cell_real(fallback) : cell_word(shown->fallback),
+                                 cell_word(parameter_meaning(p))};
     memcpy(shown->cell, cells, sizeof cells);
 }
 
@@ -82,7 +87,7 @@ static bool run_show(struct session *session, const struct call *call)
     struct shown shown;
     for (int pass = 0; pass < 2; pass++) {
         for (const struct parameter *p = session_parameters; p->name; p++) {
-            if (call->count == 1 && p != parameter_of(call, 0))
+            if (call->parameter ? p != call->parameter : p->effect != NULL)
                 continue;
             shown_make(session, p, call->answer->style.format->for_people, &shown);
             for (int i = 0; pass == 0 && fitted[i + 1].key; i++) /* the last one is wrapped */
@@ -98,35 +103,29 @@ static bool run_show(struct session *session, const struct call *call)
 static bool run_reset(struct session *session, const struct call *call)
 {
     const struct parameter *p;
-    for (int k = 0; (p = parameter_in_order(k)) != NULL; k++) {
-        if (call->count == 1 ? p != parameter_of(call, 0) : p->setting)
-            continue;
-        if (strcmp(p->name, "precision") == 0)
-            session_precision(session, DOM_DOUBLE);
-        else
-            parameter_put(session, p, parameter_fallback(session, p));
+    bool done = true;
+    for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++) {
+        dom_real value = parameter_fallback(session, p);
+        if (call->parameter ? p == call->parameter : !p->setting && !p->effect)
+            done = parameter_set(session, p, &value, 1, NULL) && done;
     }
-    if (call->count == 0)
+    if (!call->parameter)
         effects_reset(session);
-    return true;
+    return done;
 }
 
 static bool run_save(struct session *session, const struct call *call)
 {
     struct redirect file;
-    char shown[NAMES_SHOWN], value[WIDE_TEXT];
+    char shown[NAMES_SHOWN];
     const struct parameter *p;
     if (!effects_savable(session))
         return false;
     const char *wrong = redirect_open(&file, call->word[0], false, session->train.interrupt);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
-        effects_save_off(session, file.file);
-        for (int k = 0; (p = parameter_in_order(k)) != NULL; k++) {
-            parameter_text(p, parameter_get(session, p), WIDE_DIGITS, value, sizeof value);
-            fprintf(file.file, "set %s %s\n", p->name, value);
-        }
-        effects_save(session, file.file);
+        for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++)
+            parameter_save(session, p, file.file);
         wrong = redirect_close(&file, true);
     }
     return !wrong ||
@@ -182,11 +181,14 @@ static bool run_quit(struct session *session, const struct call *call)
 
 const struct command session_commands[] = {
     {.name = "set",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER}, {.name = "VALUE", .kind = ARGUMENT_VALUE}},
+     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER},
+                  {.name = "VALUE", .kind = ARGUMENT_VALUE},
+                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
      .help =
          "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, rmax. "
-         "Each value is judged alone; whether r s <= 1 holds is seen when a command needs it.",
+         "Each value is judged alone; whether r s <= 1 holds is seen when a command needs it. NAME may also "
+         "be an effect: 'set friction 0.2', 'set friction off'.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
      .run = run_set},

@@ -255,7 +255,8 @@ static bool sweep_columns(const struct session *session, const struct sweep *swe
     bool room = true;
     int n = 0, twice = 0;
     for (int i = 0; i < grid->axes; i++) {
-        struct column column = {axis_name(&grid->axis[i]), axis_unit(&grid->axis[i]), "", 0};
+        const struct parameter *p = grid->axis[i].parameter;
+        struct column column = {p->name, p->value->unit, "", 0};
         room = room && column_add(s, &n, column, NULL);
     }
     s->values = n;
@@ -286,7 +287,7 @@ static void point_text(const struct sweep *sweep, size_t k, char *text, size_t s
         const struct axis *axis = &grid->axis[i];
         after /= axis->count;
         struct cell cell = axis_cell(axis, axis_value(axis, k / after % axis->count));
-        used += (size_t)snprintf(text + used, size - used, "%s%s = %s", i ? ", " : "", axis_name(axis),
+        used += (size_t)snprintf(text + used, size - used, "%s%s = %s", i ? ", " : "", axis->parameter->name,
                                  cell_text(cell, 6, false, number));
     }
 }
@@ -316,7 +317,7 @@ static struct sweeper *sweeper_make(struct session *session, const struct sweep 
     for (int i = 0; i < s->grid.axes; i++) {
         const struct parameter *p = s->grid.axis[i].parameter;
         w->index[i] = SIZE_MAX; /* none yet */
-        w->styled = w->styled || (p && (p->fallback_of || strcmp(p->name, "precision") == 0));
+        w->styled = w->styled || p->fallback_of || p->moves;
     }
     if (!sweep_columns(session, s, &w->swept, renamed)) {
         session_error(session, "a row of it would have more than %d columns", ANSWER_COLUMNS - 1);

@@ -9,4 +9,7 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
     session_commands[], help_commands[], draw_commands[], plot_commands[], effect_commands[], row_commands[],
     study_commands[], sweep_commands[];
 
+/* Gives the parameter or effect that the call names its values: 'set' and 'effect'. */
+bool run_set(struct session *session, const struct call *call);
+
 #endif

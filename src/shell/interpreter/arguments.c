@@ -2,7 +2,6 @@
 #include "interpreter/arguments.h"
 #include "interpreter/lookup.h"
 #include "language/quad.h"
-#include "session/effects.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -157,7 +156,7 @@ static bool is_value_name(const char *word)
     return names_exact(value_names, NULL, word) >= 0;
 }
 
-bool read_value(struct reader *r, const struct parameter *p, const char *name, dom_real *number)
+bool read_value(struct reader *r, const struct parameter *p, int i, const char *name, dom_real *number)
 {
     const char *begin = r->at;
     char message[NAMES_MESSAGE] = "", what[32];
@@ -165,7 +164,7 @@ bool read_value(struct reader *r, const struct parameter *p, const char *name, d
     int k = -1;
     /* A word for a number may not hide a name: 'set q h' is the parameter h. */
     bool wordlike = word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' && *word;
-    if (word && p->words) {
+    if (word && p->words && i == 0) {
         snprintf(what, sizeof what, "value of %s", p->name);
         k = p->words_only || (wordlike && !is_value_name(word))
                 ? names_find(parameter_words, p, what, word, message)
@@ -178,13 +177,14 @@ bool read_value(struct reader *r, const struct parameter *p, const char *name, d
     }
     if (*message) {
         char range[64];
-        parameter_range(r->session, p, range, sizeof range);
+        parameter_range(r->session, p, 0, range, sizeof range);
         return session_error(r->session, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
                              message, p->name, range);
     }
     r->at = begin;
     struct quantity q = {0, 0, 0, 0};
-    return read_quantity(r, &(struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name}, &q, number);
+    return read_quantity(r, &(struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name, .which = i},
+                         &q, number);
 }
 
 /* 'help sin', 'help cm', 'help units' are about expressions. */
@@ -243,26 +243,26 @@ static bool read_place(struct reader *r, const struct argument *a, struct call *
     return !letters && read_quantity(r, a, &call->quantity[i], &call->number[i]);
 }
 
-/* 'on', 'off', a value of the effect before it, or the file in its place. */
-static bool read_effect(struct reader *r, struct call *call, int i)
+/* Reads a value for the parameter that the call names, or the file in the place of its first value. */
+static bool read_setting(struct reader *r, const struct command *c, struct call *call, int i)
 {
-    enum dom_effect_name effect = (enum dom_effect_name)call->number[0];
-    const struct dom_effect_argument *of = &dom_effect(effect)->argument[i - 1];
-    char usage[EFFECT_USAGE], shown[NAMES_SHOWN], word[NAMES_SHOWN];
+    const struct parameter *p = call->parameter;
+    const struct dom_effect_argument *of = parameter_value(p, i - 1);
+    char usage[USAGE_SIZE], shown[NAMES_SHOWN], word[NAMES_SHOWN];
     size_t length = strcspn(r->at, " \t;>#");
     snprintf(word, sizeof word, "%.*s", (int)length, r->at);
-    bool turned = strcmp(word, "on") == 0 || strcmp(word, "off") == 0;
-    if (i > DOM_EFFECT_ARGUMENTS || (!of->name && !turned) || call->word[1])
-        return session_error(r->session, "'%s' is one argument too many; usage: effect %s",
-                             names_shown(word, shown), effect_usage(effect, usage));
+    if (!of || call->word[1] || (i > 1 && parameter_word(p, call->number[1])))
+        return session_error(r->session, "'%s' is one argument too many; usage: %s%s",
+                             names_shown(word, shown), p->effect ? "effect " : "",
+                             p->effect ? effect_usage(p->which, usage) : command_usage(c, usage));
     bool named = (isalpha((unsigned char)*word) && !is_value_name(word) && !strchr(word, '(')) ||
-                 (length > 4 && memcmp(r->at + length - 4, ".csv", 4) == 0);
-    if ((turned && i == 1) || (of->or_file && (named || strchr("\"./~", *word)))) {
+                 (length > 4 && memcmp(r->at + length - 4, ".csv", 4) == 0) || strchr("\"./~", *word);
+    if (of->or_file && named && names_exact(parameter_words, p, word) < 0) {
         call->word[i] = read_file(r);
         return call->word[i] || session_error(r->session, "%s", unclosed);
     }
-    struct argument a = {.name = of->name, .kind = ARGUMENT_EFFECT, .effect = of};
-    return read_quantity(r, &a, &call->quantity[i], &call->number[i]);
+    r->last = !parameter_value(p, i);
+    return read_value(r, p, i - 1, of->name, &call->number[i]);
 }
 
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
@@ -275,11 +275,9 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     char message[NAMES_MESSAGE] = NO_MEMORY;
     switch (a->kind) {
     case ARGUMENT_OF:
-        return read_value(r, parameter_find(a->of), a->name, &call->number[i]);
-    case ARGUMENT_VALUE: {
-        const struct parameter *p = &session_parameters[(int)call->number[i - 1]];
-        return read_value(r, p, p->name, &call->number[i]);
-    }
+        return read_value(r, parameter_find(a->of), 0, a->name, &call->number[i]);
+    case ARGUMENT_VALUE:
+        return read_setting(r, c, call, i);
     case ARGUMENT_PARAMETER:
     case ARGUMENT_TOPIC:
         call->word[i] = read_word(r, false);
@@ -293,15 +291,17 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         char *equals = k < 0 && call->word[i] ? strchr(call->word[i], '=') : NULL;
         if (equals)
             return session_error(session, "a blank stands between a name and its value, and no '='");
-        if (k < 0 && call->word[i])
-            effect_hint(call->word[i], message);
+        call->parameter = k >= 0 && list == parameter_names ? &session_parameters[k] : NULL;
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);
     case ARGUMENT_PLACE:
         return read_place(r, a, call, i);
     case ARGUMENT_EFFECT:
-        return read_effect(r, call, i);
+        if (!read_choice(r, a, &call->word[i], &call->number[i]))
+            return false;
+        call->parameter = parameter_find(a->choices(NULL, (int)call->number[i]));
+        return true;
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
         call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);

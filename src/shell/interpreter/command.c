@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
 #include "language/quad.h"
-#include "session/effects.h"
 #include <string.h>
 
 static const struct command_group no_group[] = {{NULL, NULL}};
@@ -44,9 +43,6 @@ const char *topic_names(const void *context, int k)
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
-    for (int e = 0; e < DOM_EFFECT_COUNT; e++)
-        if (!command_find(effect_names(NULL, e)) && k-- == commands)
-            return effect_names(NULL, e);
     return NULL;
 }
 
@@ -104,26 +100,13 @@ static bool is_tilt(const struct argument *a)
     return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
 }
 
-static bool effect_check(struct session *session, const struct dom_effect_argument *a, dom_real value)
-{
-    if (!(value >= a->lowest && value <= a->highest))
-        return session_no_answer(session, "%s = %s is out of range; %s, the %s, is in %g .. %g%s%s", a->name,
-                                 quad_shown(value).text, a->name, a->meaning, (double)a->lowest,
-                                 (double)a->highest, *a->unit ? " " : "", a->unit);
-    if (a->whole && value != quad(floor)(value))
-        return session_no_answer(session, "%s = %s is no whole number; %s is one in %g .. %g", a->name,
-                                 quad_shown(value).text, a->name, (double)a->lowest, (double)a->highest);
-    return true;
-}
-
 bool argument_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
 {
     char kind[64], wanted[64];
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
-    struct quantity unit = p ? expression_unit(p->unit)
+    struct quantity unit = p ? expression_unit(p->value[a->which].unit)
                            : a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH
                                ? (struct quantity){1, 1, 0, 0}
-                           : a->effect  ? expression_unit(a->effect->unit)
                            : is_tilt(a) ? (struct quantity){1, 0, 0, 1}
                                         : (struct quantity){1, 0, 0, 0};
     bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
@@ -137,8 +120,6 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
         return true;
     if (is_tilt(a))
         return tilt_check(session, a, q, number);
-    if (a->effect && !effect_check(session, a->effect, q.value))
-        return false;
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
         return session_no_answer(session, "%s = %s is no height; %s is a length in metres, larger than 0",
                                  a->name, quad_shown(q.value).text, a->name);
@@ -150,11 +131,12 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
         return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d%s%s", a->name,
                                  quad_shown(q.value).text, a->name, most, a->most ? ", " : "",
                                  a->most ? a->most_of : "");
-    if (p && strcmp(a->name, p->name) != 0 && !(q.value >= p->lowest && q.value <= p->highest))
+    const struct dom_effect_argument *of = p ? &p->value[a->which] : NULL;
+    if (p && strcmp(a->name, of->name) != 0 && !(q.value >= of->lowest && q.value <= of->highest))
         return session_no_answer(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
-                                 quad_shown(q.value).text, a->name, p->name, (double)p->lowest,
-                                 (double)p->highest);
-    return !p || parameter_check(session, p, q.value);
+                                 quad_shown(q.value).text, a->name, p->name, (double)of->lowest,
+                                 (double)of->highest);
+    return !p || parameter_check(session, p, a->which, q.value);
 }
 
 /* What an expression can stand for; all else is a name, a word, a file or a line. */

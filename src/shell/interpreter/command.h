@@ -7,7 +7,7 @@
 #define SHELL_COMMAND_H
 
 #include "language/names.h"
-#include "session/session.h"
+#include "session/parameters.h"
 
 /* What an argument is; it decides how it is read, what is wrong with it, and what completion offers. */
 enum argument_kind {
@@ -19,13 +19,13 @@ enum argument_kind {
     ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,       /* any value */
     ARGUMENT_PARAMETER, /* the name of a parameter */
-    ARGUMENT_VALUE,     /* a value for the parameter before it */
+    ARGUMENT_EFFECT,    /* the name of an effect */
+    ARGUMENT_VALUE,     /* a value for the parameter or effect before it, or a file in its place */
     ARGUMENT_TOPIC,     /* a command or a parameter */
     ARGUMENT_CHOICE,    /* one of the names in argument.choices; its number */
     ARGUMENT_PLACE,     /* the same, as -1 - its number, or an angle in [0, theta_c] */
     ARGUMENT_WORD,      /* any word, or several between "..." */
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
-    ARGUMENT_EFFECT,    /* a value for the effect before it, or on, off, or a file where it takes one */
     ARGUMENT_GRID,      /* values of parameters and effects, up to a ':' */
     ARGUMENT_COMMAND,   /* ':' and a command that answers */
     ARGUMENT_REST,      /* the rest of the line as it is */
@@ -40,14 +40,15 @@ struct argument {
     const char *name;
     enum argument_kind kind;
     const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
+    int which;      /* of the parameter's values, from 0 */
     bool optional;
-    names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE; for completion, of a grid */
+    names_list
+        *choices; /* of ARGUMENT_CHOICE, ARGUMENT_EFFECT and ARGUMENT_PLACE; for completion, of a grid */
     bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
     /* Unless NULL, tells whether it may stand behind the argument before it, given as its choice or place. */
     bool (*follows)(dom_real before);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                        /* what that is the largest number of */
-    const struct dom_effect_argument *effect;   /* of ARGUMENT_EFFECT, once the effect is known */
 };
 
 enum { ARGUMENTS_MAX = 3 };
@@ -58,8 +59,9 @@ struct call {
     dom_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
-    int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
-    void *own;                 /* what argument.read keeps for its command; call_free calls own_free */
+    const struct parameter *parameter; /* that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
+    int column[ARGUMENTS_MAX];         /* where they stand in the line, for messages */
+    void *own; /* what argument.read keeps for its command; call_free calls own_free */
     void (*own_free)(void *own);
     struct answer *answer;
 };

@@ -68,8 +68,8 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
 {
     struct session *session = e->context;
     const struct parameter *p = parameter_find(name);
-    if (p && !p->words_only && !key && count == 0) {
-        *result = expression_unit(p->unit);
+    if (p && parameter_is_number(p) && !key && count == 0) {
+        *result = expression_unit(p->value->unit);
         result->value *= parameter_get(session, p);
         return true;
     }

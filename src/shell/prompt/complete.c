@@ -3,7 +3,6 @@
 #include "interpreter/command.h"
 #include "io/escape.h"
 #include "language/text.h"
-#include "session/effects.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -40,7 +39,7 @@ static const char *number_names(const void *context, int k)
 {
     (void)context;
     for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!p->words_only && k-- == 0)
+        if (parameter_is_number(p) && k-- == 0)
             return p->name;
     return NULL;
 }
@@ -51,28 +50,9 @@ static void offer_list(struct offer *offer, names_list *list, const void *contex
     offer->context[offer->lists++] = context;
 }
 
-static const char *switch_names(const void *context, int k)
-{
-    static const char *const names[] = {"off", "on", NULL};
-    (void)context;
-    return names[k];
-}
-
-/* What may stand behind 'effect NAME': its switch; values; a file where it takes one. */
-static struct offer offer_effect(const char *name, bool first)
-{
-    char message[NAMES_MESSAGE];
-    int k = names_find(effect_names, NULL, "effect", name, message);
-    struct offer offer = {.lists = 0};
-    offer.files = first && k >= 0 && dom_effect((enum dom_effect_name)k)->argument[0].or_file;
-    if (first)
-        offer_list(&offer, switch_names, NULL);
-    return offer;
-}
-
 static struct offer offer_for(const struct argument *a, const struct parameter *p, bool first)
 {
-    struct offer offer = {.files = a->kind == ARGUMENT_FILE};
+    struct offer offer = {.files = a->kind == ARGUMENT_FILE || (p && p->value->or_file)};
     if (a->kind == ARGUMENT_PARAMETER)
         offer_list(&offer, parameter_names, NULL);
     else if (a->kind == ARGUMENT_GRID) {
@@ -83,7 +63,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
         }
     } else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
         offer_list(&offer, topic_names, NULL);
-    else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE)
+    else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE || a->kind == ARGUMENT_EFFECT)
         offer_list(&offer, a->choices, NULL);
     else if (p && p->words)
         offer_list(&offer, parameter_words, p);
@@ -123,7 +103,7 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
     struct offer offer = {.lists = 0};
     const struct command *c = NULL;
     const struct parameter *p = NULL;
-    char word[64], last[64] = "", message[NAMES_MESSAGE], effect[64] = "";
+    char word[64], last[64] = "", message[NAMES_MESSAGE];
     int words = 0;
     for (size_t i = 0; i < length;) {
         size_t n = strcspn(line + i, " \t");
@@ -137,11 +117,11 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
         if (words == 0) {
             int k = names_find(command_names, NULL, "command", word, message);
             c = k < 0 ? NULL : command_find(command_names(NULL, k));
-        } else if (words == 1 && c && c->argument[0].kind == ARGUMENT_PARAMETER) {
-            int k = names_find(parameter_names, NULL, "parameter", word, message);
-            p = k < 0 ? NULL : &session_parameters[k];
-        } else if (words == 1)
-            memcpy(effect, word, sizeof effect);
+        } else if (words == 1 && c && c->argument[1].kind == ARGUMENT_VALUE) {
+            names_list *list = c->argument[0].kind == ARGUMENT_EFFECT ? effect_names : parameter_names;
+            int k = names_find(list, NULL, "parameter", word, message);
+            p = k < 0 ? NULL : parameter_find(list(NULL, k));
+        }
         memcpy(last, word, sizeof last);
         words++;
     }
@@ -149,8 +129,8 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
         offer_list(&offer, swept ? swept_names : command_names, NULL);
     else if (c && c->argument[0].kind == ARGUMENT_GRID)
         offer = offer_for(&c->argument[0], NULL, words == 1); /* as long as it may be */
-    else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_EFFECT)
-        offer = offer_effect(effect, words == 2);
+    else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_VALUE && words > 2)
+        return offer; /* a second value, which only few effects have */
     else if (c && words <= ARGUMENTS_MAX && (words == 1 || may_follow(&c->argument[words - 1], last)))
         offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL,
                           words == 1);

@@ -10,7 +10,7 @@
 const char *effect_names(const void *context, int k)
 {
     (void)context;
-    return k < DOM_EFFECT_COUNT ? dom_effect((enum dom_effect_name)k)->name : NULL;
+    return k < DOM_EFFECT_COUNT ? effect_at(k)->name : NULL;
 }
 
 bool effect_hint(const char *word, char message[NAMES_MESSAGE])
@@ -36,18 +36,20 @@ const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE])
     return usage;
 }
 
+const char *effect_file(const struct session *session, enum dom_effect_name name)
+{
+    bool listed = dom_effect(name)->argument[0].or_file && session->effect[name].on;
+    return listed && session->listed.domino ? session->listed.path : NULL;
+}
+
 const char *effect_setting(const struct session *session, enum dom_effect_name name,
                            char setting[EFFECT_SETTING])
 {
     const struct effect_state *state = &session->effect[name];
     const struct dom_effect *e = dom_effect(name);
-    setting[0] = '\0';
-    if (name == DOM_EFFECT_row && state->on && session->listed.domino) {
-        const char *slash = strrchr(session->listed.path, '/');
-        snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : session->listed.path);
-        return setting;
-    }
-    for (int i = 0, n = 0; state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
+    const char *path = effect_file(session, name), *slash = path ? strrchr(path, '/') : NULL;
+    snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : state->on ? "" : "off");
+    for (int i = 0, n = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         const struct dom_effect_argument *of = &e->argument[i];
         char number[WIDE_TEXT];
         if (i > 0 && of->optional && state->value[i] == of->usual)
@@ -56,6 +58,40 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
                       quad_text(state->value[i], 10, number), *of->unit ? " " : "", of->unit);
     }
     return setting;
+}
+
+/* Reports an error if the paper's closed form of the fuel is asked for. */
+static bool fuel_is_exact(struct session *session)
+{
+    return session->train.fuel != DOM_FUEL_PAPER ||
+           session_error(session, "the paper's closed form of the fuel knows no friction: they exclude each "
+                                  "other; 'set fuel exact' first");
+}
+
+/* What an effect cannot be combined with; each reports it. */
+static bool (*const checks[DOM_EFFECT_COUNT])(struct session *) = {[DOM_EFFECT_friction] = fuel_is_exact};
+
+/* Commands that show an effect; one that is not listed has an example all the same. */
+static const char *const examples[DOM_EFFECT_COUNT] = {
+    [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
+    [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
+    [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",
+    [DOM_EFFECT_placement] =
+        "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
+    [DOM_EFFECT_floor] = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
+};
+
+const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPLE])
+{
+    const struct dom_effect *e = dom_effect(name);
+    int n = 0;
+    if (examples[name])
+        return examples[name];
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+        if (e->needs >> k & 1)
+            n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
+    snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; scene", e->name);
+    return example;
 }
 
 /* The file as named, or, where there is none, beside the script that names it. */
@@ -73,22 +109,27 @@ static char *path_beside(const struct session *session, const char *path)
     return beside;
 }
 
-/* What is on and says nothing without the row, as ", with push and placement". */
+/* Returns true if effect k needs the row. */
+static bool needs_row(int k)
+{
+    return effect_at(k)->needs >> DOM_EFFECT_row & 1;
+}
+
+/* Writes what is on and needs the row, as ", with push and placement". */
 static void row_needed(const struct session *session, char *text, size_t size)
 {
     int n = 0;
     text[0] = '\0';
     for (int k = 0; k < DOM_EFFECT_COUNT && n < (int)size; k++)
-        if (session->effect[k].on && dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
-            n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ",
-                          dom_effect((enum dom_effect_name)k)->name);
+        if (session->effect[k].on && needs_row(k))
+            n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ", effect_at(k)->name);
 }
 
 /* Row off, and what needs it. */
 static void row_drop(struct session *session)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (k == DOM_EFFECT_row || dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
+        if (k == DOM_EFFECT_row || needs_row(k))
             session->effect[k] = (struct effect_state){.on = false};
     listed_free(&session->listed);
     effects_apply(session);
@@ -137,61 +178,66 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (dom_effect(name)->needs >> k & 1 && !session->effect[k].on)
             return session_error(session, "%s is about a %s: 'effect %s' first", dom_effect(name)->name,
-                                 dom_effect((enum dom_effect_name)k)->name,
-                                 effect_usage((enum dom_effect_name)k, usage));
-    if (name == DOM_EFFECT_friction && session->train.fuel == DOM_FUEL_PAPER)
-        return session_error(
-            session, "the paper's closed form of the fuel knows no friction: they exclude each other; "
-                     "'set fuel exact' first");
-    return true;
+                                 effect_at(k)->name, effect_usage((enum dom_effect_name)k, usage));
+    return !checks[name] || checks[name](session);
 }
 
-bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
-                    const char *path)
+/* Makes this the state of an effect; a row from a file ends with it. */
+static bool effect_store(struct session *session, enum dom_effect_name name, struct effect_state state,
+                         bool from_file)
 {
-    const struct dom_effect *e = dom_effect(name);
-    struct effect_state state = {.on = true};
-    char usage[EFFECT_USAGE];
-    for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
-        if (i >= given && !(i == 0 && path) && !e->argument[i].optional)
-            return session_error(session, "%s is missing, the %s; usage: effect %s", e->argument[i].name,
-                                 e->argument[i].meaning, effect_usage(name, usage));
-        state.value[i] = i < given ? value[i] : e->argument[i].usual;
-    }
-    if (!effect_needs(session, name) || (path && !row_from_file(session, path)))
-        return false;
-    if (name == DOM_EFFECT_row && !path)
+    if (dom_effect(name)->argument[0].or_file && !from_file)
         listed_free(&session->listed);
     session->effect[name] = state;
     effects_apply(session);
     return true;
 }
 
-void effect_put(struct session *session, enum dom_effect_name name, dom_real value)
+static bool turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+                    const char *path)
 {
     const struct dom_effect *e = dom_effect(name);
-    struct effect_state *state = &session->effect[name];
-    for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
-        state->value[i] = e->argument[i].usual;
-    state->on = true;
-    state->value[0] = value;
-    if (name == DOM_EFFECT_row)
-        session->listed = (struct listed_row){.domino = NULL};
-    effects_apply(session);
+    struct effect_state state = {.on = true};
+    char usage[EFFECT_USAGE];
+    bool usual = given > 0 && value[0] == EFFECT_ON;
+    for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
+        if (i >= given && !e->argument[i].optional && !usual)
+            return session_error(session, "%s is missing, the %s; usage: effect %s", e->argument[i].name,
+                                 e->argument[i].meaning, effect_usage(name, usage));
+        state.value[i] = i < given && !usual ? value[i] : e->argument[i].usual;
+    }
+    return effect_needs(session, name) && (!path || row_from_file(session, path)) &&
+           effect_store(session, name, state, path);
 }
 
-bool effect_turn_off(struct session *session, enum dom_effect_name name)
+static bool turn_off(struct session *session, enum dom_effect_name name)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (session->effect[k].on && dom_effect((enum dom_effect_name)k)->needs >> name & 1)
-            return session_error(session, "%s is about the %s: 'effect %s off' first",
-                                 dom_effect((enum dom_effect_name)k)->name, dom_effect(name)->name,
-                                 dom_effect((enum dom_effect_name)k)->name);
-    if (name == DOM_EFFECT_row)
-        listed_free(&session->listed);
-    session->effect[name] = (struct effect_state){.on = false};
+        if (session->effect[k].on && effect_at(k)->needs >> name & 1)
+            return session_error(session, "%s is about the %s: 'effect %s off' first", effect_at(k)->name,
+                                 dom_effect(name)->name, effect_at(k)->name);
+    return effect_store(session, name, (struct effect_state){.on = false}, false);
+}
+
+bool effect_turn(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+                 const char *path)
+{
+    if (given > 0 && value[0] == EFFECT_OFF)
+        return turn_off(session, name);
+    bool stays = given > 0 && value[0] == EFFECT_ON && session->effect[name].on;
+    return stays || turn_on(session, name, value, given, path);
+}
+
+void effect_put(struct session *session, enum dom_effect_name name, dom_real value)
+{
+    struct effect_state *state = &session->effect[name];
+    for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS; i++)
+        state->value[i] = dom_effect(name)->argument[i].usual;
+    state->on = value != EFFECT_OFF;
+    state->value[0] = value;
+    if (dom_effect(name)->argument[0].or_file)
+        session->listed = (struct listed_row){.domino = NULL};
     effects_apply(session);
-    return true;
 }
 
 bool effects_savable(struct session *session)
@@ -217,38 +263,20 @@ static void save_name(const char *path, FILE *out)
     putc('"', out);
 }
 
-void effects_save_off(const struct session *session, FILE *out)
+void effect_save(const struct session *session, enum dom_effect_name name, FILE *out)
 {
-    /* Those that need another one first. */
-    for (int needs = 1; needs >= 0; needs--)
-        for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-            const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
-            if (!session->effect[k].on && (e->needs != 0) == (needs != 0))
-                fprintf(out, "effect %s off\n", e->name);
-        }
-}
-
-void effects_save(const struct session *session, FILE *out)
-{
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
-        if (!session->effect[k].on)
-            continue;
-        fprintf(out, "effect %s", e->name);
-        if (k == DOM_EFFECT_row && session->listed.domino)
-            save_name(session->listed.path, out);
-        for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
-            char number[WIDE_TEXT];
-            if (k != DOM_EFFECT_row || !session->listed.domino)
-                fprintf(out, " %s", quad_exact(session->effect[k].value[i], number));
-        }
-        putc('\n', out);
-    }
-    for (size_t i = 0; i < session->listed.changes; i++) {
-        char number[WIDE_TEXT];
+    const struct dom_effect *e = dom_effect(name);
+    const char *path = effect_file(session, name);
+    char number[WIDE_TEXT];
+    fprintf(out, session->effect[name].on ? "effect %s" : "effect %s off", e->name);
+    if (path)
+        save_name(path, out);
+    for (int i = 0; !path && session->effect[name].on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+        fprintf(out, " %s", quad_exact(session->effect[name].value[i], number));
+    putc('\n', out);
+    for (size_t i = 0; e->argument[0].or_file && i < session->listed.changes; i++)
         fprintf(out, "place %zu %s\n", session->listed.placed[i].k,
                 quad_exact(session->listed.placed[i].gap, number));
-    }
 }
 
 /* ---- The row ---- */

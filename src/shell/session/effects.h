@@ -1,41 +1,56 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects that a session's scene asks for, and the row that they may make of it. */
+/* The effects that are on in a session's scene, and the row that they may make of it. */
 #ifndef SHELL_EFFECTS_H
 #define SHELL_EFFECTS_H
 
 #include "language/names.h"
 #include "session/session.h"
+#include <math.h>
 
-/* For names.h. */
+/* Beside its numbers, an effect has these values: off; and on, as it is, or with the usual values. */
+#define EFFECT_OFF ((dom_real)-HUGE_VAL)
+#define EFFECT_ON  ((dom_real)HUGE_VAL)
+
+static inline const struct dom_effect *effect_at(int k)
+{
+    return dom_effect((enum dom_effect_name)k);
+}
+
+/* For names.h: the effects. */
 const char *effect_names(const void *context, int k);
 
-/* Where the word is an effect, says so in the message of what it is not. */
+/* Returns true for the name of an effect, and writes into the message how it is turned on. */
 bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 
-/* "friction MU". */
+/* Writes "friction MU". */
 enum { EFFECT_USAGE = 64 };
 const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE]);
 
-/* "0.2", "13", "record.csv"; "" where it is off. */
+/* Writes what the effect is set to: "0.2", "1 m, 0.1", "record.csv", "off". */
 enum { EFFECT_SETTING = 256 }; /* the longest name of a file */
 const char *effect_setting(const struct session *session, enum dom_effect_name name,
                            char setting[EFFECT_SETTING]);
 
-/*
- * Turns an effect on; values that are not given are the usual ones.  path, unless NULL, is the file in the
- * place of its first argument.  False: an error was reported, and nothing has changed; but
- * a file that gives no row leaves none in force, nor what needs one, and the error says so.
- */
-bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
-                    const char *path);
-/*
- * The first value of an effect, which is on then, into a session that borrows its row: that is not given
- * back. effect_needs: is there what it says nothing without?  An error if not.
- */
-void effect_put(struct session *session, enum dom_effect_name name, dom_real value);
-bool effect_needs(struct session *session, enum dom_effect_name name);
+/* Returns the file that stands in the place of the effect's first value, or NULL. */
+const char *effect_file(const struct session *session, enum dom_effect_name name);
 
-bool effect_turn_off(struct session *session, enum dom_effect_name name);
+/* Writes commands that show the effect. */
+enum { EFFECT_EXAMPLE = 128 };
+const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPLE]);
+
+/*
+ * Turns an effect on or off; values that are not given are the usual ones.  path, unless NULL, is the file in
+ * the place of its first argument.  Returns false after an error, and nothing has changed then; but a file
+ * that gives no row leaves none in force, nor what needs one, and the error says so.
+ */
+bool effect_turn(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+                 const char *path);
+
+/* Gives an effect its first value, or EFFECT_OFF, in a session that borrows its row, which is not freed. */
+void effect_put(struct session *session, enum dom_effect_name name, dom_real value);
+
+/* Reports an error if an effect that this one needs is off, or what it cannot be combined with is on. */
+bool effect_needs(struct session *session, enum dom_effect_name name);
 
 /*
  * Reports an error where a saved session could not name the row's file: a control character, such as a new
@@ -43,11 +58,9 @@ bool effect_turn_off(struct session *session, enum dom_effect_name name);
  */
 bool effects_savable(struct session *session);
 
-/* Writes the commands that turn off what is off here, for a session that has it on. */
-void effects_save_off(const struct session *session, FILE *out);
-
-/* The commands that turn on again what is on. */
-void effects_save(const struct session *session, FILE *out);
+/* Writes the command that turns the effect off, or on with its values, and the gaps of its row that changed.
+ */
+void effect_save(const struct session *session, enum dom_effect_name name, FILE *out);
 
 /* ---- The row ---- */
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The state of one calculator session: parameters, where input comes from, what went wrong.
- * One table knows every parameter; set, show, reset, save, help and completion read it.
+ * The state of one calculator session: parameters, where input comes from, what went wrong.  registry.h has
+ * the table of the parameters; messages.c writes errors and notes.
  */
 #ifndef SHELL_SESSION_H
 #define SHELL_SESSION_H
@@ -84,6 +84,9 @@ struct session {
     } ans;
 };
 
+enum { SEED_DEFAULT = 1 };
+
+/* Begins a session in which every parameter has its default. */
 void session_init(struct session *session, FILE *out);
 
 /* Gives back what the session holds. */
@@ -130,65 +133,7 @@ bool session_stops(const struct session *session, long errors);
 /* Also for a library status that is not DOM_OK. */
 bool session_status(struct session *session, enum dom_status status);
 
-/* A name for a value: hollow = 3, exact = 0. */
-struct word {
-    const char *name;
-    dom_real value;
-};
-
-struct parameter {
-    const char *name, *unit, *meaning;
-    const char *help; /* more, or NULL */
-    dom_real fallback, lowest, highest;
-    const struct word *words; /* names for some values; NULL for none */
-    bool words_only;          /* stored as an unsigned */
-    bool whole;               /* a whole number */
-    /* Of the arithmetic of the session's precision, where the default or the lowest value depends on it. */
-    dom_real (*fallback_of)(const struct dom_arithmetic *arithmetic);
-    dom_real (*lowest_of)(const struct dom_arithmetic *arithmetic);
-    size_t offset; /* in struct session */
-    bool setting;  /* of the calculator rather than of the model: a plain reset keeps it */
-};
-
-/* All parameters in the order of show; ends with a NULL name. */
-extern const struct parameter session_parameters[];
-
-/* Lists for names.h: the parameters; the words of the parameter that is the context. */
-const char *parameter_names(const void *context, int k);
-const char *parameter_words(const void *parameter, int k);
-
-const struct parameter *parameter_find(const char *name);
-dom_real parameter_get(const struct session *session, const struct parameter *parameter);
-void parameter_put(struct session *session, const struct parameter *parameter, dom_real value);
-
-/* The default, and the lowest value, at the session's precision. */
-dom_real parameter_fallback(const struct session *session, const struct parameter *parameter);
-dom_real parameter_lowest(const struct session *session, const struct parameter *parameter);
-
-/* The parameters in an order in which 'set' can take them: first how answers are written, then words, since
- * precision rules the floor of tol, then numbers.  NULL after the last. */
-const struct parameter *parameter_in_order(int k);
-
 /* The style of the session's answers. */
 struct output_style session_style(const struct session *session);
-
-/*
- * Chooses a precision.  Of tol and digits, what was the old default becomes the new one, and a tol below
- * the new floor becomes the floor; true if tol was changed.
- */
-bool session_precision(struct session *session, enum dom_precision precision);
-
-/* Is the value in the range?  What is wrong is an error of the session. */
-bool parameter_check(struct session *session, const struct parameter *parameter, dom_real value);
-
-/* The name of a value that has one, else NULL. */
-const char *parameter_word(const struct parameter *parameter, dom_real value);
-
-/* "1e-12 .. 1", or "exact|paper". */
-void parameter_range(const struct session *session, const struct parameter *parameter, char *text,
-                     size_t size);
-
-/* The value as 'set' would take it back. */
-void parameter_text(const struct parameter *parameter, dom_real value, int digits, char *text, size_t size);
 
 #endif

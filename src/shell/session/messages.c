@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Errors and notes of a session: where, what is wrong, what would be right. */
+#include "io/escape.h"
+#include "io/terminal.h"
+#include "language/names.h"
+#include "language/quad.h"
+#include "session/session.h"
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Blanks before a line that is repeated above its caret. */
+enum { CARET_INDENT = 2 };
+
+/* Returns true if the typed line may be written again: it was pasted, perhaps. */
+static bool typed_is_plain(const struct session *session)
+{
+    char *typed = strndup(session->typed, (size_t)session->typed_length);
+    bool plain = typed && !escape_needed(typed);
+    free(typed);
+    return plain;
+}
+
+/*
+ * At the prompt a caret points at the place: in the typed line, if that stands right above, else in a
+ * copy of it.
+ */
+static void session_caret(const struct session *session)
+{
+    int width = terminal_width(stderr), at = session->prompt_width + session->column;
+    if (!session->prompt_width || !session->column || !session->typed)
+        return;
+    bool above = session->fresh && width > 0;
+    if (!above && (session->typed_columns + CARET_INDENT >= width || !typed_is_plain(session)))
+        return;
+    if (above) /* a long line goes on in the next row */
+        at = (at - 1) % width + 1;
+    if (!above)
+        fprintf(stderr, "%*s%.*s\n", CARET_INDENT, "", session->typed_length, session->typed);
+    fprintf(stderr, "%*s\n", above ? at : session->column + CARET_INDENT, "^");
+}
+
+/* A point of a sweep has no terminal: the first message is kept. */
+static void session_hear(const struct session *session, bool no_answer, const char *format, va_list arguments)
+{
+    struct captured_error *h = session->captured_error;
+    if (*h->text)
+        return;
+    h->column = session->column;
+    h->command = session->command;
+    h->no_answer = no_answer;
+    vsnprintf(h->text, sizeof h->text, format, arguments);
+}
+
+static void session_tell(struct session *session, const char *format, va_list arguments)
+{
+    char told[1024], text[4 * sizeof told], shown[NAMES_SHOWN];
+    const char *source = session->source;
+    if (source && escape_needed(source))
+        source = names_shown(source, shown); /* a name may not hide the message behind it */
+    int n = 0;
+    fflush(session->out); /* so that both streams keep their order where they share a file */
+    ticker_stop();
+    session_caret(session);
+    if (source && session->column)
+        n = snprintf(told, sizeof told, "%s:%ld:%d: ", source, session->line, session->column);
+    else if (source)
+        n = snprintf(told, sizeof told, "%s:%ld: ", source, session->line);
+    n = n < (int)sizeof told / 2 ? n : (int)sizeof told / 2;
+    if (session->command)
+        n += snprintf(told + n, sizeof told - (size_t)n, "%s: ", session->command);
+    vsnprintf(told + n, sizeof told - (size_t)n, format, arguments);
+    escape_text(told, text, sizeof text);
+    bool colour = terminal_colour(stderr) && !session->source;
+    fputs(colour ? "\033[31m" : "", stderr);
+    output_wrapped(stderr, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
+    fputs(colour ? "\033[m\n" : "\n", stderr);
+    session->fresh = false;
+}
+
+static bool session_say(struct session *session, bool no_answer, const char *format, va_list arguments)
+{
+    if (session->captured_error)
+        session_hear(session, no_answer, format, arguments);
+    else
+        session_tell(session, format, arguments);
+    session->errors++;
+    return false;
+}
+
+bool session_error(struct session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    session_say(session, false, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+void session_note(struct session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    session_tell(session, format, arguments);
+    va_end(arguments);
+}
+
+bool session_no_answer(struct session *session, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    session_say(session, true, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool session_status(struct session *session, enum dom_status status)
+{
+    const struct dom_train *t = &session->train;
+    session->column = 0;
+    if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY) /* no matter with which values */
+        return session_error(session, "%s", dom_status_text(status));
+    if (status == DOM_OUT_OF_REACH)
+        return session_no_answer(session,
+                                 "r s = %s > 1: the head falls past the next domino without touching it; "
+                                 "at s = %s r may be up to 1/s = %.17g",
+                                 quad_shown(t->r * t->s).text, quad_shown(t->s).text, (double)(1 / t->s));
+    if (status == DOM_NO_METHOD && t->mu > 0 && t->fuel == DOM_FUEL_PAPER)
+        return session_no_answer(
+            session, "the paper's closed form of the fuel knows no friction; 'set fuel exact', or "
+                     "'effect friction off'");
+    if (status == DOM_TOO_LONG)
+        return session_no_answer(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
+    return session_no_answer(session, "%s", dom_status_text(status));
+}

@@ -1,0 +1,314 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "session/parameters.h"
+#include "answer/format.h"
+#include "language/names.h"
+#include "language/quad.h"
+
+/* So that 'show' says which. */
+#if defined DOM_REAL_FLOAT128
+#define QUAD_TYPE "__float128, 113 bits"
+#elif LDBL_MANT_DIG == 113
+#define QUAD_TYPE "long double, 113 bits"
+#elif LDBL_MANT_DIG > DBL_MANT_DIG
+#define QUAD_TYPE "long double, 64 bits"
+#else
+#define QUAD_TYPE "not to be had here"
+#endif
+
+static const char tol_help[] =
+    "It decides how far down the train the sums go and when iterations stop; tables show no more digits than "
+    "it promises. Where a parameter's last digit moves the answer by more than that, so does rounding: 'set "
+    "errors on' tells. The floor is that of the precision: 1e-6, 1e-15, 1e-33. A new precision takes its own "
+    "default along, unless another tol was set; 'cost rmax' shows what a digit costs.";
+static const char precision_help[] =
+    "One source of the model, compiled for each. Parameters are kept in the widest and rounded to this one: "
+    "in quad 7/48 has 34 digits. tol and digits follow where they still have their defaults.";
+static const char errors_help[] =
+    "Behind each number stands +/- and a bound: of all rounding on the way from the parameters, as the "
+    "precision has them, of what tol cuts off, and of the digits that are not printed; digits does not "
+    "matter then. In csv and json it is a column or key of its own, KEY_error. The values of 'print' have "
+    "none.";
+
+static dom_real tol_default(const struct dom_arithmetic *arithmetic)
+{
+    return arithmetic->tol_default;
+}
+
+static dom_real tol_floor(const struct dom_arithmetic *arithmetic)
+{
+    return arithmetic->tol_floor;
+}
+
+static dom_real digits_default(const struct dom_arithmetic *arithmetic)
+{
+    return arithmetic->digits;
+}
+
+static bool fuel_check(struct session *session, dom_real fuel)
+{
+    return fuel != DOM_FUEL_PAPER || !(session->train.mu > 0) ||
+           session_error(session, "the paper's closed form of the fuel knows no friction: they exclude each "
+                                  "other; 'effect friction off' first");
+}
+
+static bool precision_check(struct session *session, dom_real precision)
+{
+    const struct dom_arithmetic *arithmetic = dom_arithmetic((enum dom_precision)precision);
+    return arithmetic->bits > 0 ||
+           session_error(session, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
+}
+
+/* Returns the lowest value at the session's precision. */
+static dom_real parameter_lowest(const struct session *session, const struct parameter *p)
+{
+    return p->lowest_of ? p->lowest_of(dom_arithmetic(session->train.precision)) : p->value->lowest;
+}
+
+/* Of tol and digits, what was the old default becomes the new one; a tol below the new floor becomes that. */
+static void precision_put(struct session *session, dom_real precision)
+{
+    enum dom_precision before = session->train.precision;
+    for (const struct parameter *p = session_parameters; p->name; p++) {
+        if (!p->fallback_of)
+            continue;
+        session->train.precision = before;
+        dom_real value = parameter_get(session, p), was = parameter_fallback(session, p);
+        session->train.precision = (enum dom_precision)precision;
+        value = value == was ? parameter_fallback(session, p) : value;
+        parameter_put(session, p, p->lowest_of ? quad_larger(value, parameter_lowest(session, p)) : value);
+    }
+}
+
+/* What the shell adds to a number of the library's lists: members of its row.  One for each number. */
+#define MORE_s
+#define MORE_r
+#define MORE_d
+#define MORE_q   .words = (const struct word[]){{"hollow", 3}, {"massive", 4}, {NULL, 0}},
+#define MORE_tol .help = tol_help, .fallback_of = tol_default, .lowest_of = tol_floor,
+#define MORE_h
+#define MORE_g
+
+/* Formats by number, in the order of their list. */
+#define FORMAT_NUMBER(name)  FORMAT_##name,
+#define FORMAT_WORD(name)    {#name, FORMAT_##name},
+#define FORMAT_POINTER(name) &format_##name,
+enum { FORMATS(FORMAT_NUMBER) };
+
+const struct format *format_number(unsigned k)
+{
+    static const struct format *const formats[] = {FORMATS(FORMAT_POINTER)};
+    return formats[k];
+}
+
+/* Rows whose commas are a macro's are not rows to clang-format. */
+/* clang-format off */
+#define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
+#define SWITCH WORD_LIST({"off", 0}, {"on", 1})
+/* A row's first members: where it is stored, and its value. */
+#define ROW(name_, member, unit_, meaning_, ...) \
+    .name = name_, .offset = offsetof(struct session, member), \
+    .value = (const struct dom_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
+#define NUMBER(of, name_, default_, lowest_, highest_, unit_, meaning_) \
+    {ROW(#name_, of.name_, unit_, meaning_, .usual = (dom_real)(default_), .lowest = (dom_real)(lowest_), \
+         .highest = (dom_real)(highest_)), MORE_##name_},
+#define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
+#define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
+#define EFFECT(name_) \
+    {.name = #name_, .value = dom_effect_##name_.argument, .effect = &dom_effect_##name_, \
+     .which = DOM_EFFECT_##name_, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
+
+const struct parameter session_parameters[] = {
+    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER)
+    DOM_SCALE_PARAMETERS(SCALE_NUMBER)
+    {ROW("mass", mass, "kg", "mass of the first domino, 0 for none: energies are then in m g h/2", .highest = 1e9)},
+    {ROW("density", density, "kg/m^3", "of solid dominoes half as wide as tall, where no mass is set",
+         .highest = 1e9)},
+    {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (c7)", .usual = DOM_FUEL_EXACT),
+     .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
+     .check = fuel_check},
+    {ROW("precision", train.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+     .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
+     .help = precision_help, .moves = "tol", .check = precision_check, .put = precision_put},
+    {ROW("seed", seed, "", "of random rows: the same seed, the same rows", .highest = (dom_real)4294967295.0,
+         .usual = SEED_DEFAULT, .whole = true)},
+    {ROW("threads", threads, "", "of curves, sweeps and studies; 0: as many as there are processors",
+         .highest = 256, .whole = true), .setting = true},
+    {ROW("output", style.output, "", "how answers are written", .usual = 0), .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true,
+     .setting = true},
+    {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
+         .highest = WIDE_DIGITS, .whole = true), .fallback_of = digits_default, .setting = true},
+    {ROW("angle", style.angle, "", "unit of angles, typed and answered", .usual = ANGLE_RAD),
+     .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
+    {ROW("errors", style.errors, "", "whether every number has the bound of its error", .usual = 0),
+     .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
+    {ROW("timing", timing, "", "whether every answer ends with its time", .usual = 0),
+     .words = SWITCH, .words_only = true, .setting = true},
+    DOM_EFFECTS(EFFECT)
+    {.name = NULL},
+};
+/* clang-format on */
+
+const char *parameter_names(const void *context, int k)
+{
+    (void)context;
+    return session_parameters[k].name;
+}
+
+const char *parameter_words(const void *parameter, int k)
+{
+    const struct word *words = ((const struct parameter *)parameter)->words;
+    return words ? words[k].name : NULL;
+}
+
+const struct parameter *parameter_find(const char *name)
+{
+    int k = names_exact(parameter_names, NULL, name);
+    return k < 0 ? NULL : &session_parameters[k];
+}
+
+const struct dom_effect_argument *parameter_value(const struct parameter *p, int i)
+{
+    return i < (p->effect ? DOM_EFFECT_ARGUMENTS : 1) && p->value[i].name ? &p->value[i] : NULL;
+}
+
+const char *parameter_meaning(const struct parameter *p)
+{
+    return p->effect ? p->effect->adds : p->value->meaning;
+}
+
+const char *parameter_help(const struct parameter *p)
+{
+    return p->effect ? p->effect->help : p->help;
+}
+
+bool parameter_is_number(const struct parameter *p)
+{
+    return !p->words_only && !p->effect;
+}
+
+dom_real parameter_get(const struct session *session, const struct parameter *p)
+{
+    const struct effect_state *state = &session->effect[p->which];
+    const char *place = (const char *)session + p->offset;
+    if (p->effect)
+        return state->on ? state->value[0] : EFFECT_OFF;
+    if (!p->words_only)
+        return *(const dom_real *)(const void *)place;
+    return *(const unsigned *)(const void *)place;
+}
+
+dom_real parameter_fallback(const struct session *session, const struct parameter *p)
+{
+    return p->effect        ? EFFECT_OFF
+           : p->fallback_of ? p->fallback_of(dom_arithmetic(session->train.precision))
+                            : p->value->usual;
+}
+
+void parameter_put(struct session *session, const struct parameter *p, dom_real value)
+{
+    char *place = (char *)session + p->offset;
+    if (p->put)
+        p->put(session, value);
+    if (p->effect)
+        effect_put(session, p->which, value);
+    else if (p->words_only)
+        *(unsigned *)(void *)place = (unsigned)value;
+    else
+        *(dom_real *)(void *)place = value;
+}
+
+_Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) &&
+                   sizeof(enum angle) == sizeof(unsigned) && sizeof(enum dom_precision) == sizeof(unsigned),
+               "parameter_get reads an enum as an unsigned");
+
+bool parameter_set(struct session *session, const struct parameter *p, const dom_real *value, int given,
+                   const char *path)
+{
+    if (p->effect)
+        return effect_turn(session, p->which, value, given, path);
+    if (p->check && !p->check(session, value[0]))
+        return false;
+    parameter_put(session, p, value[0]);
+    return true;
+}
+
+/* Returns the place of a parameter among those that are set one after the other. */
+static int rank(const struct session *session, const struct parameter *p)
+{
+    if (p->effect)
+        return session->effect[p->which].on ? 5 : !p->effect->needs; /* what needs another one is off first */
+    return !p->words_only ? 4 : p->setting ? 2 : 3;
+}
+
+const struct parameter *parameter_in_order(const struct session *session, int k)
+{
+    for (int at = 0; at <= 5; at++)
+        for (const struct parameter *p = session_parameters; p->name; p++)
+            if (rank(session, p) == at && k-- == 0)
+                return p;
+    return NULL;
+}
+
+void parameter_save(const struct session *session, const struct parameter *p, FILE *out)
+{
+    char value[WIDE_TEXT];
+    if (p->effect) {
+        effect_save(session, p->which, out);
+        return;
+    }
+    parameter_text(p, parameter_get(session, p), WIDE_DIGITS, value, sizeof value);
+    fprintf(out, "set %s %s\n", p->name, value);
+}
+
+const char *parameter_word(const struct parameter *p, dom_real value)
+{
+    for (const struct word *w = p->words; w && w->name; w++)
+        if (w->value == value)
+            return w->name;
+    return NULL;
+}
+
+void parameter_range(const struct session *session, const struct parameter *p, int i, char *text, size_t size)
+{
+    if (!p->words_only)
+        snprintf(text, size, "%g .. %g", (double)(i ? p->value[i].lowest : parameter_lowest(session, p)),
+                 (double)p->value[i].highest);
+    size_t used = 0;
+    for (const struct word *w = p->words; p->words_only && w->name && used < size; w++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", used ? "|" : "", w->name);
+}
+
+void parameter_text(const struct parameter *p, dom_real value, int digits, char *text, size_t size)
+{
+    char number[WIDE_TEXT];
+    const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
+    snprintf(text, size, "%s",
+             word                    ? word
+             : digits >= WIDE_DIGITS ? quad_exact(value, number)
+                                     : quad_text(value, digits < 15 ? digits : 15, number));
+}
+
+bool parameter_check(struct session *session, const struct parameter *p, int i, dom_real value)
+{
+    char range[64], meaning[96] = "";
+    const struct dom_effect_argument *of = &p->value[i];
+    const struct dom_arithmetic *arithmetic = dom_arithmetic(session->train.precision);
+    dom_real lowest = i ? of->lowest : parameter_lowest(session, p);
+    parameter_range(session, p, i, range, sizeof range);
+    if (of->whole && value != quad(floor)(value))
+        return session_no_answer(session, "%s = %s is no whole number; %s is one in %s", of->name,
+                                 quad_shown(value).text, of->name, range);
+    /* The doubles of the table are the nearest to decimals: both are inside. */
+    if ((value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) && value <= of->highest)
+        return true;
+    if (p->lowest_of && value > 0 && value < lowest)
+        return session_no_answer(
+            session, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
+            quad_shown(value).text, arithmetic->name, p->name, range,
+            session->train.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
+    if (p->effect)
+        snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
+    return session_no_answer(session, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,
+                             quad_shown(value).text, of->name, meaning, range, *of->unit ? " " : "", of->unit,
+                             p->words && !p->effect ? ", or one of its words" : "");
+}
