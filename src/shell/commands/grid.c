@@ -9,20 +9,19 @@
 
 static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
 
-/* The parameters of the model; the others say how the calculator works. */
+/* Returns the k-th parameter of the model, or the end of the table; others say how the calculator works. */
 static const struct parameter *grid_parameter(int k)
 {
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!p->setting && k-- == 0)
-            return p;
-    return NULL;
+    const struct parameter *p = session_parameters;
+    while (p->name && (p->setting || k-- > 0))
+        p++;
+    return p;
 }
 
 const char *grid_names(const void *context, int k)
 {
     (void)context;
-    const struct parameter *p = grid_parameter(k);
-    return p ? p->name : NULL;
+    return grid_parameter(k)->name;
 }
 
 /* ---- Reading ---- */

@@ -246,13 +246,14 @@ static bool run_complete(struct session *session, const struct call *call)
 
 const struct command help_commands[] = {
     {.name = "help",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_TOPIC, .optional = true}},
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_TOPIC, .of = "topic", .choices = topic_names, .optional = true}},
      .summary = "the commands, or one command or parameter",
      .example = "help tol",
      .see = "apropos show",
      .run = run_help},
     {.name = "apropos",
-     .argument = {{.name = "WORD", .kind = ARGUMENT_WORD}},
+     .argument = {{.name = "WORD", .kind = ARGUMENT_WORD, .choices = topic_names}},
      .summary = "commands and parameters that mention WORD",
      .example = "apropos barrier",
      .see = "help",

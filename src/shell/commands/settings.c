@@ -179,9 +179,11 @@ static bool run_quit(struct session *session, const struct call *call)
     return true;
 }
 
+#define A_PARAMETER .name = "NAME", .kind = ARGUMENT_PARAMETER, .of = "parameter", .choices = parameter_names
+
 const struct command session_commands[] = {
     {.name = "set",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER},
+     .argument = {{A_PARAMETER},
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
@@ -193,7 +195,7 @@ const struct command session_commands[] = {
      .see = "show reset",
      .run = run_set},
     {.name = "show",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER, .optional = true}},
+     .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameters: value, unit, range, default, meaning",
      .example = "show fuel",
      .see = "set reset",
@@ -201,7 +203,7 @@ const struct command session_commands[] = {
      .rows = true,
      .run = run_show},
     {.name = "reset",
-     .argument = {{.name = "NAME", .kind = ARGUMENT_PARAMETER, .optional = true}},
+     .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME the settings of the session are kept: output, digits, angle, timing.",
      .example = "set s 0.3; reset s; print s",

@@ -281,17 +281,13 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     case ARGUMENT_PARAMETER:
     case ARGUMENT_TOPIC:
         call->word[i] = read_word(r, false);
-        names_list *list = a->kind == ARGUMENT_TOPIC ? topic_names : parameter_names;
-        int k = call->word[i] ? names_find(list, NULL, a->kind == ARGUMENT_TOPIC ? "topic" : "parameter",
-                                           call->word[i], message)
-                              : -1;
+        int k = call->word[i] ? names_find(a->choices, NULL, a->of, call->word[i], message) : -1;
         if (k < 0 && a->kind == ARGUMENT_TOPIC && call->word[i] && is_expression_topic(call->word[i]))
-            k = names_exact(topic_names, NULL, "print");
+            k = names_exact(a->choices, NULL, "print");
         call->number[i] = k;
-        char *equals = k < 0 && call->word[i] ? strchr(call->word[i], '=') : NULL;
-        if (equals)
+        call->parameter = k >= 0 && a->kind == ARGUMENT_PARAMETER ? &session_parameters[k] : NULL;
+        if (k < 0 && call->word[i] && strchr(call->word[i], '='))
             return session_error(session, "a blank stands between a name and its value, and no '='");
-        call->parameter = k >= 0 && list == parameter_names ? &session_parameters[k] : NULL;
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);

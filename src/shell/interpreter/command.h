@@ -39,11 +39,10 @@ struct call;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    const char *of; /* the parameter of ARGUMENT_OF; what the choices of ARGUMENT_CHOICE are */
+    const char *of; /* the parameter of ARGUMENT_OF; else what the choices are */
     int which;      /* of the parameter's values, from 0 */
     bool optional;
-    names_list
-        *choices; /* of ARGUMENT_CHOICE, ARGUMENT_EFFECT and ARGUMENT_PLACE; for completion, of a grid */
+    names_list *choices; /* the names that it takes, or that completion offers for it */
     bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
     /* Unless NULL, tells whether it may stand behind the argument before it, given as its choice or place. */
     bool (*follows)(dom_real before);

@@ -53,22 +53,16 @@ static void offer_list(struct offer *offer, names_list *list, const void *contex
 static struct offer offer_for(const struct argument *a, const struct parameter *p, bool first)
 {
     struct offer offer = {.files = a->kind == ARGUMENT_FILE || (p && p->value->or_file)};
-    if (a->kind == ARGUMENT_PARAMETER)
-        offer_list(&offer, parameter_names, NULL);
-    else if (a->kind == ARGUMENT_GRID) {
-        offer_list(&offer, a->choices, NULL);
-        if (!first) {
-            offer_list(&offer, value_names, NULL);
-            offer_list(&offer, function_names, NULL);
-        }
-    } else if (a->kind == ARGUMENT_TOPIC || a->kind == ARGUMENT_WORD)
-        offer_list(&offer, topic_names, NULL);
-    else if (a->kind == ARGUMENT_CHOICE || a->kind == ARGUMENT_PLACE || a->kind == ARGUMENT_EFFECT)
+    bool expression = a->kind == ARGUMENT_GRID && !first;
+    if (a->choices)
         offer_list(&offer, a->choices, NULL);
     else if (p && p->words)
         offer_list(&offer, parameter_words, p);
     else if (a->kind != ARGUMENT_FILE && a->kind != ARGUMENT_REST && a->kind != ARGUMENT_NONE) {
         offer_list(&offer, number_names, NULL);
+        expression = true;
+    }
+    if (expression) {
         offer_list(&offer, value_names, NULL);
         offer_list(&offer, function_names, NULL);
     }
@@ -118,9 +112,8 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
             int k = names_find(command_names, NULL, "command", word, message);
             c = k < 0 ? NULL : command_find(command_names(NULL, k));
         } else if (words == 1 && c && c->argument[1].kind == ARGUMENT_VALUE) {
-            names_list *list = c->argument[0].kind == ARGUMENT_EFFECT ? effect_names : parameter_names;
-            int k = names_find(list, NULL, "parameter", word, message);
-            p = k < 0 ? NULL : parameter_find(list(NULL, k));
+            int k = names_find(c->argument[0].choices, NULL, "parameter", word, message);
+            p = k < 0 ? NULL : parameter_find(c->argument[0].choices(NULL, k));
         }
         memcpy(last, word, sizeof last);
         words++;
