@@ -271,30 +271,23 @@ static enum dom_status sigma_at(const struct dom_row *row, const struct dom_plac
 }
 
 /*
- * How many of the rows may fall by chance where the share is the true one: fewer than `few` would be a chance
- * of 2.5 %, and so would more than `many`.
+ * The count nearest to those that chance explains where the share is the true one: that so many or more of
+ * the rows fall, or so many or fewer, would be a chance below 2.5 %.
  */
-static void chance(double share, size_t rows, double *few, double *many)
+static double unlikely(double share, double rows, bool at_least)
 {
-    double N = (double)rows, lo = -1, hi = N;
+    double lo = at_least ? 0 : -1, hi = lo + rows + 1;
     while (hi - lo > 1) {
         double k = floor((lo + hi) / 2);
-        *(binomial_tail(k, N, share, false) < TAIL ? &lo : &hi) = k;
+        *((binomial_tail(k, rows, share, at_least) < TAIL) == at_least ? &hi : &lo) = k;
     }
-    *few = fmax(lo, 0);
-    lo = 0;
-    hi = N + 1;
-    while (hi - lo > 1) {
-        double k = floor((lo + hi) / 2);
-        *(binomial_tail(k, N, share, true) < TAIL ? &hi : &lo) = k;
-    }
-    *many = hi;
+    return at_least ? hi : lo;
 }
 
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *p, double share,
                                      struct dom_budget *budget)
 {
-    double falls, widest = 0, few, many;
+    double falls, widest = 0;
     if (!(share > 0 && share < 1) || p->rows == 0)
         return DOM_BAD_PARAMETER;
     enum dom_status status = fall_share(row, *p, 0, &falls);
@@ -302,8 +295,7 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
         return status != DOM_OK ? status : DOM_STOPS;
     for (size_t k = 1; k < row->count; k++)
         widest = fmax(widest, (double)row->domino[k].gap);
-    chance(share, p->rows, &few, &many);
-    double N = (double)p->rows;
+    double N = (double)p->rows, few = fmax(unlikely(share, N, false), 0), many = unlikely(share, N, true);
     struct dom_budget found = {.low = 0};
     status = sigma_at(row, p, share, widest, &found.sigma);
     if (status == DOM_OK && many <= N)
