@@ -17,8 +17,11 @@ struct workers {
      * ends the work: rows of the points before it are written, those behind it are not.
      */
     bool (*point)(void *own, size_t point, FILE *out);
-    void *own; /* of the first worker; those of the others stand behind it, `size` bytes each */
+    void *own; /* each worker has a copy, of `size` bytes; in the end it is that of one whose point returned
+                  false */
     size_t size;
+    void (*gather)(void *own,
+                   const void *worker); /* a worker's copy into own, when all is done; NULL for none */
     unsigned count;
     FILE *out;                              /* NULL: nobody reads them */
     bool progress;                          /* is it to be shown? */
@@ -27,7 +30,6 @@ struct workers {
 
 struct workers_end {
     enum { WORKERS_DONE, WORKERS_ENDED, WORKERS_INTERRUPTED, WORKERS_LOST, WORKERS_NO_MEMORY } how;
-    void *by;  /* WORKERS_ENDED: own of the worker whose point did */
     int error; /* WORKERS_LOST: the rows cannot be written any more, errno */
 };
 
