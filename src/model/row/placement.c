@@ -55,7 +55,7 @@ static double normal(const struct batch *b)
            M_SQRT1_2;
 }
 
-/* Row number i. */
+/* Makes row number i. */
 static void row_draw(const struct batch *b, const struct dom_row *row, const struct dom_placement *p,
                      size_t i)
 {
@@ -95,7 +95,7 @@ static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i
     return DOM_OK;
 }
 
-/* A dom_task: batch number `index` of the rows; nothing once another one has failed. */
+/* A dom_task: runs batch number `index` of the rows, unless another one has failed. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;
@@ -116,7 +116,7 @@ static void batch_run(size_t index, void *context)
     free(b.domino);
 }
 
-/* A dom_parallel without a pool: one task after the other. */
+/* A dom_parallel without a pool: runs one task after the other. */
 static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
 {
     (void)pool;
@@ -240,7 +240,7 @@ static enum dom_status fall_share(const struct dom_row *row, struct dom_placemen
 static enum dom_status sigma_between(const struct dom_row *row, const struct dom_placement *p, double share,
                                      double lo, double hi, double *sigma)
 {
-    const double none = 1e-9 * hi; /* what nobody can place */
+    const double none = 1e-9 * hi; /* finer than any row can be placed */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
         enum dom_status status = fall_share(row, *p, at, &falls);
