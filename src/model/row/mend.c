@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The row with one thing changed; the first status that is not DOM_OK ends all. */
+/* The row with one thing changed.  Once status is not DOM_OK no row is run any more, and none falls. */
 struct trial {
     struct dom_row row;
     struct dom_domino *domino;
@@ -37,12 +37,12 @@ static dom_real digit_of(dom_real value, int places)
 
 /* ---- Gaps ---- */
 
-/* Digits of a gap that is typed again. */
+/* A gap has so many digits that a person can type it. */
 #define GAP_DIGITS ((dom_real)1e-6)
 
 enum { STEPS = 40 };
 
-/* A row forgets what happened so many dominoes ago: their gaps do not save it. */
+/* Gaps farther back than this do not save a row: it forgets what happened so many dominoes ago. */
 enum { BACK = DOM_MENDS - 1 };
 
 static bool falls_with(dom_real gap, void *context)
@@ -56,8 +56,8 @@ static bool falls_with(dom_real gap, void *context)
     return falls;
 }
 
-/* Between a gap with which all fall and one with which they do not: the last with which they do, rounded away
- * from the other to few digits. */
+/* Finds the last gap with which all fall, between one with which they do and one with which they do not, and
+ * rounds it to few digits, away from the latter. */
 static dom_real gap_edge(struct trial *t, dom_real good, dom_real bad)
 {
     dom_real digit = digit_of(fmax(good, bad), 0) * GAP_DIGITS;
@@ -66,14 +66,15 @@ static dom_real gap_edge(struct trial *t, dom_real good, dom_real bad)
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* First close by, then farther and farther: what is small should be found. */
+/* Returns step i on the way from a gap to `end`: the first steps are short, so that a small change is found.
+ */
 static dom_real gap_step(dom_real gap, dom_real end, int i)
 {
     dom_real part = (dom_real)i / STEPS;
     return gap + (end - gap) * part * part * part;
 }
 
-/* The nearest gap on the way to `end` with which all fall; false where none was found. */
+/* Finds the nearest gap on the way to `end` with which all fall; false where there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     dom_real gap = t->domino[t->k].gap, bad = gap, good = gap;
@@ -162,7 +163,8 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t, &verdict);
 }
 
-/* What turns the first over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2. */
+/* Returns the push that turns the first domino over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2.
+ */
 static dom_real push_over_edge(const struct dom_row *row)
 {
     dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);

@@ -55,7 +55,7 @@ static double normal(const struct batch *b)
            M_SQRT1_2;
 }
 
-/* Row number i. */
+/* Makes row number i. */
 static void row_draw(const struct batch *b, const struct dom_row *row, const struct dom_placement *p,
                      size_t i)
 {
@@ -95,7 +95,7 @@ static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i
     return DOM_OK;
 }
 
-/* A dom_task: batch number `index` of the rows; nothing once another one has failed. */
+/* A dom_task: runs batch number `index` of the rows, unless another one has failed. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;
@@ -116,7 +116,7 @@ static void batch_run(size_t index, void *context)
     free(b.domino);
 }
 
-/* A dom_parallel without a pool: one task after the other. */
+/* A dom_parallel without a pool: runs one task after the other. */
 static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
 {
     (void)pool;
@@ -240,7 +240,7 @@ static enum dom_status fall_share(const struct dom_row *row, struct dom_placemen
 static enum dom_status sigma_between(const struct dom_row *row, const struct dom_placement *p, double share,
                                      double lo, double hi, double *sigma)
 {
-    const double none = 1e-9 * hi; /* what nobody can place */
+    const double none = 1e-9 * hi; /* finer than any row can be placed */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
         enum dom_status status = fall_share(row, *p, at, &falls);
@@ -271,30 +271,23 @@ static enum dom_status sigma_at(const struct dom_row *row, const struct dom_plac
 }
 
 /*
- * How many of the rows may fall by chance where the share is the true one: fewer than `few` would be a chance
- * of 2.5 %, and so would more than `many`.
+ * The count nearest to those that chance explains where the share is the true one: that so many or more of
+ * the rows fall, or so many or fewer, would be a chance below 2.5 %.
  */
-static void chance(double share, size_t rows, double *few, double *many)
+static double unlikely(double share, double rows, bool at_least)
 {
-    double N = (double)rows, lo = -1, hi = N;
+    double lo = at_least ? 0 : -1, hi = lo + rows + 1;
     while (hi - lo > 1) {
         double k = floor((lo + hi) / 2);
-        *(binomial_tail(k, N, share, false) < TAIL ? &lo : &hi) = k;
+        *((binomial_tail(k, rows, share, at_least) < TAIL) == at_least ? &hi : &lo) = k;
     }
-    *few = fmax(lo, 0);
-    lo = 0;
-    hi = N + 1;
-    while (hi - lo > 1) {
-        double k = floor((lo + hi) / 2);
-        *(binomial_tail(k, N, share, true) < TAIL ? &hi : &lo) = k;
-    }
-    *many = hi;
+    return at_least ? hi : lo;
 }
 
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *p, double share,
                                      struct dom_budget *budget)
 {
-    double falls, widest = 0, few, many;
+    double falls, widest = 0;
     if (!(share > 0 && share < 1) || p->rows == 0)
         return DOM_BAD_PARAMETER;
     enum dom_status status = fall_share(row, *p, 0, &falls);
@@ -302,8 +295,7 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
         return status != DOM_OK ? status : DOM_STOPS;
     for (size_t k = 1; k < row->count; k++)
         widest = fmax(widest, (double)row->domino[k].gap);
-    chance(share, p->rows, &few, &many);
-    double N = (double)p->rows;
+    double N = (double)p->rows, few = fmax(unlikely(share, N, false), 0), many = unlikely(share, N, true);
     struct dom_budget found = {.low = 0};
     status = sigma_at(row, p, share, widest, &found.sigma);
     if (status == DOM_OK && many <= N)

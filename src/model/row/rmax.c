@@ -4,7 +4,8 @@
 #include "numerics/edge.h"
 #include <stdlib.h>
 
-/* A growth is raised by this factor: a larger one may fall again, and the first that does not counts. */
+/* The growth rises by this factor.  Bisection alone will not do: above the first growth at which a row does
+ * not fall there may be others at which it does. */
 #define GROWTH_STEP ((dom_real)1.02)
 
 struct trial {
@@ -12,7 +13,7 @@ struct trial {
     struct dom_domino *domino;
     dom_row_make *make;
     void *context;
-    enum dom_status status; /* the first that is not DOM_OK ends all */
+    enum dom_status status; /* once it is not DOM_OK no row is run any more */
     enum dom_row_end ends;  /* of the last row that did not fall */
 };
 

@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Long beside the lock and a write, short beside what a person notices. */
 #define BLOCK_SECONDS 1e-3
@@ -22,7 +23,7 @@ struct block {
     char *text;
     size_t size;
     bool done, ended;
-    void *own;
+    const void *own;
 };
 
 struct crew {
@@ -37,17 +38,16 @@ struct crew {
 };
 
 /* What a worker knows of its speed. */
-struct kinematics {
+struct pace {
     size_t points; /* of its last block */
     double seconds;
 };
 
 /* So many points that they take the time of a block; shorter near the end, so that all end together. */
-static size_t block_points(const struct workers *w, const struct kinematics *kinematics, size_t left)
+static size_t block_points(const struct workers *w, const struct pace *pace, size_t left)
 {
-    double fit =
-        kinematics->points ? BLOCK_SECONDS * (double)kinematics->points / (kinematics->seconds + 1e-9) : 1;
-    double most = kinematics->points ? (double)GROWTH * (double)kinematics->points : 1;
+    double fit = pace->points ? BLOCK_SECONDS * (double)pace->points / (pace->seconds + 1e-9) : 1;
+    double most = pace->points ? (double)GROWTH * (double)pace->points : 1;
     size_t share = w->count > 1 ? left / (2 * (size_t)w->count) + 1 : left;
     size_t points = (size_t)(fit < most ? fit : most) + 1;
     points = points < MOST ? points : MOST;
@@ -55,8 +55,8 @@ static size_t block_points(const struct workers *w, const struct kinematics *kin
 }
 
 /* Points of one block, by the worker `own`; false where one of them ended it. */
-static bool block_run(const struct workers *w, void *own, size_t from, size_t points,
-                      struct kinematics *kinematics, FILE *out)
+static bool block_run(const struct workers *w, void *own, size_t from, size_t points, struct pace *pace,
+                      FILE *out)
 {
     double begun = terminal_clock();
     bool goes_on = true;
@@ -64,7 +64,7 @@ static bool block_run(const struct workers *w, void *own, size_t from, size_t po
     for (size_t k = 0; k < points && goes_on && !dom_raised(w->interrupt); k++)
         goes_on = w->point(own, w->first + from + k, out);
     progress_mute(shown);
-    *kinematics = (struct kinematics){points, terminal_clock() - begun};
+    *pace = (struct pace){points, terminal_clock() - begun};
     return goes_on;
 }
 
@@ -86,9 +86,10 @@ static void crew_write(struct crew *c)
     while (!c->over && c->written < c->taken && (b = &c->waiting[c->written % c->window])->done) {
         if (out && ((b->size > 0 && fwrite(b->text, 1, b->size, out) != b->size) || ferror(out)))
             crew_end(c, (struct workers_end){.how = WORKERS_LOST, .error = errno});
-        else if (b->ended)
-            crew_end(c, (struct workers_end){.how = WORKERS_ENDED, .by = b->own});
-        else if (dom_raised(c->asked->interrupt))
+        else if (b->ended) {
+            memcpy(c->asked->own, b->own, c->asked->size);
+            crew_end(c, (struct workers_end){.how = WORKERS_ENDED});
+        } else if (dom_raised(c->asked->interrupt))
             crew_end(c, (struct workers_end){.how = WORKERS_INTERRUPTED});
         free(b->text);
         *b = (struct block){.text = NULL};
@@ -101,12 +102,12 @@ static void crew_write(struct crew *c)
 }
 
 /* The next points, and the number of their block; 0 points: there are no more. */
-static size_t crew_take(struct crew *c, const struct kinematics *kinematics, size_t *from, size_t *block)
+static size_t crew_take(struct crew *c, const struct pace *pace, size_t *from, size_t *block)
 {
     while (!c->over && c->taken - c->written >= c->window)
         pthread_cond_wait(&c->room, &c->lock);
     size_t left = c->over ? 0 : c->asked->points - c->next;
-    size_t points = left ? block_points(c->asked, kinematics, left) : 0;
+    size_t points = left ? block_points(c->asked, pace, left) : 0;
     *from = c->next;
     *block = c->taken;
     c->next += points;
@@ -114,22 +115,23 @@ static size_t crew_take(struct crew *c, const struct kinematics *kinematics, siz
     return points;
 }
 
-/* Its progress is shown by the first of them, whose thread is the caller's. */
-static void worker_run(struct crew *c, void *own)
+/* Computes blocks until there are no more.  The first worker shows the progress: its thread is the caller's.
+ */
+static void worker_run(struct crew *c, void *own, bool shows)
 {
     const struct workers *w = c->asked;
     struct progress progress = {0, 0};
-    struct kinematics kinematics = {0, 0};
+    struct pace pace = {0, 0};
     size_t from, points, number;
     pthread_mutex_lock(&c->lock);
-    while ((points = crew_take(c, &kinematics, &from, &number)) > 0) {
+    while ((points = crew_take(c, &pace, &from, &number)) > 0) {
         pthread_mutex_unlock(&c->lock);
         struct block b = {.text = NULL, .own = own};
         FILE *out = io_memory(&b.text, &b.size);
-        b.ended = !out || !block_run(w, own, from, points, &kinematics, out);
+        b.ended = !out || !block_run(w, own, from, points, &pace, out);
         bool kept = out && !ferror(out);
         kept = out && fclose(out) == 0 && kept;
-        if (w->progress && own == w->own)
+        if (shows)
             progress_show(&progress, (double)from / (double)w->points);
         pthread_mutex_lock(&c->lock);
         if (kept) {
@@ -142,7 +144,7 @@ static void worker_run(struct crew *c, void *own)
             break;
     }
     pthread_mutex_unlock(&c->lock);
-    if (w->progress && own == w->own)
+    if (shows)
         progress_show(&progress, 1);
 }
 
@@ -155,22 +157,19 @@ struct hand {
 static void *hand_run(void *context)
 {
     struct hand *hand = context;
-    worker_run(hand->crew, hand->own);
+    worker_run(hand->crew, hand->own, false);
     return NULL;
 }
 
 /* Signals stay with the thread that they have always come to. */
-static unsigned hands_begin(struct crew *c, struct hand *hand)
+static unsigned hands_begin(struct hand *hand, unsigned count)
 {
-    const struct workers *w = c->asked;
     unsigned begun = 1;
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, &before);
-    for (bool more = true; more && begun < w->count; begun += more) {
-        hand[begun] = (struct hand){.crew = c, .own = (char *)w->own + begun * w->size};
-        more = pthread_create(&hand[begun].thread, NULL, hand_run, &hand[begun]) == 0;
-    }
+    while (begun < count && pthread_create(&hand[begun].thread, NULL, hand_run, &hand[begun]) == 0)
+        begun++;
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return begun;
 }
@@ -179,23 +178,29 @@ struct workers_end workers_run(const struct workers *w)
 {
     struct crew c = {.asked = w, .window = WINDOW * (size_t)w->count, .end = {.how = WORKERS_DONE}};
     struct hand *hand = calloc(w->count, sizeof *hand);
+    char *own = malloc(w->count * w->size);
     c.waiting = calloc(c.window, sizeof *c.waiting);
-    if (!hand || !c.waiting) {
-        free(hand);
-        free(c.waiting);
-        return (struct workers_end){.how = WORKERS_NO_MEMORY};
-    }
-    pthread_mutex_init(&c.lock, NULL);
-    pthread_cond_init(&c.room, NULL);
-    unsigned begun = hands_begin(&c, hand);
-    worker_run(&c, w->own);
-    for (unsigned k = 1; k < begun; k++)
-        pthread_join(hand[k].thread, NULL);
-    for (size_t k = 0; k < c.window; k++)
-        free(c.waiting[k].text);
-    pthread_cond_destroy(&c.room);
-    pthread_mutex_destroy(&c.lock);
+    if (hand && own && c.waiting) {
+        for (unsigned k = 0; k < w->count; k++) {
+            hand[k] = (struct hand){.crew = &c, .own = own + k * w->size};
+            memcpy(hand[k].own, w->own, w->size);
+        }
+        pthread_mutex_init(&c.lock, NULL);
+        pthread_cond_init(&c.room, NULL);
+        unsigned begun = hands_begin(hand, w->count);
+        worker_run(&c, hand[0].own, w->progress);
+        for (unsigned k = 1; k < begun; k++)
+            pthread_join(hand[k].thread, NULL);
+        for (size_t k = 0; k < c.window; k++)
+            free(c.waiting[k].text);
+        pthread_cond_destroy(&c.room);
+        pthread_mutex_destroy(&c.lock);
+        for (unsigned k = 0; k < w->count && c.end.how == WORKERS_DONE && w->gather; k++)
+            w->gather(w->own, hand[k].own);
+    } else
+        c.end.how = WORKERS_NO_MEMORY;
     free(c.waiting);
+    free(own);
     free(hand);
     return c.end;
 }
@@ -231,15 +236,13 @@ enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void 
                                              [WORKERS_INTERRUPTED] = DOM_INTERRUPTED,
                                              [WORKERS_NO_MEMORY] = DOM_NO_MEMORY};
     const struct task_pool *p = pool;
-    struct job job[THREADS_MAX];
-    struct workers w = {.points = count,
-                        .point = job_point,
-                        .own = job,
-                        .size = sizeof *job,
-                        .count = workers_count(p->threads, count),
-                        .progress = p->progress,
-                        .interrupt = p->interrupt};
-    for (unsigned i = 0; i < w.count; i++)
-        job[i] = (struct job){task, context};
+    struct job job = {task, context};
+    const struct workers w = {.points = count,
+                              .point = job_point,
+                              .own = &job,
+                              .size = sizeof job,
+                              .count = workers_count(p->threads, count),
+                              .progress = p->progress,
+                              .interrupt = p->interrupt};
     return status[workers_run(&w).how];
 }

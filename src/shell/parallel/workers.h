@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Points of a curve or a sweep on all processors.  Each worker takes block after block of them, and the rows
- * of the blocks are written in the order of the points, as soon as that allows: the output is the same bytes
- * whoever computed them.  Blocks, not points, take the one lock, and they are as long as a millisecond or so.
+ * The one pool of threads: computes points of a curve or a sweep, and tasks of the library, side by side.
+ * Each worker takes block after block of points, and the rows of the blocks are written in the order of the
+ * points, as soon as that allows: the output is the same bytes whatever the number of workers.  Blocks, not
+ * points, take the one lock, and they take a millisecond or so.
  */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
@@ -11,41 +12,43 @@
 #include <stdio.h>
 
 struct workers {
-    size_t first, points; /* their numbers: first, first + 1, ... */
+    size_t first, points; /* the numbers of the points: first, first + 1, ... */
     /*
-     * Writes the rows of a point.  own is what this worker has to itself, and all that it may change.  False
-     * ends the work: rows of the points before it are written, those behind it are not.
+     * Writes the rows of a point.  own is the worker's copy of `own` below, and all that it may change. False
+     * ends the work: rows of the points before this one are written, those of the points after it are not.
      */
     bool (*point)(void *own, size_t point, FILE *out);
-    void *own; /* of the first worker; those of the others stand behind it, `size` bytes each */
-    size_t size;
-    unsigned count;
-    FILE *out;                              /* NULL: nobody reads them */
-    bool progress;                          /* is it to be shown? */
+    void *own;   /* where a point ended the work, it becomes the copy of that worker */
+    size_t size; /* of own, in bytes */
+    /* Adds a worker's copy to own, when all is done; NULL: nothing is to be added. */
+    void (*gather)(void *own, const void *worker);
+    unsigned count;                         /* of workers; 1 is the caller's thread alone */
+    FILE *out;                              /* NULL: no rows are written */
+    bool progress;                          /* shows how far the work is */
     const volatile sig_atomic_t *interrupt; /* as of a train */
 };
 
 struct workers_end {
     enum { WORKERS_DONE, WORKERS_ENDED, WORKERS_INTERRUPTED, WORKERS_LOST, WORKERS_NO_MEMORY } how;
-    void *by;  /* WORKERS_ENDED: own of the worker whose point did */
-    int error; /* WORKERS_LOST: the rows cannot be written any more, errno */
+    int error; /* WORKERS_LOST: errno of the rows that cannot be written */
 };
 
-/* One worker is the caller's thread, and none is made; where no more can be had, fewer do it. */
+/* Computes all points.  The caller's thread is the first worker; if a thread cannot be had, fewer do the
+ * work. */
 struct workers_end workers_run(const struct workers *workers);
 
-/* A pool for the tasks of the library. */
+/* What the library's tasks are run with. */
 struct task_pool {
-    dom_real threads;                       /* 0: one for each processor */
-    bool progress;                          /* as of workers */
-    const volatile sig_atomic_t *interrupt; /* as of a train */
+    dom_real threads; /* 0: one for each processor */
+    bool progress;
+    const volatile sig_atomic_t *interrupt;
 };
 
-/* A dom_parallel whose pool is a struct task_pool. */
+/* Runs tasks of the library: a dom_parallel whose pool is a struct task_pool. */
 enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool);
 
-/* How many: as asked for, 0 being one for each processor that this process may use, but no more than points.
- */
+/* Returns how many workers there should be: as many as asked for, 0 being one for each processor that this
+ * process may use, but no more than points. */
 unsigned workers_count(dom_real threads, size_t points);
 
 #endif
