@@ -13,7 +13,7 @@ KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, str
     };
     enum dom_status status = DOM_OK;
     geometry->dynamics = &energy_balance;
-    for (int i = 0; i < DYNAMICS_COUNT && status == DOM_OK; i++)
+    for (int i = 0; i < DOM_DYNAMICS_COUNT && status == DOM_OK; i++)
         if (dynamics_on(values->of[i]))
             status = apply[i](geometry, (real)values->of[i]);
     return status;

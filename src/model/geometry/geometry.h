@@ -104,9 +104,12 @@ KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta
 KERNEL enum dom_status geometry_make_tilted(const struct dom_train *train, dom_real theta,
                                             struct geometry *geometry, struct tilt *head);
 
-/* Bounds of the error, as an angle, of a head's tilt and of theta_f. */
+/* Bounds of the error, as an angle: of a tilt rounded at most `units` times in each coordinate, of a head's
+ * tilt, of theta_f and of theta_leave. */
+KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_f(const struct geometry *geometry);
+KERNEL real geometry_error_leave(const struct geometry *geometry);
 
 /* The leader's tilt at which its follower has this one: theta_1 inverted, follower >= theta_c. */
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);

@@ -32,10 +32,11 @@ static bool run_set(struct session *session, const struct call *call)
     const struct parameter *p = parameter_of(call, 0);
     if (strcmp(p->name, "precision") == 0)
         return choose_precision(session, call, (enum dom_precision)call->number[1]);
-    if (strcmp(p->name, "fuel") == 0 && call->number[1] == DOM_FUEL_PAPER && session->train.mu > 0)
-        return session_error(
-            session, "the paper's closed form of the fuel knows no friction: they exclude each other; "
-                     "'effect friction off' first");
+    if (strcmp(p->name, "fuel") == 0 && call->number[1] == DOM_FUEL_PAPER && dom_dynamics(&session->train))
+        return session_error(session,
+                             "the paper's closed form of the fuel knows no %s: they exclude each other; "
+                             "'effect %s off' first",
+                             dom_dynamics(&session->train)->name, dom_dynamics(&session->train)->name);
     parameter_put(session, p, call->number[1]);
     return true;
 }

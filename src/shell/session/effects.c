@@ -139,10 +139,11 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
             return session_error(session, "%s is about a %s: 'effect %s' first", dom_effect(name)->name,
                                  dom_effect((enum dom_effect_name)k)->name,
                                  effect_usage((enum dom_effect_name)k, usage));
-    if (name == DOM_EFFECT_friction && session->train.fuel == DOM_FUEL_PAPER)
-        return session_error(
-            session, "the paper's closed form of the fuel knows no friction: they exclude each other; "
-                     "'set fuel exact' first");
+    if ((int)name < DOM_DYNAMICS_COUNT && session->train.fuel == DOM_FUEL_PAPER)
+        return session_error(session,
+                             "the paper's closed form of the fuel knows no %s: they exclude each other; "
+                             "'set fuel exact' first",
+                             dom_effect(name)->name);
     return true;
 }
 
@@ -294,8 +295,10 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
         .count = count,
         .g = session->scale.g,
         .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOM_NAN,
-        .mu = session->train.mu,
-        .floor = effect[DOM_EFFECT_floor].on,
+#define VALUE(name, member) .member = session->train.member,
+        DOM_DYNAMICS(VALUE)
+#undef VALUE
+            .floor = effect[DOM_EFFECT_floor].on,
         .tol = session->train.tol,
         .precision = session->train.precision,
         .interrupt = session->train.interrupt,
