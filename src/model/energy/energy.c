@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The angles and the energies of a train, and how its cycle begins. */
-#include "dynamics/energy_balance.h"
+#include "dynamics/choose.h"
 
 KERNEL enum dom_status angles_find(const struct dom_train *train, struct dom_angles *angles,
                                    struct dom_angles *error)

@@ -85,6 +85,12 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
  */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
+/* Returns whether the floor is level: only then does the paper's closed form of the fuel hold. */
+KERNEL bool geometry_level(const struct geometry *geometry)
+{
+    return geometry->g.along == 0;
+}
+
 /* Slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. */
 KERNEL_LOOP real geometry_rise(const struct geometry *geometry, struct tilt t)
 {

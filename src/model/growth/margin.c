@@ -108,6 +108,8 @@ KERNEL struct margin_context margin_of_train(const struct dom_train *train)
     struct margin_context c = {
         .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
     c.status = dynamics_read(train, &c.geometry);
+    if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !geometry_level(&c.geometry))
+        c.status = DOM_NO_METHOD;
     return c;
 }
 

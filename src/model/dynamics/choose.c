@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of the effects that change how a train moves, and the law of motion without any. */
-#include "dynamics/dynamics.h"
-#include "dynamics/energy_balance.h"
-#include "dynamics/friction.h"
+#include "dynamics/choose.h"
+
+/* Each effect of the list turns itself on, in a file of its own. */
+#define DYNAMICS_DECLARE(effect, member)                                                                     \
+    KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
+DOM_DYNAMICS(DYNAMICS_DECLARE)
+#undef DYNAMICS_DECLARE
 
 KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, struct geometry *geometry)
 {
