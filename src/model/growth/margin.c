@@ -116,6 +116,7 @@ KERNEL struct margin_context margin_of_train(const struct dom_train *train)
 KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
 {
     struct margin_context c = margin_of_train(train);
+    c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status; /* the pair has no fuel */
     c.dominoes = 2;
     c.margin = pair_margin;
     return c;
