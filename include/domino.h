@@ -110,6 +110,11 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
  */
 #define DOM_DYNAMICS(X) X(friction, mu)
 
+/* How many these are; they come first in enum dom_effect_name. */
+#define DOM_DYNAMICS_ONE(name, member) +1
+enum { DOM_DYNAMICS_COUNT = DOM_DYNAMICS(DOM_DYNAMICS_ONE) };
+#undef DOM_DYNAMICS_ONE
+
 /* Effects of a row and of what is asked about it, each in src/model/effects/: X(effect). */
 #define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
 
@@ -706,6 +711,9 @@ DOM_EFFECTS(DOM_EFFECT_DECLARE)
 
 /* All of them, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
+
+/* The first effect of DOM_DYNAMICS that a train has; NULL for none. */
+const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
 /* The law of motion of a train: the effect that takes energy in the motion, or else the energy balance. */
 const struct dom_effect *dom_law(const struct dom_train *train);

@@ -30,12 +30,10 @@ static const struct kernel *kernel_of(const struct dom_train *train, enum dom_st
     *status = range_check(train);
     if (*status != DOM_OK)
         return NULL;
-    const struct dynamics_values values = dynamics_of_train(train);
-    for (int k = 0; k < DYNAMICS_COUNT; k++)
-        if (dynamics_on(values.of[k]) && train->method != DOM_METHOD_OURS)
-            *status = DOM_NO_METHOD;
-    if (*status != DOM_OK)
+    if (dom_dynamics(train) && train->method != DOM_METHOD_OURS) {
+        *status = DOM_NO_METHOD;
         return NULL;
+    }
     return train->method == DOM_METHOD_GSL     ? &kernel_gsl
            : train->method == DOM_METHOD_PAPER ? &kernel_paper
                                                : kernels[train->precision];

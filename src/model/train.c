@@ -117,10 +117,19 @@ const struct dom_effect *dom_effect(enum dom_effect_name name)
     return all[name];
 }
 
+const struct dom_effect *dom_dynamics(const struct dom_train *train)
+{
+    const struct dynamics_values values = dynamics_of_train(train);
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
+        if (dynamics_on(values.of[k]))
+            return dom_effect((enum dom_effect_name)k);
+    return NULL;
+}
+
 const struct dom_effect *dom_law(const struct dom_train *train)
 {
     const struct dynamics_values values = dynamics_of_train(train);
-    for (int k = 0; k < DYNAMICS_COUNT; k++)
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
         if (dynamics_on(values.of[k]) && dom_effect((enum dom_effect_name)k)->dissipates)
             return dom_effect((enum dom_effect_name)k);
     return &energy_balance_text;

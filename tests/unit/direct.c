@@ -66,7 +66,8 @@ static double torque(const struct run *run, size_t i)
     const struct direct_row *row = run->row;
     double h = row->height[i], d = row->thickness[i];
 
-    return row->mass[i] * row->g * (h * sin(run->theta[i]) - d * cos(run->theta[i])) / 2;
+    return row->mass[i] * row->g *
+           (h * sin(run->theta[i] + row->slope) - d * cos(run->theta[i] + row->slope)) / 2;
 }
 
 /* From the position and velocity of k = j + 1 to those of j, and all the system needs of their contact. */
@@ -212,7 +213,7 @@ static double potential(const struct run *run)
     double sum = 0;
 
     for (size_t i = run->tail; i < row->n; i++) {
-        double theta = i <= run->head ? run->theta[i] : 0;
+        double theta = (i <= run->head ? run->theta[i] : 0) + row->slope;
 
         sum += row->mass[i] * row->g * (row->height[i] * cos(theta) + row->thickness[i] * sin(theta)) / 2;
     }

@@ -16,6 +16,7 @@ struct direct_row {
     const double *height, *thickness, *gap, *mass;
     double mu, g;
     double omega; /* angular velocity given to the first domino, upright at time 0 */
+    double slope; /* rad, by which the floor falls towards the later dominoes */
 };
 
 struct direct_hit {

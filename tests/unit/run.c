@@ -54,7 +54,7 @@ void newton_run(const struct run *run, struct newton *n)
         n->gap[k] = run->domino[k].gap;
         n->mass[k] = run->domino[k].mass;
     }
-    struct direct_row row = {run->row.count, n->height,   n->thickness, n->gap,
-                             n->mass,        run->row.mu, run->row.g,   run->row.push};
+    struct direct_row row = {run->row.count, n->height,   n->thickness, n->gap,       n->mass,
+                             run->row.mu,    run->row.g,  run->row.push, 0};
     n->wrong = direct_run(&row, n->hit, &n->result);
 }

@@ -35,8 +35,8 @@ static bool falls(struct row *row, const struct dom_train *train, double r, size
         row->gap[k] = (double)train->s * row->height[k];
         row->mass[k] = pow(row->height[k], (double)train->q - 1);
     }
-    struct direct_row of = {n,   row->height, row->thickness, row->gap, row->mass, (double)train->mu,
-                            1.0, push};
+    struct direct_row of = {n, row->height, row->thickness, row->gap, row->mass, (double)train->mu, 1.0, push,
+                            0};
     const char *wrong = direct_run(&of, row->hit, &row->result);
     if (wrong)
         fail_msg("%s", wrong);

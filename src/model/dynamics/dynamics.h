@@ -7,7 +7,6 @@
 #define DOM_DYNAMICS_H
 
 #include "dynamics/collision.h"
-#include "dynamics/list.h"
 #include "geometry/chain.h"
 
 /* What a motion begins with, at the tilt `from` of the head. */
@@ -26,7 +25,7 @@ struct arms {
 };
 
 struct dynamics {
-    const char *name;
+    const struct dom_effect *text; /* name, equations, source */
     /*
      * True where the energy H of position decides: the barrier is the maximum of H, found by Newton's method,
      * error bounds are known, and bounds between samples lead the searches for limits.  Where it is false,
@@ -91,18 +90,5 @@ KERNEL inline struct arms dynamics_arms(const struct dynamics *dynamics, const s
 {
     return dynamics->arms ? dynamics->arms(link) : (struct arms){.ratio = link->step, .b = link->contact.Y};
 }
-
-/* Chooses the law of motion and the potential for the effects that are on; the geometry has its d. */
-KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, struct geometry *geometry);
-
-/* Reads a train as it is; geometry_set then gives it its separation and growth. */
-KERNEL enum dom_status dynamics_read(const struct dom_train *train, struct geometry *geometry);
-
-/* Checks a train, and fills its geometry with its law of motion; dynamics_begin goes before it is used. */
-KERNEL enum dom_status dynamics_make(const struct dom_train *train, struct geometry *geometry);
-
-/* Takes the memory that the law of motion needs; dynamics_end gives it back, also after a failure. */
-KERNEL enum dom_status dynamics_begin(struct geometry *geometry);
-KERNEL void dynamics_end(struct geometry *geometry);
 
 #endif

@@ -81,6 +81,8 @@ static enum dom_status energy_collide(const struct geometry *geometry, enum dom_
                                       struct launch *launch, struct launch *error)
 {
     struct fuel f, e;
+    if (fuel == DOM_FUEL_PAPER && !geometry_level(geometry))
+        return DOM_NO_METHOD;
     enum dom_status status = energy_fuel(geometry, &f, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
@@ -226,7 +228,7 @@ static real energy_gain(const struct geometry *geometry, const struct start *sta
 }
 
 static const struct dynamics energy_balance = {
-    .name = "energy balance",
+    .text = &energy_balance_text,
     .conservative = true,
     .collide = energy_collide,
     .inertia_ratio = energy_inertia_ratio,

@@ -27,7 +27,7 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
     struct equation_of_motion law = {.n = 0};
     f->status = geometry_tilt(f->geometry, theta, &head);
     if (f->status == DOM_OK)
-        f->status = friction_equation_of_motion(f->geometry, head, &law);
+        f->status = f->geometry->flow->equation(f->geometry, head, &law);
     f->dominoes += f->status == DOM_OK ? law.n : 0;
     if (f->dominoes > FLOW_DOMINOES)
         f->status = DOM_TOO_LONG;
@@ -96,7 +96,7 @@ static enum dom_status flow_collision(const struct geometry *geometry, struct fl
     struct geometry hitting = *geometry;
     hitting.n = geometry->n == CHAIN_ENDLESS ? CHAIN_ENDLESS : geometry->n - 1;
     enum dom_status status =
-        friction_inertia_ratio(geometry, &hitting, geometry->c, REAL_NAN, &flow->inertia_ratio);
+        geometry->dynamics->inertia_ratio(geometry, &hitting, geometry->c, REAL_NAN, &flow->inertia_ratio);
     if (status == DOM_OK)
         status = chain_sum(&hitting, geometry->c, &sums);
     if (status != DOM_OK)
@@ -157,7 +157,7 @@ static real flow_locked_near(const struct geometry *geometry, real from, real hi
         struct tilt head;
         struct equation_of_motion law;
         if (geometry_tilt(geometry, from + step, &head) != DOM_OK ||
-            friction_equation_of_motion(geometry, head, &law) != DOM_OK)
+            geometry->flow->equation(geometry, head, &law) != DOM_OK)
             break;
         if (law.locks)
             return from + step;
@@ -195,7 +195,7 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
 {
     struct equation_of_motion law;
     real ln_G, u;
-    enum dom_status status = friction_equation_of_motion(geometry, head, &law);
+    enum dom_status status = geometry->flow->equation(geometry, head, &law);
     flow_at(geometry, theta, &ln_G, &u);
     *slope = -2 * law.C / (law.A * exp(ln_G));
     return status;
@@ -236,4 +236,88 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
     }
     geometry->flow->solution.panels = 0; /* it goes on over the edge: the whole flow is needed again */
     return flow_solve(geometry);
+}
+
+/* ---- Functions of a law of motion ---- */
+
+/*
+ * A cycle that begins with w(0) ends with w(theta_c) = G (w(0) - u), of which the collision makes kappa = r
+ * (T / (1 + T))^2, w(0) again.
+ */
+KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
+                                    struct launch *launch, struct launch *error)
+{
+    real ln_G, u;
+    if (fuel == DOM_FUEL_PAPER)
+        return DOM_NO_METHOD;
+    enum dom_status status = flow_solve(geometry);
+    if (status != DOM_OK)
+        return status;
+    const struct flow *flow = geometry->flow;
+    flow_at(geometry, tilt_angle(geometry->c), &ln_G, &u);
+    real G = exp(ln_G), velocity_ratio = collision_velocity_ratio(flow->inertia_ratio),
+         kappa = geometry->r * velocity_ratio * velocity_ratio;
+    real omegasq = -kappa * G * u / (1 - kappa * G);
+    *launch = (struct launch){
+        .fuel = -flow->J_c * G * u,
+        .J0 = flow->J0,
+        .inertia_ratio = flow->inertia_ratio,
+        .velocity_ratio = velocity_ratio,
+        .omegasq = omegasq,
+        .kinetic = flow->J0 * omegasq,
+        .arrives = flow->J_c * omegasq / (geometry->r * velocity_ratio * velocity_ratio),
+    };
+    if (error)
+        *error = (struct launch){REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN};
+    return isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+KERNEL enum dom_status flow_required(const struct geometry *geometry, struct tilt from, real p, real *energy)
+{
+    (void)from;
+    real ln_G, u;
+    flow_at(geometry, 2 * atan(p), &ln_G, &u);
+    *energy = geometry->flow->J0 * u;
+    return DOM_OK;
+}
+
+/* w = G (w(0) - u). */
+KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
+                                  real *omegasq, real *error)
+{
+    struct tilt head;
+    enum dom_status status = geometry_tilt(geometry, theta, &head);
+    if (status != DOM_OK)
+        return status;
+    real ln_G, u;
+    flow_at(geometry, theta, &ln_G, &u);
+    *omegasq = exp(ln_G) * (start->omegasq - u);
+    if (error)
+        *error = REAL_NAN;
+    return DOM_OK;
+}
+
+KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness)
+{
+    real left = flow_left(geometry, end, by);
+    *slowness = left > 0 ? 1 / left : REAL_NAN;
+    return DOM_OK;
+}
+
+KERNEL real flow_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
+                      real J_at)
+{
+    (void)start, (void)J_at;
+    real ln_G, u;
+    flow_at(geometry, theta, &ln_G, &u);
+    return gain * exp(ln_G);
+}
+
+/* With A -> 0 it is the sign of C that is left: w' = 2 (C - B w) / A. */
+KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
+{
+    struct equation_of_motion law = {.C = 0};
+    enum dom_status status = geometry->flow->equation(geometry, head, &law);
+    *braked = law.C < 0;
+    return status;
 }

@@ -7,25 +7,44 @@
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H
 
-#include "dynamics/friction.h"
+#include "dynamics/dynamics.h"
 #include "numerics/linear.h"
+
+/* At one tilt of the head. */
+struct equation_of_motion {
+    real A, B, C;
+    /* Of all terms, whatever their signs, and more where an arm b cancels: what roundings are relative to. */
+    real A_size, B_size, C_size;
+    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or an arm b of a follower is */
+    size_t n;   /* dominoes followed */
+};
 
 struct flow {
     struct num_linear solution;
     real tol; /* that it keeps */
-    struct far_rubbing far;
+    enum dom_status (*equation)(const struct geometry *geometry, struct tilt head,
+                                struct equation_of_motion *equation);
     real inertia_ratio; /* A(0) - 1 = r^-(q+1) S_1(0) A(theta_c), of the collision */
     real J0, J_c;       /* J(0), and J(theta_c) of the hitting train */
 };
 
-/* Gives back a flow and what it holds; NULL is none. */
+/* Gives back a flow, which malloc made, and what it holds; NULL is none. */
 KERNEL void flow_free(struct flow *flow);
 
-/* As solve, solve_piece and spent in struct dynamics. */
+/* As solve, solve_piece, spent and so on in struct dynamics. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);
 KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
                                   const real edge[2], real *hi);
+KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
+                                    struct launch *launch, struct launch *error);
+KERNEL enum dom_status flow_required(const struct geometry *geometry, struct tilt from, real p, real *energy);
+KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
+                                  real *omegasq, real *error);
+KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness);
+KERNEL real flow_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
+                      real J_at);
+KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked);
 
 /* ln G and u at a tilt of the head. */
 KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u);

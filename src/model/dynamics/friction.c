@@ -1,4 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Friction between dominoes (van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)): the tip of a
+ * follower slides down its leader's face, and Coulomb's force mu N along the face turns against both.  The
+ * arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1).
+ *
+ * Energy is no longer kept, so (c3) gives way to the equation of motion.  With S_0 = 1, S_{i+1} = S_i a_i /
+ * b_i, by which the torques of all dominoes add up without their contact forces, w = tau^2 omega^2 obeys
+ *
+ *     (A/2) dw/dtheta + B w = C,     A = sum r^-(q+1)i S_i theta_i',   B = sum r^-(q+1)i S_i theta_i'',
+ *                                    C = sum r^-qi S_i (x_i - d y_i) / 2,
+ *
+ * which is linear in w (flow.h).  Without friction S_i = theta_i', A = J and C = -H'/2.
+ */
+#include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"
 #include <stdlib.h>
 
@@ -31,6 +45,26 @@ const struct dom_effect dom_effect_friction = {
 #endif
 
 /* ---- The equation of motion ---- */
+
+/*
+ * A, B and C of a train whose head leans at theta_inf - e, a far follower, as A[0] - A[1] e + A[2] e^2 / 2;
+ * of B the part that comes from theta_i'^2 of that head, since its theta_i'' counts as theta_i' does in A.
+ */
+struct far_rubbing {
+    real A[3], B[3], C[3];
+    bool known;
+};
+
+/* What a train with friction needs in memory. */
+struct rubbing_room {
+    struct flow flow;
+    struct far_rubbing far;
+};
+
+static const struct far_rubbing *far_rubbing_of(const struct geometry *geometry)
+{
+    return &((const struct rubbing_room *)geometry->flow)->far;
+}
 
 /*
  * From A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and its kind, derived twice at theta_1 = theta =
@@ -138,9 +172,9 @@ static bool drive_closes(const struct rubbing *k, struct series *C, real tol)
 {
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
-    if (geometry->n != CHAIN_ENDLESS || geometry->behind || !geometry->flow->far.known)
+    if (geometry->n != CHAIN_ENDLESS || geometry->behind || !far_rubbing_of(geometry)->known)
         return false;
-    const struct far_rubbing *far = &geometry->flow->far;
+    const struct far_rubbing *far = far_rubbing_of(geometry);
     real e = far_off(geometry, link->tilt), part = link->weight * k->S;
     if (e > geometry->inf.x / 16 || !far_done(C, part * far->C[0], part * far->C[2] * e * e, tol))
         return false;
@@ -153,7 +187,7 @@ static bool rubbing_closes(const struct rubbing *k, struct series *A, struct ser
 {
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
-    const struct far_rubbing *far = &geometry->flow->far;
+    const struct far_rubbing *far = far_rubbing_of(geometry);
     real e = far_off(geometry, link->tilt), part = link->inertia * k->S, slope = link->slope;
     if (geometry->n != CHAIN_ENDLESS || geometry->behind || !far->known ||
         !far_done(A, part * slope * far->A[0], part * slope * far->A[2] * e * e, geometry->tol))
@@ -168,7 +202,7 @@ static bool rubbing_closes(const struct rubbing *k, struct series *A, struct ser
     return true;
 }
 
-KERNEL enum dom_status friction_equation_of_motion(const struct geometry *geometry, struct tilt head,
+static enum dom_status friction_equation_of_motion(const struct geometry *geometry, struct tilt head,
                                                    struct equation_of_motion *equation_of_motion)
 {
     struct series A = {0}, B = {0}, C = {0};
@@ -227,7 +261,7 @@ static enum dom_status friction_drive(const struct geometry *geometry, struct ti
 
 /* ---- The collision ---- */
 
-KERNEL enum dom_status friction_inertia_ratio(const struct geometry *next, const struct geometry *hitting,
+static enum dom_status friction_inertia_ratio(const struct geometry *next, const struct geometry *hitting,
                                               struct tilt at, real J, real *inertia_ratio)
 {
     (void)J;
@@ -242,38 +276,6 @@ KERNEL enum dom_status friction_inertia_ratio(const struct geometry *next, const
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
 }
 
-/*
- * A cycle that begins with w(0) ends with w(theta_c) = G (w(0) - u), of which the collision makes kappa = r
- * (T / (1 + T))^2, w(0) again.
- */
-static enum dom_status friction_collide(const struct geometry *geometry, enum dom_fuel fuel,
-                                        struct launch *launch, struct launch *error)
-{
-    real ln_G, u;
-    if (fuel == DOM_FUEL_PAPER)
-        return DOM_NO_METHOD;
-    enum dom_status status = flow_solve(geometry);
-    if (status != DOM_OK)
-        return status;
-    const struct flow *flow = geometry->flow;
-    flow_at(geometry, tilt_angle(geometry->c), &ln_G, &u);
-    real G = exp(ln_G), velocity_ratio = collision_velocity_ratio(flow->inertia_ratio),
-         kappa = geometry->r * velocity_ratio * velocity_ratio;
-    real omegasq = -kappa * G * u / (1 - kappa * G);
-    *launch = (struct launch){
-        .fuel = -flow->J_c * G * u,
-        .J0 = flow->J0,
-        .inertia_ratio = flow->inertia_ratio,
-        .velocity_ratio = velocity_ratio,
-        .omegasq = omegasq,
-        .kinetic = flow->J0 * omegasq,
-        .arrives = flow->J_c * omegasq / (geometry->r * velocity_ratio * velocity_ratio),
-    };
-    if (error)
-        *error = (struct launch){REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN, REAL_NAN};
-    return isfinite(omegasq) ? DOM_OK : DOM_NOT_FINITE;
-}
-
 /* ---- The law ---- */
 
 /* It is u that rises and falls: C in the place of -H'/2. */
@@ -283,40 +285,6 @@ static enum dom_status friction_slope(const struct geometry *geometry, struct ti
     enum dom_status status = friction_drive(geometry, head, rough ? 1 : geometry->tol, slope);
     *slope *= -2;
     return status;
-}
-
-static enum dom_status friction_required(const struct geometry *geometry, struct tilt from, real p,
-                                         real *energy)
-{
-    (void)from;
-    real ln_G, u;
-    flow_at(geometry, 2 * atan(p), &ln_G, &u);
-    *energy = geometry->flow->J0 * u;
-    return DOM_OK;
-}
-
-/* w = G (w(0) - u). */
-static enum dom_status friction_speed(const struct geometry *geometry, const struct start *start, real theta,
-                                      real *omegasq, real *error)
-{
-    struct tilt head;
-    enum dom_status status = geometry_tilt(geometry, theta, &head);
-    if (status != DOM_OK)
-        return status;
-    real ln_G, u;
-    flow_at(geometry, theta, &ln_G, &u);
-    *omegasq = exp(ln_G) * (start->omegasq - u);
-    if (error)
-        *error = REAL_NAN;
-    return DOM_OK;
-}
-
-static enum dom_status friction_before_rest(const struct geometry *geometry, real end, real by,
-                                            real *slowness)
-{
-    real left = flow_left(geometry, end, by);
-    *slowness = left > 0 ? 1 / left : REAL_NAN;
-    return DOM_OK;
 }
 
 static enum dom_status friction_acceleration(const struct geometry *geometry, struct tilt head, real w,
@@ -332,24 +300,6 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
     return status;
 }
 
-static real friction_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
-                          real J_at)
-{
-    (void)start, (void)J_at;
-    real ln_G, u;
-    flow_at(geometry, theta, &ln_G, &u);
-    return gain * exp(ln_G);
-}
-
-/* With A -> 0 it is the sign of C that is left: w' = 2 (C - B w) / A. */
-static enum dom_status friction_braked(const struct geometry *geometry, struct tilt head, bool *braked)
-{
-    struct equation_of_motion law = {.C = 0};
-    enum dom_status status = friction_equation_of_motion(geometry, head, &law);
-    *braked = law.C < 0;
-    return status;
-}
-
 static struct arms friction_arms(const struct link *link)
 {
     return (struct arms){.ratio = torque_ratio(link), .b = contact_arm_b(link)};
@@ -357,11 +307,13 @@ static struct arms friction_arms(const struct link *link)
 
 static enum dom_status friction_begin(struct geometry *geometry)
 {
-    geometry->flow = calloc(1, sizeof *geometry->flow);
-    if (!geometry->flow)
+    struct rubbing_room *room = calloc(1, sizeof *room);
+    if (!room)
         return DOM_NO_MEMORY;
+    room->flow.equation = friction_equation_of_motion;
     if (!geometry->detaches && !geometry->behind && geometry->n == CHAIN_ENDLESS)
-        geometry->flow->far = far_rubbing_make(geometry);
+        room->far = far_rubbing_make(geometry);
+    geometry->flow = &room->flow;
     return DOM_OK;
 }
 
@@ -372,24 +324,25 @@ static void friction_end(struct geometry *geometry)
 }
 
 static const struct dynamics friction = {
-    .name = "friction",
+    .text = &dom_effect_friction,
     .begin = friction_begin,
     .end = friction_end,
     .solve = flow_solve,
     .solve_piece = flow_solve_piece,
     .spent = flow_spent,
-    .braked = friction_braked,
-    .collide = friction_collide,
+    .braked = flow_braked,
+    .collide = flow_collide,
     .inertia_ratio = friction_inertia_ratio,
     .slope = friction_slope,
-    .required_energy = friction_required,
-    .speed = friction_speed,
-    .before_rest = friction_before_rest,
+    .required_energy = flow_required,
+    .speed = flow_speed,
+    .before_rest = flow_before_rest,
     .acceleration = friction_acceleration,
-    .gain = friction_gain,
+    .gain = flow_gain,
     .arms = friction_arms,
 };
 
+/* Turns the effect on: mu = value. */
 KERNEL enum dom_status friction_apply(struct geometry *geometry, real value)
 {
     geometry->mu = value;

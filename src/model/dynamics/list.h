@@ -5,14 +5,9 @@
 
 #include "domino.h"
 
-/* They are the first of all effects. */
-#define DYNAMICS_ONE(effect, member) +1
-enum { DYNAMICS_COUNT = DOM_DYNAMICS(DYNAMICS_ONE) };
-#undef DYNAMICS_ONE
-
 /* The value of each effect, in the order of the list. */
 struct dynamics_values {
-    dom_real of[DYNAMICS_COUNT];
+    dom_real of[DOM_DYNAMICS_COUNT];
 };
 
 #define DYNAMICS_VALUE(effect, member) from->member,
@@ -38,7 +33,7 @@ static inline bool dynamics_on(dom_real value)
 /* Returns whether all values are inside the ranges that the effects state. */
 static inline bool dynamics_allowed(const struct dynamics_values *values)
 {
-    for (int k = 0; k < DYNAMICS_COUNT; k++) {
+    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++) {
         const struct dom_effect_argument *argument = dom_effect((enum dom_effect_name)k)->argument;
         if (!(values->of[k] >= argument->lowest && values->of[k] <= argument->highest))
             return false;

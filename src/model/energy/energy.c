@@ -1,6 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The energies of a train at one tilt, and how its cycle begins. */
-#include "dynamics/energy_balance.h"
+/* The angles and the energies of a train, and how its cycle begins. */
+#include "dynamics/choose.h"
+
+KERNEL enum dom_status angles_find(const struct dom_train *train, struct dom_angles *angles,
+                                   struct dom_angles *error)
+{
+    struct geometry geometry;
+    enum dom_status status = dynamics_make(train, &geometry);
+    if (status != DOM_OK)
+        return status;
+    *angles = (struct dom_angles){
+        .theta_c = tilt_angle(geometry.c),
+        .theta_u = atan(geometry.h.x / geometry.h.y),
+        .theta_inf = tilt_angle(geometry.inf),
+        .theta_f = tilt_angle(geometry.f),
+        .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
+        .detaches = geometry.detaches,
+    };
+    if (error) /* the arc functions add one unit, or two */
+        *error = (struct dom_angles){
+            .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
+            .theta_u = 2 * UNIT * angles->theta_u,
+            .theta_inf = tilt_error(geometry.inf, 6) + 2 * UNIT * angles->theta_inf,
+            .theta_f = geometry_error_f(&geometry) + 2 * UNIT * angles->theta_f,
+            .theta_leave = geometry.detaches
+                               ? geometry_error_leave(&geometry) + 2 * UNIT * angles->theta_leave
+                               : DOM_NAN,
+        };
+    return DOM_OK;
+}
 
 KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
                                  struct dom_fuels *error)

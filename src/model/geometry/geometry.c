@@ -146,8 +146,7 @@ KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt 
 
 /* ---- Errors, in angles: both coordinates of a tilt carry a few units of their own size ---- */
 
-/* Of what was rounded at most `units` times in each coordinate. */
-static real tilt_error(struct tilt t, real units)
+KERNEL real tilt_error(struct tilt t, real units)
 {
     return units * UNIT * t.x * t.y;
 }
@@ -163,39 +162,9 @@ KERNEL real geometry_error_f(const struct geometry *geometry)
 }
 
 /* theta_leave comes from its 1 - cos, whose derivative is the sine. */
-static real geometry_error_leave(const struct geometry *geometry)
+KERNEL real geometry_error_leave(const struct geometry *geometry)
 {
     return geometry->leave.x > 0
                ? 6 * UNIT * geometry->leave.v / geometry->leave.x + tilt_error(geometry->leave, 2)
                : REAL_MIN;
-}
-
-/* ---- Public ---- */
-
-KERNEL enum dom_status angles_find(const struct dom_train *train, struct dom_angles *angles,
-                                   struct dom_angles *error)
-{
-    struct geometry geometry;
-    enum dom_status status = geometry_make(train, &geometry);
-    if (status != DOM_OK)
-        return status;
-    *angles = (struct dom_angles){
-        .theta_c = tilt_angle(geometry.c),
-        .theta_u = atan(geometry.d),
-        .theta_inf = tilt_angle(geometry.inf),
-        .theta_f = tilt_angle(geometry.f),
-        .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
-        .detaches = geometry.detaches,
-    };
-    if (error) /* the arc functions add one unit, or two */
-        *error = (struct dom_angles){
-            .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
-            .theta_u = 2 * UNIT * angles->theta_u,
-            .theta_inf = tilt_error(geometry.inf, 6) + 2 * UNIT * angles->theta_inf,
-            .theta_f = geometry_error_f(&geometry) + 2 * UNIT * angles->theta_f,
-            .theta_leave = geometry.detaches
-                               ? geometry_error_leave(&geometry) + 2 * UNIT * angles->theta_leave
-                               : DOM_NAN,
-        };
-    return DOM_OK;
 }

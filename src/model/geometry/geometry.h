@@ -85,6 +85,12 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
  */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
+/* Returns whether the floor is level: only then does the paper's closed form of the fuel hold. */
+KERNEL bool geometry_level(const struct geometry *geometry)
+{
+    return geometry->g.along == 0;
+}
+
 /* Slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. */
 KERNEL_LOOP real geometry_rise(const struct geometry *geometry, struct tilt t)
 {
@@ -104,9 +110,12 @@ KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta
 KERNEL enum dom_status geometry_make_tilted(const struct dom_train *train, dom_real theta,
                                             struct geometry *geometry, struct tilt *head);
 
-/* Bounds of the error, as an angle, of a head's tilt and of theta_f. */
+/* Bounds of the error, as an angle: of a tilt rounded at most `units` times in each coordinate, of a head's
+ * tilt, of theta_f and of theta_leave. */
+KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_f(const struct geometry *geometry);
+KERNEL real geometry_error_leave(const struct geometry *geometry);
 
 /* The leader's tilt at which its follower has this one: theta_1 inverted, follower >= theta_c. */
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);

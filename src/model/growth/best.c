@@ -387,7 +387,7 @@ KERNEL enum dom_status limit_best(const struct dom_train *train, struct dom_best
     struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
     limit_begin(&c, &work);
-    enum dom_status status = best_find(&c, best, error);
+    enum dom_status status = c.status == DOM_OK ? best_find(&c, best, error) : c.status;
     limit_end(train, &work);
     return status;
 }

@@ -90,7 +90,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit,
 {
     struct edge first = {.r = 1};
     struct geometry geometry = c->geometry;
-    enum dom_status status = geometry_set(&geometry, c->s, 1);
+    enum dom_status status = c->status != DOM_OK ? c->status : geometry_set(&geometry, c->s, 1);
     if (status != DOM_OK)
         return c->status = status;
     /* There P has a closed form, and K = P T, T >= 1. */
@@ -170,7 +170,7 @@ KERNEL enum dom_status limit_pair(const struct dom_train *train, struct dom_limi
     struct margin_context c = margin_of_pair(train);
     struct limit found;
     limit_begin(&c, &work);
-    enum dom_status status = pair_find(&c, &found);
+    enum dom_status status = c.status == DOM_OK ? pair_find(&c, &found) : c.status;
     if (status == DOM_OK)
         status = limit_public(&c, &found, limit, error);
     limit_end(train, &work);

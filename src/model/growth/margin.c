@@ -108,12 +108,15 @@ KERNEL struct margin_context margin_of_train(const struct dom_train *train)
     struct margin_context c = {
         .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
     c.status = dynamics_read(train, &c.geometry);
+    if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !geometry_level(&c.geometry))
+        c.status = DOM_NO_METHOD;
     return c;
 }
 
 KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
 {
     struct margin_context c = margin_of_train(train);
+    c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status; /* the pair has no fuel */
     c.dominoes = 2;
     c.margin = pair_margin;
     return c;

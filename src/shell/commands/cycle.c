@@ -8,7 +8,7 @@
 static const char *no_fuel(const struct session *session)
 {
     struct dom_fuels fuels;
-    if (session->train.mu > 0)
+    if (dom_law(&session->train)->dissipates)
         return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
                "'rmax' tells how "
                "large r may be";
@@ -135,7 +135,7 @@ static bool run_fuel(struct session *session, const struct call *call)
     struct cell exact = cell_bound(f.exact, e.exact), paper = cell_bound(f.paper, e.paper);
     struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct dom_launch launch;
-    if (session->train.mu > 0) { /* what friction leaves of it */
+    if (dom_law(&session->train)->dissipates) { /* what friction leaves of it */
         status = dom_launch_find(&session->train, &launch, NULL);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return session_status(session, status);

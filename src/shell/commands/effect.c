@@ -186,12 +186,10 @@ static void plan_row(struct answer *a, const char *part, const char *solved, siz
 /* The plan of a train. */
 static void plan_train(const struct session *session, struct answer *a, size_t n)
 {
-    bool rubs = session->train.mu > 0;
+    bool rubs = dom_law(&session->train)->dissipates;
     plan_row(a, "geometry", "(b8) (b10) (A6) in closed form, no trigonometry", n, "always");
     plan_row(a, "energy", "H (c1) and J (c2), ended by a bound of the tail", n, "always");
-    plan_row(a, "motion",
-             rubs ? dom_effect(DOM_EFFECT_friction)->plan : "(c3) (c4) (c6) in closed form, not integrated",
-             n, rubs ? "friction is on" : "no losses");
+    plan_row(a, "motion", dom_law(&session->train)->plan, n, rubs ? "friction is on" : "no losses");
     plan_row(a, "barrier", rubs ? "roots of C, and omega^2 there" : "roots of H', and H there (c8)", n,
              "always");
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
@@ -200,7 +198,7 @@ static void plan_train(const struct session *session, struct answer *a, size_t n
 /* The plan of a row. */
 static void plan_of_row(const struct session *session, struct answer *a, size_t n)
 {
-    bool rubs = session->train.mu > 0, pushed = session->effect[DOM_EFFECT_push].on;
+    bool rubs = dom_law(&session->train)->dissipates, pushed = session->effect[DOM_EFFECT_push].on;
     plan_row(a, "start", pushed ? dom_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
              pushed ? "push is on" : "no push");
     plan_row(a, "row", dom_effect(DOM_EFFECT_row)->plan, n, "row is on");

@@ -49,7 +49,7 @@ static enum dom_status limit_paper(bool errors, struct dom_train train, struct b
                                    enum dom_status *why)
 {
     *limit = (struct bounded){.is = {.r_max = DOM_NAN, .ends = DOM_END_NONE}};
-    return train.mu > 0 ? DOM_OK : limit_with(errors, train, DOM_FUEL_PAPER, limit, why);
+    return dom_dynamics(&train) ? DOM_OK : limit_with(errors, train, DOM_FUEL_PAPER, limit, why);
 }
 
 static const struct column rmax_columns[] = {
@@ -77,10 +77,13 @@ static bool run_rmax(struct session *session, const struct call *call)
                ROW(cell_real(train.s), cell_limit(&used), cell_word(dom_end_text(used.is.ends)),
                    cell_limit(&exact), cell_limit(&paper)),
                no_growth(used.is, why));
-    if (train.mu > 0)
+    if (dom_law(&train)->dissipates)
         answer_say(call->answer,
                    "with friction %.6g between dominoes; the paper's closed form of the fuel knows none",
                    (double)train.mu);
+    else if (dom_dynamics(&train))
+        answer_say(call->answer, "the paper's closed form of the fuel knows no %s",
+                   dom_dynamics(&train)->name);
     else if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
         answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
     else if (used.is.ends != DOM_END_NONE)

@@ -134,7 +134,7 @@ static enum dom_status limit_point(struct dom_train train, const struct limit_cu
     train.q = (dom_real)curve->q;
     train.fuel = curve->fuel;
     *r = DOM_NAN;
-    if (train.mu > 0 && train.fuel == DOM_FUEL_PAPER) /* which knows no friction */
+    if (dom_dynamics(&train) && train.fuel == DOM_FUEL_PAPER) /* which knows none of them */
         return DOM_OK;
     enum dom_status status =
         curve->pair ? dom_limit_pair(&train, &limit, NULL) : dom_limit_rmax(&train, &limit, NULL, NULL);

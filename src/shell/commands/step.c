@@ -54,7 +54,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     const struct walk *w = &session->walk;
     struct answer *a = call->answer;
     struct dom_state s, e = {0};
-    a->columns = w->train.mu > 0 ? rubbing_columns : walk_columns;
+    a->columns = dom_law(&w->train)->dissipates ? rubbing_columns : walk_columns;
     if (w->verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOM_NAN);
         answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none, none),

@@ -104,8 +104,10 @@ static void checksum_add(uint32_t *sum, dom_real value)
 static uint32_t scene_checksum(const struct dom_row *row)
 {
     uint32_t sum = 2166136261u;
-    const dom_real all[] = {row->g, isnan(row->push) ? -1 : row->push, row->mu, row->tol,
+#define VALUE(name, member) row->member,
+    const dom_real all[] = {row->g, isnan(row->push) ? -1 : row->push, DOM_DYNAMICS(VALUE) row->tol,
                             (dom_real)row->precision};
+#undef VALUE
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);
     for (size_t k = 0; k < row->count; k++) {

@@ -94,7 +94,7 @@ bool cycle_run(struct session *session, const struct call *call)
     }
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return session_status(session, table.status != DOM_OK ? table.status : verdict);
-    if (session->train.mu > 0)
+    if (dom_law(&session->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
                    (double)(table.last.friction_work * walk_units(session, 1).energy),
                    walk_units(session, 1).energy_unit);

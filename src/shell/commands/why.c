@@ -51,7 +51,7 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
             (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
             (double)(b->margin / b->barrier));
     }
-    if (t->mu > 0 && verdict != DOM_NO_FUEL)
+    if (dom_law(t)->dissipates && verdict != DOM_NO_FUEL)
         answer_say(a,
                    "Friction of %.6g between dominoes is in K and in B: B is the kinetic energy that it "
                    "takes to come "
@@ -110,7 +110,7 @@ bool why_run(struct session *session, const struct call *call)
     struct dom_least_force contact;
     if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK)
         contact_say(session, a, &contact);
-    if (session->train.mu > 0)
+    if (dom_law(&session->train)->dissipates)
         a->columns = why_rubbing_columns;
     walk_columns_in(session, a);
     answer_row(a,

@@ -60,17 +60,6 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
     return setting;
 }
 
-/* Reports an error if the paper's closed form of the fuel is asked for. */
-static bool fuel_is_exact(struct session *session)
-{
-    return session->train.fuel != DOM_FUEL_PAPER ||
-           session_error(session, "the paper's closed form of the fuel knows no friction: they exclude each "
-                                  "other; 'set fuel exact' first");
-}
-
-/* What an effect cannot be combined with; each reports it. */
-static bool (*const checks[DOM_EFFECT_COUNT])(struct session *) = {[DOM_EFFECT_friction] = fuel_is_exact};
-
 /* Commands that show an effect; one that is not listed has an example all the same. */
 static const char *const examples[DOM_EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
@@ -179,7 +168,11 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
         if (dom_effect(name)->needs >> k & 1 && !session->effect[k].on)
             return session_error(session, "%s is about a %s: 'effect %s' first", dom_effect(name)->name,
                                  effect_at(k)->name, effect_usage((enum dom_effect_name)k, usage));
-    return !checks[name] || checks[name](session);
+    return (int)name >= DOM_DYNAMICS_COUNT || session->train.fuel != DOM_FUEL_PAPER ||
+           session_error(session,
+                         "the paper's closed form of the fuel knows no %s: they exclude each other; "
+                         "'set fuel exact' first",
+                         dom_effect(name)->name);
 }
 
 /* Makes this the state of an effect; a row from a file ends with it. */
@@ -328,8 +321,10 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
         .count = count,
         .g = session->scale.g,
         .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOM_NAN,
-        .mu = session->train.mu,
-        .floor = effect[DOM_EFFECT_floor].on,
+#define VALUE(name, member) .member = session->train.member,
+        DOM_DYNAMICS(VALUE)
+#undef VALUE
+            .floor = effect[DOM_EFFECT_floor].on,
         .tol = session->train.tol,
         .precision = session->train.precision,
         .interrupt = session->train.interrupt,

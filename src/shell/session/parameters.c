@@ -46,9 +46,12 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
 
 static bool fuel_check(struct session *session, dom_real fuel)
 {
-    return fuel != DOM_FUEL_PAPER || !(session->train.mu > 0) ||
-           session_error(session, "the paper's closed form of the fuel knows no friction: they exclude each "
-                                  "other; 'effect friction off' first");
+    const struct dom_effect *effect = dom_dynamics(&session->train);
+    return fuel != DOM_FUEL_PAPER || !effect ||
+           session_error(session,
+                         "the paper's closed form of the fuel knows no %s: they exclude each other; "
+                         "'effect %s off' first",
+                         effect->name, effect->name);
 }
 
 static bool precision_check(struct session *session, dom_real precision)

@@ -21,8 +21,11 @@ void listed_free(struct listed_row *row)
 
 void effects_apply(struct session *session)
 {
-    const struct effect_state *friction = &session->effect[DOM_EFFECT_friction];
-    session->train.mu = friction->on ? friction->value[0] : 0;
+#define APPLY(name, member)                                                                                  \
+    session->train.member =                                                                                  \
+        session->effect[DOM_EFFECT_##name].on ? session->effect[DOM_EFFECT_##name].value[0] : 0;
+    DOM_DYNAMICS(APPLY)
+#undef APPLY
 }
 
 void effects_reset(struct session *session)

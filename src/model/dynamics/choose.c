@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of the effects that change how a train moves, and the law of motion without any. */
-#include "dynamics/dynamics.h"
-#include "dynamics/energy_balance.h"
-#include "dynamics/friction.h"
+#include "dynamics/choose.h"
+
+/* Each effect of the list turns itself on, in a file of its own. */
+#define DYNAMICS_DECLARE(effect, member)                                                                     \
+    KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
+DOM_DYNAMICS(DYNAMICS_DECLARE)
+#undef DYNAMICS_DECLARE
 
 KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, struct geometry *geometry)
 {
@@ -13,7 +17,7 @@ KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, str
     };
     enum dom_status status = DOM_OK;
     geometry->dynamics = &energy_balance;
-    for (int i = 0; i < DYNAMICS_COUNT && status == DOM_OK; i++)
+    for (int i = 0; i < DOM_DYNAMICS_COUNT && status == DOM_OK; i++)
         if (dynamics_on(values->of[i]))
             status = apply[i](geometry, (real)values->of[i]);
     return status;
