@@ -165,7 +165,7 @@ static void help_command(struct session *session, const struct command *c)
     int fewest;
     if (command_values(c, &fewest) >= 0)
         fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->principal);
-    if (strcmp(c->name, "set") == 0) {
+    if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE) {
         fputs("\nThe parameters now:\n", out);
         run_topic(session, "show");
     }
