@@ -430,9 +430,8 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
     struct barrier b, b_error;
     struct launch l, l_error;
     enum dom_status status = dynamics_make(train, &geometry);
-    if (status != DOM_OK)
-        return status;
-    status = dynamics_begin(&geometry);
+    if (status == DOM_OK)
+        status = dynamics_begin(&geometry);
     if (status == DOM_OK)
         status =
             barrier_balance(&geometry, train->fuel, tilt_angle(geometry.c), &l, error ? &l_error : NULL, &b);

@@ -75,9 +75,8 @@ KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_lau
     struct geometry geometry;
     struct launch l, e;
     enum dom_status status = dynamics_make(train, &geometry);
-    if (status != DOM_OK)
-        return status;
-    status = dynamics_begin(&geometry);
+    if (status == DOM_OK)
+        status = dynamics_begin(&geometry);
     if (status == DOM_OK)
         status = geometry.dynamics->collide(&geometry, train->fuel, &l, error ? &e : NULL);
     dynamics_end(&geometry);

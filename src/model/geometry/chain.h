@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The train behind the head at one tilt: the sums over its dominoes (link.h) in their order.
- * It is followed to its end, lean->n dominoes (c1), or until its tail, bounded by a geometric series, no
+ * It is followed to its end, geometry->n dominoes (c1), or until its tail, bounded by a geometric series, no
  * longer matters at the tolerance.
  */
 #ifndef DOM_CHAIN_H

@@ -84,14 +84,12 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
                                    struct margin *m)
 {
     struct geometry two = *geometry;
-    two.n = c->dominoes;
     real u = geometry->reach, sine, cosine;
     pair_tips(geometry, &sine, &cosine);
-    struct geometry one = *geometry;
-    one.n = 1;
+    two.n = 1; /* the hitting one */
     real k = geometry->inertia, inertia_ratio = 0;
     enum dom_status status =
-        geometry->dynamics->inertia_ratio(geometry, &one, geometry->c, 1, &inertia_ratio);
+        geometry->dynamics->inertia_ratio(geometry, &two, geometry->c, 1, &inertia_ratio);
     if (status != DOM_OK)
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (b11) */
@@ -100,6 +98,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
          powers = 24 * UNIT;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
                   : (struct margin){.kinetic = 0};
+    two.n = c->dominoes;
     return margin_barrier(&two, c, NULL, m);
 }
 
@@ -128,12 +127,11 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
     struct geometry geometry = c->geometry;
     geometry.tol = tol;
     c->status = geometry_set(&geometry, c->s, r);
-    if (c->status == DOM_OK) {
+    if (c->status == DOM_OK)
         c->status = dynamics_begin(&geometry);
-        if (c->status == DOM_OK)
-            c->status = c->margin(&geometry, c, m);
-        dynamics_end(&geometry);
-    }
+    if (c->status == DOM_OK)
+        c->status = c->margin(&geometry, c, m);
+    dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
     if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
         c->status = DOM_OK;

@@ -48,7 +48,7 @@ struct margin_context {
     bool errors;
     real coarse;   /* where > 0, the narrowest strip of a scan of r that only has to find a bound */
     bool locked;   /* by friction, at the last r */
-    size_t effort; /* of the whole search, as lean.effort counts it */
+    size_t effort; /* of the whole search, as geometry.effort counts it */
     enum dom_status status;
 };
 

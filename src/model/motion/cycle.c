@@ -42,15 +42,12 @@ KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end)
     return cycle_stops(cycle) ? segment_rest(&cycle->segment, end) : DOM_OK;
 }
 
-/* The speed of a train that comes as far, else DOM_STOPS; at the stop it is 0, which rounding hides. */
-static enum dom_status cycle_speed_within(struct cycle *cycle, real theta, real *omegasq, real *error)
+KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
+                                   real *error)
 {
-    real end;
-    enum dom_status status = cycle_end(cycle, &end);
-    if (status == DOM_OK && cycle_stops(cycle) && theta > end * (1 + 4 * REAL_EPSILON))
+    if (theta > end * (1 + 4 * REAL_EPSILON))
         return DOM_STOPS;
-    if (status == DOM_OK)
-        status = segment_speed(&cycle->segment, theta, omegasq, error);
+    enum dom_status status = segment_speed(&cycle->segment, fmin(theta, end), omegasq, error);
     bool rests = cycle_stops(cycle) && theta >= end * (1 - 4 * REAL_EPSILON);
     *omegasq = rests ? 0 : fmax(*omegasq, 0);
     return status;
@@ -70,8 +67,11 @@ KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real the
             tilt_status = geometry_tilt(&cycle.segment.geometry, theta, &head);
         if (tilt_status != DOM_OK)
             status = tilt_status;
+        real end = 0;
         if (status == DOM_OK)
-            status = cycle_speed_within(&cycle, theta, &w, error ? &w_error : NULL);
+            status = cycle_end(&cycle, &end);
+        if (status == DOM_OK)
+            status = cycle_speed(&cycle, end, theta, &w, error ? &w_error : NULL);
         cycle_free(&cycle);
         if (status != DOM_OK)
             return status;

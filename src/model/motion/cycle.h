@@ -27,6 +27,11 @@ KERNEL bool cycle_stops(const struct cycle *cycle);
 /* Finds the tilt at which the cycle ends: theta_c, or where the train comes to rest. */
 KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
 
+/* tau^2 omega^2 of a train that comes as far as theta, else DOM_STOPS; at its end, where it comes to rest, it
+ * is 0, which rounding hides. */
+KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
+                                   real *error);
+
 /*
  * Bound of the error of the tilt at which a cycle has used up its energy; energy, unless NULL, gets what that
  * tilt leaves open of the energy.  NaN where no bound is known.

@@ -166,23 +166,17 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
                                     struct dom_state *error)
 {
     const struct launch *launch = &m->cycle.launch, *launch_error = &m->cycle.launch_error;
-    const struct segment *st = &m->cycle.segment;
-    const struct geometry *geometry = &st->geometry;
+    const struct geometry *geometry = &m->cycle.segment.geometry;
     const bool conservative = geometry->dynamics->conservative;
     struct tilt head;
     struct sums at, e = {0};
     real omegasq = 0, omegasq_error = 0, acceleration = 0;
     enum dom_status status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK && theta > m->end * (1 + 4 * REAL_EPSILON))
-        return DOM_STOPS;
+    if (status == DOM_OK)
+        status = cycle_speed(&m->cycle, m->end, theta, &omegasq, error ? &omegasq_error : NULL);
     theta = fmin(theta, m->end);
     if (status == DOM_OK)
         status = chain_energy_change(geometry, head, &at, error ? &e : NULL);
-    if (status == DOM_OK)
-        status = segment_speed(st, theta, &omegasq, error ? &omegasq_error : NULL);
-    /* At the stop it is 0, which rounding hides. */
-    bool rests = m->stops && theta >= m->end * (1 - 4 * REAL_EPSILON);
-    omegasq = rests ? 0 : fmax(omegasq, 0);
     if (status == DOM_OK)
         status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK && isnan(time))
