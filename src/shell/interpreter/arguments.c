@@ -3,6 +3,7 @@
 #include "interpreter/lookup.h"
 #include "language/quad.h"
 #include <ctype.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -243,21 +244,26 @@ static bool read_place(struct reader *r, const struct argument *a, struct call *
     return !letters && read_quantity(r, a, &call->quantity[i], &call->number[i]);
 }
 
+/* Returns true if a word is a file's name, and not the beginning of an expression. */
+static bool names_file(const char *word)
+{
+    size_t length = strlen(word);
+    return strchr("\"./~", *word) || (length > 4 && strcmp(word + length - 4, ".csv") == 0) ||
+           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(word));
+}
+
 /* Reads a value for the parameter that the call names, or the file in the place of its first value. */
 static bool read_setting(struct reader *r, const struct command *c, struct call *call, int i)
 {
     const struct parameter *p = call->parameter;
     const struct dom_effect_argument *of = parameter_value(p, i - 1);
-    char usage[USAGE_SIZE], shown[NAMES_SHOWN], word[NAMES_SHOWN];
-    size_t length = strcspn(r->at, " \t;>#");
-    snprintf(word, sizeof word, "%.*s", (int)length, r->at);
+    char usage[USAGE_SIZE], shown[NAMES_SHOWN], word[PATH_MAX];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
     if (!of || call->word[1] || (i > 1 && parameter_word(p, call->number[1])))
         return session_error(r->session, "'%s' is one argument too many; usage: %s%s",
                              names_shown(word, shown), p->effect ? "effect " : "",
                              p->effect ? effect_usage(p->which, usage) : command_usage(c, usage));
-    bool named = (isalpha((unsigned char)*word) && !is_value_name(word) && !strchr(word, '(')) ||
-                 (length > 4 && memcmp(r->at + length - 4, ".csv", 4) == 0) || strchr("\"./~", *word);
-    if (of->or_file && named && names_exact(parameter_words, p, word) < 0) {
+    if (of->or_file && names_file(word) && names_exact(parameter_words, p, word) < 0) {
         call->word[i] = read_file(r);
         return call->word[i] || session_error(r->session, "%s", unclosed);
     }
