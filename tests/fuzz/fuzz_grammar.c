@@ -172,7 +172,7 @@ static void put_parameter_value(struct maker *m, const struct parameter *p)
     if (p && p->words && pick(m, 4))
         put_name(m, parameter_words, p);
     else if (p && pick(m, 2)) {
-        dom_real lowest = p->lowest, highest = p->highest;
+        domq_real lowest = p->lowest, highest = p->highest;
         fprintf(m->line, "%.17g", (double)(lowest + (highest - lowest) * pick(m, 256) / 255));
     } else
         put_expression(m, 0);

@@ -21,7 +21,7 @@ static const char *row_finite(struct answer *a, struct cell *shown, const char *
     if (!key)
         return reason;
     snprintf(lost, ANSWER_REASON, "%s is beyond what %s precision can hold%s", key,
-             dom_arithmetic(precision)->name,
+             domq_arithmetic(precision)->name,
              precision == DOM_QUAD ? "" : "; 'set precision quad' holds more");
     if (a->style.output == OUTPUT_TABLE && !*a->unsaid) /* said below it, once */
         memcpy(a->unsaid, lost, sizeof a->unsaid);

@@ -18,7 +18,7 @@ enum {
     WORDS_INDENT = 8
 };
 
-dom_real style_angle(const struct output_style *style, dom_real radians)
+domq_real style_angle(const struct output_style *style, domq_real radians)
 {
     return style->angle == ANGLE_DEG ? radians * (180 / QUAD_PI) : radians;
 }

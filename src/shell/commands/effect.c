@@ -15,9 +15,9 @@
 static void effect_say(struct session *session, struct answer *a, enum dom_effect_name name, bool before)
 {
     char setting[EFFECT_SETTING], usage[EFFECT_USAGE];
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     bool listed = name == DOM_EFFECT_row && session->listed.domino;
-    const struct dom_effect_argument *first = &e->argument[0];
+    const struct domq_effect_argument *first = &e->argument[0];
     char text[3 * EFFECT_SETTING];
     snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", e->name,
              before ? "on" : "on now", listed ? "" : first->name, listed ? "" : " = ",
@@ -40,9 +40,9 @@ static bool run_effect(struct session *session, const struct call *call)
     if (word && strcmp(word, "off") == 0)
         return effect_turn_off(session, name);
     if (word && strcmp(word, "on") == 0) {
-        dom_real usual[DOM_EFFECT_ARGUMENTS];
+        domq_real usual[DOM_EFFECT_ARGUMENTS];
         for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++)
-            usual[i] = dom_effect(name)->argument[i].usual;
+            usual[i] = domq_effect(name)->argument[i].usual;
         bool before = now->on;
         if (!before && !effect_turn_on(session, name, usual, DOM_EFFECT_ARGUMENTS, NULL))
             return false;
@@ -58,25 +58,25 @@ static bool run_effect(struct session *session, const struct call *call)
 static enum dom_status scene_answer(const struct session *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
-    struct dom_floor floor;
-    struct dom_barrier barrier;
-    struct dom_verdict verdict;
-    struct dom_study study;
+    struct domq_floor floor;
+    struct domq_barrier barrier;
+    struct domq_verdict verdict;
+    struct domq_study study;
     if (scene->effect[DOM_EFFECT_row].on) {
-        struct dom_row asked = row->row;
+        struct domq_row asked = row->row;
         asked.work = work;
         const struct effect_state *errors = &scene->effect[DOM_EFFECT_placement];
         if (!errors->on)
-            return dom_row_run(&asked, false, NULL, NULL, &verdict);
-        struct dom_placement p = {
+            return domq_row_run(&asked, &compute, false, NULL, NULL, &verdict);
+        struct domq_placement p = {
             .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1, .threads = 1};
-        return dom_placement_study(&asked, &p, &study, NULL);
+        return domq_placement_study(&asked, &compute, &p, &study, NULL);
     }
-    struct dom_train train = scene->train;
-    train.work = work;
-    enum dom_status status = dom_barrier_find(&train, &barrier, NULL);
+    struct domq_train train = scene->train;
+    compute.work = work;
+    enum dom_status status = domq_barrier_find(&train, &compute, &barrier);
     if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
-        status = dom_cycle_floor(&train, &floor);
+        status = domq_cycle_floor(&train, &compute, &floor);
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
@@ -127,13 +127,13 @@ static double scene_price(struct session *scene)
 static double price_with(const struct session *session, enum dom_effect_name name, bool on)
 {
     struct session scene = *session; /* its row is shared: nothing in here changes it */
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     if (name != DOM_EFFECT_placement)
         scene.effect[DOM_EFFECT_placement].on = false;
     else
         scene.effect[DOM_EFFECT_floor].on = false;
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *other = dom_effect((enum dom_effect_name)k);
+        const struct domq_effect *other = domq_effect((enum dom_effect_name)k);
         bool wanted = k == (int)name ? on : (e->needs >> k & 1) != 0;
         bool without = k == (int)name ? !on : !on && (other->needs >> name & 1) != 0;
         if (wanted && !scene.effect[k].on) {
@@ -173,7 +173,7 @@ static void effects_say(const struct session *session, struct answer *a)
                "placement is timed for one random row, which may stop early.\n",
                row ? "does the whole row fall" : "does the train go on ('barrier')");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        const struct domq_effect *e = domq_effect((enum dom_effect_name)k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
 }
@@ -203,15 +203,15 @@ static bool run_effects(struct session *session, const struct call *call)
     for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
         enum dom_effect_name name = (enum dom_effect_name)k;
-        const struct dom_effect *e = dom_effect(name);
+        const struct domq_effect *e = domq_effect(name);
         double without = price_with(session, name, false), with = price_with(session, name, true);
-        if (dom_raised(session->train.interrupt))
+        if (dom_raised(session->compute.interrupt))
             return session_status(session, DOM_INTERRUPTED);
         answer_row(a,
                    ROW(cell_word(e->name),
                        cell_word(session->effect[k].on ? effect_setting(session, name, setting) : "off"),
                        cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
-                       cell_count((dom_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
+                       cell_count((domq_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
                    NULL);
     }
     a->columns = effects_columns;
@@ -232,7 +232,7 @@ static const struct column scene_columns[] = {
 static void plan_row(struct answer *a, const char *part, const char *solved, size_t dominoes, const char *why)
 {
     answer_row(a,
-               ROW(cell_word(part), dominoes ? cell_count((dom_real)dominoes) : cell_real(DOM_NAN),
+               ROW(cell_word(part), dominoes ? cell_count((domq_real)dominoes) : cell_real(DOMQ_NAN),
                    cell_word(why), cell_word(solved)),
                NULL);
 }
@@ -244,7 +244,7 @@ static void plan_train(const struct session *session, struct answer *a, size_t n
     plan_row(a, "geometry", "(b8) (b10) (A6) in closed form, no trigonometry", n, "always");
     plan_row(a, "energy", "H (c1) and J (c2), ended by a bound of the tail", n, "always");
     plan_row(a, "motion",
-             rubs ? dom_effect(DOM_EFFECT_friction)->plan : "(c3) (c4) (c6) in closed form, not integrated",
+             rubs ? domq_effect(DOM_EFFECT_friction)->plan : "(c3) (c4) (c6) in closed form, not integrated",
              n, rubs ? "friction is on" : "no losses");
     plan_row(a, "barrier", rubs ? "roots of C, and omega^2 there" : "roots of H', and H there (c8)", n,
              "always");
@@ -255,12 +255,12 @@ static void plan_train(const struct session *session, struct answer *a, size_t n
 static void plan_of_row(const struct session *session, struct answer *a, size_t n)
 {
     bool rubs = session->train.mu > 0, pushed = session->effect[DOM_EFFECT_push].on;
-    plan_row(a, "start", pushed ? dom_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
+    plan_row(a, "start", pushed ? domq_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
              pushed ? "push is on" : "no push");
-    plan_row(a, "row", dom_effect(DOM_EFFECT_row)->plan, n, "row is on");
+    plan_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
     plan_row(a, "motion",
-             rubs ? dom_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated", n,
-             rubs ? "friction is on" : "no losses");
+             rubs ? domq_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated",
+             n, rubs ? "friction is on" : "no losses");
     plan_row(a, "contact", "forces between dominoes, at four tilts each", n, "none may pull");
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
@@ -282,9 +282,9 @@ static bool run_scene(struct session *session, const struct call *call)
     for (int k = 0, n = 0; k < DOM_EFFECT_COUNT; k++)
         if (session->effect[k].on && k != DOM_EFFECT_row)
             n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ",
-                          dom_effect((enum dom_effect_name)k)->name,
+                          domq_effect((enum dom_effect_name)k)->name,
                           effect_setting(session, (enum dom_effect_name)k, setting));
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     if (is_row)
         answer_say(a, "A row of %zu dominoes%s.", count, on);
     else
@@ -293,10 +293,11 @@ static bool run_scene(struct session *session, const struct call *call)
     (is_row ? plan_of_row : plan_train)(session, a, work.longest);
     for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
         if (session->effect[k].on)
-            plan_row(a, dom_effect((enum dom_effect_name)k)->name, dom_effect((enum dom_effect_name)k)->plan,
-                     0, k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
+            plan_row(a, domq_effect((enum dom_effect_name)k)->name,
+                     domq_effect((enum dom_effect_name)k)->plan, 0,
+                     k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
     answer_say(a, "%zu passes down the %s give its verdict at tol = %g in %s precision.", work.passes,
-               is_row ? "row" : "train", (double)t->tol, dom_arithmetic(t->precision)->name);
+               is_row ? "row" : "train", (double)t->tol, domq_arithmetic(t->precision)->name);
     return true;
 }
 

@@ -10,9 +10,9 @@
 
 static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
 
-static const struct dom_effect_argument *of_effect(const struct axis *axis)
+static const struct domq_effect_argument *of_effect(const struct axis *axis)
 {
-    return &dom_effect(axis->effect)->argument[0];
+    return &domq_effect(axis->effect)->argument[0];
 }
 
 /* Parameters of the model; the others say how the calculator works. */
@@ -40,7 +40,7 @@ const char *grid_names(const void *context, int k)
 
 const char *axis_name(const struct axis *axis)
 {
-    return axis->parameter ? axis->parameter->name : dom_effect(axis->effect)->name;
+    return axis->parameter ? axis->parameter->name : domq_effect(axis->effect)->name;
 }
 
 const char *axis_unit(const struct axis *axis)
@@ -91,7 +91,7 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
            session_error(session, "more than %d parameters; the others can be set before", AXES_MAX);
 }
 
-static bool read_one(struct reader *r, const struct axis *axis, const char *what, dom_real *value)
+static bool read_one(struct reader *r, const struct axis *axis, const char *what, domq_real *value)
 {
     struct quantity q;
     struct session *session = r->session;
@@ -107,14 +107,14 @@ static bool read_one(struct reader *r, const struct axis *axis, const char *what
 }
 
 /* The comma has been seen: values up to the one that has none behind it. */
-static bool read_list(struct reader *r, struct axis *axis, dom_real first)
+static bool read_list(struct reader *r, struct axis *axis, domq_real first)
 {
     size_t room = 0;
-    dom_real value = first;
+    domq_real value = first;
     for (;;) {
         if (axis->count == room) {
             room = 2 * room + 8;
-            dom_real *more = realloc(axis->list, room * sizeof *more);
+            domq_real *more = realloc(axis->list, room * sizeof *more);
             if (!more)
                 return session_status(r->session, DOM_NO_MEMORY);
             axis->list = more;
@@ -134,7 +134,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
 {
     struct session *session = r->session;
     struct quantity q;
-    dom_real n;
+    domq_real n;
     const char *name = axis_name(axis);
     r->at = skip_blanks(r->at);
     session->column = reader_column(r, r->at);
@@ -155,15 +155,15 @@ static bool read_steps(struct reader *r, struct axis *axis)
         return (axis->from > 0 && axis->to > 0) ||
                session_error(session, "%s: steps of equal ratio need FROM and TO above 0", name);
     }
-    dom_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
-    return !axis_whole(axis) || quad(fabs)(step - quad(round)(step)) < (dom_real)1e-9 ||
+    domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
+    return !axis_whole(axis) || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
            session_error(session, "%s has whole numbers only, and %s to %s in %zu values are not", name,
                          quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
 
 static bool read_values(struct reader *r, struct axis *axis)
 {
-    dom_real first = 0;
+    domq_real first = 0;
     bool words = axis->parameter && axis->parameter->words_only;
     if (!read_one(r, axis, words ? "a value" : "FROM", &first))
         return false;
@@ -206,19 +206,19 @@ void grid_free(struct grid *grid)
 
 /* ---- Values ---- */
 
-dom_real axis_value(const struct axis *axis, size_t k)
+domq_real axis_value(const struct axis *axis, size_t k)
 {
     if (axis->list)
         return axis->list[k];
-    dom_real f = axis->count > 1 ? (dom_real)k / (dom_real)(axis->count - 1) : 0;
+    domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
     bool end = k == 0 || k == axis->count - 1; /* these are what was typed */
-    dom_real value = axis->logarithmic && !end
-                         ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
-                         : (1 - f) * axis->from + f * axis->to;
+    domq_real value = axis->logarithmic && !end
+                          ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
+                          : (1 - f) * axis->from + f * axis->to;
     return axis_whole(axis) ? quad(round)(value) : value;
 }
 
-struct cell axis_cell(const struct axis *axis, dom_real value)
+struct cell axis_cell(const struct axis *axis, domq_real value)
 {
     if (axis->parameter && axis->parameter->words_only)
         return cell_word(parameter_word(axis->parameter, value));
@@ -226,7 +226,7 @@ struct cell axis_cell(const struct axis *axis, dom_real value)
 }
 
 /* Words first: the precision has its own default of tol. */
-void grid_put(const struct grid *grid, const dom_real *value, struct session *session)
+void grid_put(const struct grid *grid, const domq_real *value, struct session *session)
 {
     for (int words = 1; words >= 0; words--) {
         for (int i = 0; i < grid->axes; i++) {

@@ -78,7 +78,7 @@ static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
     session_init(&fresh, session->out);
-    fresh.train.interrupt = session->train.interrupt;
+    fresh.compute.interrupt = session->compute.interrupt;
     fresh.source = "help";
     fresh.safe = fresh.bail = true;
     fprintf(session->out, "\nExample: %s\n\n", example);
@@ -143,14 +143,14 @@ static void help_command(struct session *session, const struct command *c)
 
 static void help_effect(struct session *session, enum dom_effect_name name, bool example)
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     char usage[EFFECT_USAGE], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
     FILE *out = session->out;
     fprintf(out, "effect %s: %s\n\n", effect_usage(name, usage), e->adds);
     output_wrapped(out, e->help, 0, help_width(out));
     fputs("\n\n", out);
-    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
-         a++) {
+    for (const struct domq_effect_argument *a = e->argument;
+         a < e->argument + DOM_EFFECT_ARGUMENTS && a->name; a++) {
         fprintf(out, "  %-8s %s, %g .. %g%s%s", a->name, a->meaning, (double)a->lowest, (double)a->highest,
                 *a->unit ? " " : "", a->unit);
         fprintf(out, "%s%s%s\n", a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
@@ -219,7 +219,7 @@ static bool run_apropos(struct session *session, const struct call *call)
             fprintf(session->out, "set %-*s %s\n", column - (int)strlen("set "), p->name, p->meaning);
     }
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        const struct domq_effect *e = domq_effect((enum dom_effect_name)k);
         bool hit = mentions(e->name, word) || mentions(e->adds, word) || mentions(e->help, word);
         found += hit;
         if (hit)
@@ -252,19 +252,19 @@ static void mdoc_text(FILE *out, const char *text)
         putc('\n', out);
 }
 
-static void mdoc_effect(FILE *out, const struct dom_effect *e)
+static void mdoc_effect(FILE *out, const struct domq_effect *e)
 {
     fprintf(out, ".Ss %s\n.Bd -ragged -compact\n.Nm effect %s\n", e->name, e->name);
-    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
-         a++)
+    for (const struct domq_effect_argument *a = e->argument;
+         a < e->argument + DOM_EFFECT_ARGUMENTS && a->name; a++)
         fprintf(out, a->optional ? ".Op Ar %s\n" : ".Ar %s\n", a->or_file ? "N | FILE" : a->name);
     fputs(".Ed\n.Pp\nAdds\n", out);
     mdoc_text(out, e->adds);
     fputs(".Pp\n", out);
     mdoc_text(out, e->help);
     fputs(".Bl -tag -width HEIGHTS\n", out);
-    for (const struct dom_effect_argument *a = e->argument; a < e->argument + DOM_EFFECT_ARGUMENTS && a->name;
-         a++) {
+    for (const struct domq_effect_argument *a = e->argument;
+         a < e->argument + DOM_EFFECT_ARGUMENTS && a->name; a++) {
         fprintf(out, ".It Ar %s\n%s, %g .. %g%s%s%s%s%s\n", a->name, a->meaning, (double)a->lowest,
                 (double)a->highest, *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "",
                 a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
@@ -288,7 +288,7 @@ static bool run_manual(struct session *session, const struct call *call)
           "An effect that is off is not computed.\n",
           out);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        mdoc_effect(out, dom_effect((enum dom_effect_name)k));
+        mdoc_effect(out, domq_effect((enum dom_effect_name)k));
     fputs(".Sh SEE ALSO\n.Xr domino 1\n", out);
     return true;
 }

@@ -22,13 +22,13 @@ struct mend {
     enum dom_status status;
 };
 
-static bool falls_with(struct mend *m, dom_real gap)
+static bool falls_with(struct mend *m, domq_real gap)
 {
-    struct dom_verdict v = {.end = DOM_ROW_STOPS};
-    dom_real kept = m->scene->domino[m->k].gap;
+    struct domq_verdict v = {.end = DOM_ROW_STOPS};
+    domq_real kept = m->scene->domino[m->k].gap;
     m->scene->domino[m->k].gap = gap;
     if (m->status == DOM_OK)
-        m->status = dom_row_run(&m->scene->row, false, NULL, NULL, &v);
+        m->status = domq_row_run(&m->scene->row, &m->scene->compute, false, NULL, NULL, &v);
     m->scene->domino[m->k].gap = kept;
     return m->status == DOM_OK && v.end == DOM_ROW_FALLS;
 }
@@ -36,38 +36,38 @@ static bool falls_with(struct mend *m, dom_real gap)
 /* One gap with which all fall, and how far one can go on from it, away from the one that is. */
 struct mended {
     size_t k;
-    dom_real gap, to, until;
+    domq_real gap, to, until;
 };
 
 /* Digits of an answer that is typed again. */
-#define MEND_DIGITS ((dom_real)1e-6)
+#define MEND_DIGITS ((domq_real)1e-6)
 
 /* Between one that falls and one that does not: the last that falls, of few digits. */
-static dom_real mend_edge(struct mend *m, dom_real good, dom_real bad)
+static domq_real mend_edge(struct mend *m, domq_real good, domq_real bad)
 {
-    dom_real digit = quad(pow)(10, quad(floor)(quad(log10)(quad_larger(good, bad)))) * MEND_DIGITS;
+    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(quad_larger(good, bad)))) * MEND_DIGITS;
     while (m->status == DOM_OK && quad(fabs)(good - bad) > digit / 8) {
-        dom_real middle = (good + bad) / 2;
+        domq_real middle = (good + bad) / 2;
         *(falls_with(m, middle) ? &good : &bad) = middle;
     }
     /* Rounded away from the one that does not fall. */
-    dom_real rounded = (good > bad ? quad(ceil)(good / digit) : quad(floor)(good / digit)) * digit;
+    domq_real rounded = (good > bad ? quad(ceil)(good / digit) : quad(floor)(good / digit)) * digit;
     return falls_with(m, rounded) ? rounded : good;
 }
 
 enum { MEND_STEPS = 40 };
 
 /* First close by, then farther and farther: what is small should be found. */
-static dom_real mend_step(dom_real gap, dom_real end, int i)
+static domq_real mend_step(domq_real gap, domq_real end, int i)
 {
-    dom_real part = (dom_real)i / MEND_STEPS;
+    domq_real part = (domq_real)i / MEND_STEPS;
     return gap + (end - gap) * part * part * part;
 }
 
 /* The nearest gap on the way to `end` with which all fall; false where none was found. */
-static bool mend_towards(struct mend *m, dom_real end, struct mended *mended)
+static bool mend_towards(struct mend *m, domq_real end, struct mended *mended)
 {
-    dom_real gap = m->scene->domino[m->k].gap, bad = gap, good = gap;
+    domq_real gap = m->scene->domino[m->k].gap, bad = gap, good = gap;
     int i = 1;
     while (i <= MEND_STEPS && m->status == DOM_OK && !falls_with(m, good = mend_step(gap, end, i))) {
         bad = good;
@@ -90,7 +90,7 @@ static bool mend_towards(struct mend *m, dom_real end, struct mended *mended)
 static int by_change(const void *a, const void *b)
 {
     const struct mended *x = a, *y = b;
-    dom_real dx = quad(fabs)(x->to - x->gap), dy = quad(fabs)(y->to - y->gap);
+    domq_real dx = quad(fabs)(x->to - x->gap), dy = quad(fabs)(y->to - y->gap);
     return dx < dy ? -1 : dx > dy;
 }
 
@@ -101,7 +101,7 @@ enum { MEND_BACK = 30 };
  * Gaps up to the one behind the domino where it ends: what lies farther does not matter to that.  Where that
  * one is too wide to be reached over, it alone does.
  */
-static enum dom_status mend_search(struct scene_row *scene, const struct dom_verdict *v, struct mended *list,
+static enum dom_status mend_search(struct scene_row *scene, const struct domq_verdict *v, struct mended *list,
                                    size_t *found)
 {
     struct progress progress = {0, 0};
@@ -130,36 +130,36 @@ static enum dom_status mend_search(struct scene_row *scene, const struct dom_ver
 
 /* ---- A push that is missing ---- */
 
-static bool falls_pushed(struct scene_row *scene, dom_real push, enum dom_status *status)
+static bool falls_pushed(struct scene_row *scene, domq_real push, enum dom_status *status)
 {
-    struct dom_verdict v = {.end = DOM_ROW_STOPS};
-    struct dom_row pushed = scene->row;
+    struct domq_verdict v = {.end = DOM_ROW_STOPS};
+    struct domq_row pushed = scene->row;
     pushed.push = push;
     if (*status == DOM_OK)
-        *status = dom_row_run(&pushed, false, NULL, NULL, &v);
+        *status = domq_row_run(&pushed, &compute, false, NULL, NULL, &v);
     return *status == DOM_OK && v.end == DOM_ROW_FALLS;
 }
 
 /* What turns the first over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2. */
-static dom_real push_over_edge(const struct scene_row *scene)
+static domq_real push_over_edge(const struct scene_row *scene)
 {
-    dom_real h = scene->domino[0].height, d = scene->domino[0].thickness, reach = quad(sqrt)(h * h + d * d);
+    domq_real h = scene->domino[0].height, d = scene->domino[0].thickness, reach = quad(sqrt)(h * h + d * d);
     return quad(sqrt)(3 * scene->row.g * d * d / ((reach + h) * reach * reach));
 }
 
 /* Rounded up, so that it is still enough. */
-static dom_real few_digits(dom_real value)
+static domq_real few_digits(domq_real value)
 {
-    dom_real digit = quad(pow)(10, quad(floor)(quad(log10)(value)) - 3);
+    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(value)) - 3);
     return quad(ceil)(value / digit) * digit;
 }
 
 /* The weakest push found with which all fall, of four digits; NaN where none up to the strongest does. */
-static dom_real push_missing(struct scene_row *scene, enum dom_status *status)
+static domq_real push_missing(struct scene_row *scene, enum dom_status *status)
 {
-    const dom_real strongest = dom_effect(DOM_EFFECT_push)->argument[0].highest;
-    dom_real bad = isnan(scene->row.push) ? 0 : scene->row.push,
-             good = quad_larger(push_over_edge(scene), bad) / 2;
+    const domq_real strongest = domq_effect(DOM_EFFECT_push)->argument[0].highest;
+    domq_real bad = isnan(scene->row.push) ? 0 : scene->row.push,
+              good = quad_larger(push_over_edge(scene), bad) / 2;
     do {
         good = quad_smaller(2 * good, strongest);
         if (falls_pushed(scene, good, status))
@@ -167,25 +167,25 @@ static dom_real push_missing(struct scene_row *scene, enum dom_status *status)
         bad = good;
     } while (good < strongest && *status == DOM_OK);
     if (!(bad < good))
-        return DOM_NAN;
-    while (good - bad > good * (dom_real)1e-4 && *status == DOM_OK) {
-        dom_real middle = (good + bad) / 2;
+        return DOMQ_NAN;
+    while (good - bad > good * (domq_real)1e-4 && *status == DOM_OK) {
+        domq_real middle = (good + bad) / 2;
         *(falls_pushed(scene, middle, status) ? &good : &bad) = middle;
     }
-    dom_real rounded = few_digits(good);
+    domq_real rounded = few_digits(good);
     return falls_pushed(scene, rounded, status) ? rounded : good;
 }
 
 /* Is it the start that has too little, before any gap comes to matter? */
-static bool push_lacks(const struct dom_verdict *v)
+static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
 }
 
-static enum dom_status push_say(struct answer *a, struct scene_row *scene, const struct dom_verdict *v)
+static enum dom_status push_say(struct answer *a, struct scene_row *scene, const struct domq_verdict *v)
 {
     enum dom_status status = DOM_OK;
-    dom_real push = push_missing(scene, &status);
+    domq_real push = push_missing(scene, &status);
     if (status != DOM_OK)
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
@@ -215,7 +215,7 @@ static void mend_say(struct answer *a, const struct mended *m, size_t found, boo
                (double)(1000 * m->gap), (double)(1000 * m->to));
     answer_say(a, "'place %zu %.7g' does it, just so.", m->k + 1, (double)m->to);
     double room = (double)(m->to + (m->until - m->to) / 3);
-    if (quad(fabs)(m->until - m->to) > (dom_real)1e-4 * m->to)
+    if (quad(fabs)(m->until - m->to) > (domq_real)1e-4 * m->to)
         answer_say(a, "All fall up to %.7g mm: 'place %zu %.6g' leaves room for errors.",
                    (double)(1000 * m->until), m->k + 1, room);
 }
@@ -223,14 +223,15 @@ static void mend_say(struct answer *a, const struct mended *m, size_t found, boo
 bool mend_run(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_verdict v;
+    struct domq_verdict v;
     struct answer *a = call->answer;
     size_t found = 0;
     if (!scene_row_make(session, &scene))
         return false;
     scene.row.floor = false;
     struct mended *list = calloc(scene.row.count, sizeof *list);
-    enum dom_status status = list ? dom_row_run(&scene.row, false, NULL, NULL, &v) : DOM_NO_MEMORY;
+    enum dom_status status =
+        list ? domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v) : DOM_NO_MEMORY;
     bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
         status = push_say(a, &scene, &v);
@@ -238,12 +239,12 @@ bool mend_run(struct session *session, const struct call *call)
         status = mend_search(&scene, &v, list, &found);
     for (size_t i = 0; status == DOM_OK && i < found; i++)
         answer_row(a,
-                   ROW(cell_count((dom_real)list[i].k + 1), cell_narrow(list[i].gap, 7),
+                   ROW(cell_count((domq_real)list[i].k + 1), cell_narrow(list[i].gap, 7),
                        cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7),
                        cell_narrow(list[i].to - list[i].gap, 5),
-                       cell_narrow(list[i].gap > 0 ? (list[i].to - list[i].gap) / list[i].gap : DOM_NAN, 4)),
+                       cell_narrow(list[i].gap > 0 ? (list[i].to - list[i].gap) / list[i].gap : DOMQ_NAN, 4)),
                    NULL);
-    const struct cell none = cell_real(DOM_NAN);
+    const struct cell none = cell_real(DOMQ_NAN);
     if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs want to know which */
         answer_row(a, ROW(none, none, none, none, none, none), falls ? "all fall" : no_single_gap);
     else if (falls)

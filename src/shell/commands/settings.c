@@ -18,12 +18,12 @@ static const struct parameter *parameter_of(const struct call *call, int i)
 
 static bool choose_precision(struct session *session, const struct call *call, enum dom_precision precision)
 {
-    if (dom_arithmetic(precision)->bits == 0)
-        return session_error(session, "%s: %s", dom_arithmetic(precision)->name,
+    if (domq_arithmetic(precision)->bits == 0)
+        return session_error(session, "%s: %s", domq_arithmetic(precision)->name,
                              dom_status_text(DOM_NO_PRECISION));
     /* A file that is sourced goes on to say what it wants. */
     if (session_precision(session, precision) && session->depth == 0)
-        answer_say(call->answer, "tol is now %g", (double)session->train.tol);
+        answer_say(call->answer, "tol is now %g", (double)session->compute.tol);
     return true;
 }
 
@@ -60,7 +60,7 @@ struct shown {
 
 static void shown_make(const struct session *session, const struct parameter *p, struct shown *shown)
 {
-    dom_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
+    domq_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
     bool words = session->style.output == OUTPUT_TABLE || p->words_only;
     parameter_range(session, p, shown->range, sizeof shown->range);
     parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
@@ -118,7 +118,7 @@ static bool run_save(struct session *session, const struct call *call)
     const struct parameter *p;
     if (!effects_savable(session))
         return false;
-    const char *wrong = redirect_open(&file, call->word[0], false, session->train.interrupt);
+    const char *wrong = redirect_open(&file, call->word[0], false, session->compute.interrupt);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
         effects_save_off(session, file.file);
@@ -139,7 +139,7 @@ static bool run_source(struct session *session, const struct call *call)
     const char *name = call->word[0];
     if (session->depth == SOURCE_DEPTH)
         return session_error(session, "files are nested %d deep; does one source itself?", SOURCE_DEPTH);
-    FILE *in = io_read(name, session->train.interrupt);
+    FILE *in = io_read(name, session->compute.interrupt);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
     long errors = session->errors;

@@ -15,8 +15,8 @@ static void study_progress(size_t done, size_t rows, void *context)
 }
 
 /* The scene's row and errors; false: there are none, which was reported. */
-static bool study_make(struct session *session, dom_real rows, struct progress *progress,
-                       struct scene_row *scene, struct dom_placement *p)
+static bool study_make(struct session *session, domq_real rows, struct progress *progress,
+                       struct scene_row *scene, struct domq_placement *p)
 {
     const struct effect_state *errors = &session->effect[DOM_EFFECT_placement];
     if (!scene_row_make(session, scene))
@@ -26,7 +26,7 @@ static bool study_make(struct session *session, dom_real rows, struct progress *
         session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
         return false;
     }
-    *p = (struct dom_placement){
+    *p = (struct domq_placement){
         .sigma = errors->value[0],
         .heights = errors->value[1],
         .seed = (unsigned long)session->seed,
@@ -41,11 +41,12 @@ static bool study_make(struct session *session, dom_real rows, struct progress *
 /* ---- placement ---- */
 
 static bool placement_all(struct session *session, const struct call *call, const struct scene_row *scene,
-                          const struct dom_placement *p)
+                          const struct domq_placement *p)
 {
-    struct dom_study study;
+    struct domq_study study;
     size_t *stops = calloc(scene->row.count, sizeof *stops);
-    enum dom_status status = stops ? dom_placement_study(&scene->row, p, &study, stops) : DOM_NO_MEMORY;
+    enum dom_status status =
+        stops ? domq_placement_study(&scene->row, &scene->compute, p, &study, stops) : DOM_NO_MEMORY;
     progress_show(p->context, 1);
     if (status == DOM_OK)
         study_answer(call, p->sigma, p->heights, &study, stops, scene->row.count, NULL);
@@ -56,9 +57,9 @@ static bool placement_all(struct session *session, const struct call *call, cons
 static bool run_placement(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_placement p;
+    struct domq_placement p;
     struct progress progress = {0, 0};
-    dom_real rows = call->count > 0 ? call->number[0] : 2000;
+    domq_real rows = call->count > 0 ? call->number[0] : 2000;
     if (!study_make(session, rows, &progress, &scene, &p))
         return false;
     bool done = session->shard.parts > 0 ? study_blocks(session, call, &scene, &p)
@@ -81,17 +82,17 @@ static const struct column budget_columns[] = {
 static bool run_budget(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_placement p;
-    struct dom_budget budget;
+    struct domq_placement p;
+    struct domq_budget budget;
     struct progress progress = {0, 0};
-    dom_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
+    domq_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
     if (!(share > 0 && share < 1))
         return session_error(session, "P = %s is no probability for this; P is between 0 and 1, such as 0.9",
                              quad_shown(share).text);
     if (!study_make(session, rows, &progress, &scene, &p))
         return false;
     p.progress = NULL; /* how many studies it takes is not known */
-    enum dom_status status = dom_placement_budget(&scene.row, &p, (double)share, &budget);
+    enum dom_status status = domq_placement_budget(&scene.row, &scene.compute, &p, (double)share, &budget);
     free(scene.domino);
     if (status == DOM_STOPS)
         return session_no_answer(session, p.heights > 0
@@ -102,8 +103,8 @@ static bool run_budget(struct session *session, const struct call *call)
         return session_status(session, status);
     bool free_of_it = !isfinite(budget.sigma);
     answer_row(call->answer,
-               ROW(cell_real(share), cell_bound((dom_real)budget.sigma, DOM_NAN),
-                   cell_bound((dom_real)budget.low, DOM_NAN), cell_bound((dom_real)budget.high, DOM_NAN),
+               ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
+                   cell_bound((domq_real)budget.low, DOMQ_NAN), cell_bound((domq_real)budget.high, DOMQ_NAN),
                    cell_count(rows)),
                free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
     return true;
@@ -124,20 +125,20 @@ static const struct column slip_columns[] = {
 
 static bool run_slip(struct session *session, const struct call *call)
 {
-    struct dom_floor f;
+    struct domq_floor f;
     const struct effect_state *floor = &session->effect[DOM_EFFECT_floor];
-    enum dom_status status = dom_cycle_floor(&session->train, &f);
+    enum dom_status status = domq_cycle_floor(&session->train, &session->compute, &f);
     if (status != DOM_OK)
         return session_status(session, status);
     bool slips = f.motion > floor->value[0] || f.hit > floor->value[0];
     struct cell motion = cell_narrow(f.motion, 6);
-    answer_row(call->answer,
-               ROW(f.hit > f.motion ? cell_bound(f.hit, DOM_NAN) : motion, motion,
-                   cell_bound(f.theta, DOM_NAN), cell_count((dom_real)f.domino), cell_bound(f.hit, DOM_NAN),
-                   cell_count((dom_real)f.hit_domino), floor->on ? cell_flag(slips) : cell_real(DOM_NAN)),
-               !isfinite(f.motion) || !isfinite(f.hit)
-                   ? "a domino is lifted off the floor: no friction holds it"
-                   : NULL);
+    answer_row(
+        call->answer,
+        ROW(f.hit > f.motion ? cell_bound(f.hit, DOMQ_NAN) : motion, motion, cell_bound(f.theta, DOMQ_NAN),
+            cell_count((domq_real)f.domino), cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
+            floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN)),
+        !isfinite(f.motion) || !isfinite(f.hit) ? "a domino is lifted off the floor: no friction holds it"
+                                                : NULL);
     if (floor->on && !slips)
         answer_say(call->answer, "A floor with %.4g holds every hinge.", (double)floor->value[0]);
     else if (floor->on)

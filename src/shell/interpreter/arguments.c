@@ -121,7 +121,7 @@ static bool known_word(struct session *session, struct reader *r, const char *at
     return known;
 }
 
-bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, dom_real *number)
+bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, domq_real *number)
 {
     struct session *session = r->session;
     struct expression e = {.text = r->at,
@@ -164,7 +164,7 @@ static bool is_value_name(const char *word)
     return names_exact(value_names, NULL, word) >= 0;
 }
 
-bool read_value(struct reader *r, const struct parameter *p, const char *name, dom_real *number)
+bool read_value(struct reader *r, const struct parameter *p, const char *name, domq_real *number)
 {
     const char *begin = r->at;
     char message[NAMES_MESSAGE] = "", what[32];
@@ -206,7 +206,7 @@ static bool is_expression_topic(const char *word)
 }
 
 /* One of the argument's names; what is none of them hears which there are. */
-static bool read_choice(struct reader *r, const struct argument *a, char **word, dom_real *number)
+static bool read_choice(struct reader *r, const struct argument *a, char **word, domq_real *number)
 {
     char message[NAMES_MESSAGE] = NO_MEMORY, shown[NAMES_SHOWN], all[128] = "";
     *word = read_word(r, false);
@@ -254,7 +254,7 @@ static bool read_place(struct reader *r, const struct argument *a, struct call *
 static bool read_effect(struct reader *r, struct call *call, int i)
 {
     enum dom_effect_name effect = (enum dom_effect_name)call->number[0];
-    const struct dom_effect_argument *of = &dom_effect(effect)->argument[i - 1];
+    const struct domq_effect_argument *of = &domq_effect(effect)->argument[i - 1];
     char usage[EFFECT_USAGE], shown[NAMES_SHOWN], word[NAMES_SHOWN];
     size_t length = strcspn(r->at, " \t;>#");
     snprintf(word, sizeof word, "%.*s", (int)length, r->at);

@@ -33,11 +33,12 @@ extern const char unclosed[];
 char *read_file(struct reader *reader);
 
 /* A value for a parameter: one of its words, or an expression; name stands in the messages. */
-bool read_value(struct reader *reader, const struct parameter *parameter, const char *name, dom_real *number);
+bool read_value(struct reader *reader, const struct parameter *parameter, const char *name,
+                domq_real *number);
 
 /* An expression for an argument. */
 bool read_quantity(struct reader *reader, const struct argument *argument, struct quantity *quantity,
-                   dom_real *number);
+                   domq_real *number);
 
 /* All of a command, up to the end of the command or a '>'; what is wrong is an error of the session. */
 bool read_arguments(struct reader *reader, const struct command *command, struct call *call);

@@ -44,10 +44,10 @@ struct argument {
     names_list *choices; /* of ARGUMENT_CHOICE and ARGUMENT_PLACE; for completion, of a grid */
     bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
     /* Unless NULL, tells whether it may stand behind the argument before it, given as its choice or place. */
-    bool (*follows)(dom_real before);
+    bool (*follows)(domq_real before);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                        /* what that is the largest number of */
-    const struct dom_effect_argument *effect;   /* of ARGUMENT_EFFECT, once the effect is known */
+    const struct domq_effect_argument *effect;  /* of ARGUMENT_EFFECT, once the effect is known */
 };
 
 enum { ARGUMENTS_MAX = 3 };
@@ -55,7 +55,7 @@ enum { ARGUMENTS_MAX = 3 };
 /* The arguments of one call, read. */
 struct call {
     int count; /* of those that were given */
-    dom_real number[ARGUMENTS_MAX];
+    domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* where they stand in the line, for messages */
@@ -114,7 +114,7 @@ const char *command_usage(const struct command *command, char usage[USAGE_SIZE])
 
 /* A value for an argument of this kind; what is wrong with it is an error of the session. */
 bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
-                    dom_real *number);
+                    domq_real *number);
 
 /*
  * The most arguments that a command may have as a name in expressions, those before the first that is no
@@ -136,7 +136,7 @@ bool command_keep(struct session *session, const struct command *command, struct
 void command_run_text(struct session *session, const char *text);
 
 /* omega from tau^2 omega^2 and the bound of that; at rest the bound is that of a root near 0. */
-struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau);
+struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
 /* Where a function is to put the bounds of its errors: nowhere, unless the session asks for them. */
 #define ERROR_OF(session, error) ((session)->style.errors ? &(error) : NULL)

@@ -16,8 +16,8 @@ enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS };
 struct function {
     const char *name;
     enum function_kind kind;
-    dom_real (*one)(dom_real);
-    dom_real (*two)(dom_real, dom_real);
+    domq_real (*one)(domq_real);
+    domq_real (*two)(domq_real, domq_real);
 };
 
 static const struct function functions[] = {
@@ -140,7 +140,7 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
         return expression_fail(e, "%s takes two of a kind", f->name);
     *q = f->kind == KEEPS ? a[0] : (struct quantity){.angle = f->kind == TO_ANGLE};
-    dom_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
+    domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
     if (f->two)
         q->value = f->two(a[0].value, a[1].value);
     else if (f->one)

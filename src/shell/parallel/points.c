@@ -16,7 +16,7 @@ bool points_answer(struct session *session, struct answer *a, const struct point
         .count = workers_count(session->threads, part.count),
         .out = a->out,
         .progress = !(a->out && terminal_width(a->out)), /* rows on the terminal are progress enough */
-        .interrupt = session->train.interrupt,
+        .interrupt = session->compute.interrupt,
     };
     char *own = malloc(w.count * w.size);
     if (!own)

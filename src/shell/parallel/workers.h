@@ -7,7 +7,7 @@
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 
-#include "domino.h"
+#include "domino_quad.h"
 #include <stdio.h>
 
 struct workers {
@@ -36,6 +36,6 @@ struct workers_end workers_run(const struct workers *workers);
 
 /* How many: as asked for, 0 being one for each processor that this process may use, but no more than points.
  */
-unsigned workers_count(dom_real threads, size_t points);
+unsigned workers_count(domq_real threads, size_t points);
 
 #endif

@@ -63,7 +63,7 @@ static struct offer offer_effect(const char *name, bool first)
     char message[NAMES_MESSAGE];
     int k = names_find(effect_names, NULL, "effect", name, message);
     struct offer offer = {.lists = 0};
-    offer.files = first && k >= 0 && dom_effect((enum dom_effect_name)k)->argument[0].or_file;
+    offer.files = first && k >= 0 && domq_effect((enum dom_effect_name)k)->argument[0].or_file;
     if (first)
         offer_list(&offer, switch_names, NULL);
     return offer;

@@ -10,7 +10,7 @@
 const char *effect_names(const void *context, int k)
 {
     (void)context;
-    return k < DOM_EFFECT_COUNT ? dom_effect((enum dom_effect_name)k)->name : NULL;
+    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k)->name : NULL;
 }
 
 bool effect_hint(const char *word, char message[NAMES_MESSAGE])
@@ -25,7 +25,7 @@ bool effect_hint(const char *word, char message[NAMES_MESSAGE])
 
 const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE])
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     int n = snprintf(usage, EFFECT_USAGE, "%s", e->name);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         n += snprintf(usage + n, (size_t)(EFFECT_USAGE - n),
@@ -40,7 +40,7 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
                            char setting[EFFECT_SETTING])
 {
     const struct effect_state *state = &session->effect[name];
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     setting[0] = '\0';
     if (name == DOM_EFFECT_row && state->on && session->listed.domino) {
         const char *slash = strrchr(session->listed.path, '/');
@@ -48,7 +48,7 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
         return setting;
     }
     for (int i = 0, n = 0; state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
-        const struct dom_effect_argument *of = &e->argument[i];
+        const struct domq_effect_argument *of = &e->argument[i];
         char number[WIDE_TEXT];
         if (i > 0 && of->optional && state->value[i] == of->usual)
             break;
@@ -79,16 +79,16 @@ static void row_needed(const struct session *session, char *text, size_t size)
     int n = 0;
     text[0] = '\0';
     for (int k = 0; k < DOM_EFFECT_COUNT && n < (int)size; k++)
-        if (session->effect[k].on && dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
+        if (session->effect[k].on && domq_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
             n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ",
-                          dom_effect((enum dom_effect_name)k)->name);
+                          domq_effect((enum dom_effect_name)k)->name);
 }
 
 /* Row off, and what needs it. */
 static void row_drop(struct session *session)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (k == DOM_EFFECT_row || dom_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
+        if (k == DOM_EFFECT_row || domq_effect((enum dom_effect_name)k)->needs >> DOM_EFFECT_row & 1)
             session->effect[k] = (struct effect_state){.on = false};
     listed_free(&session->listed);
     effects_apply(session);
@@ -135,9 +135,9 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
 {
     char usage[EFFECT_USAGE];
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (dom_effect(name)->needs >> k & 1 && !session->effect[k].on)
-            return session_error(session, "%s is about a %s: 'effect %s' first", dom_effect(name)->name,
-                                 dom_effect((enum dom_effect_name)k)->name,
+        if (domq_effect(name)->needs >> k & 1 && !session->effect[k].on)
+            return session_error(session, "%s is about a %s: 'effect %s' first", domq_effect(name)->name,
+                                 domq_effect((enum dom_effect_name)k)->name,
                                  effect_usage((enum dom_effect_name)k, usage));
     if (name == DOM_EFFECT_friction && session->train.fuel == DOM_FUEL_PAPER)
         return session_error(
@@ -146,10 +146,10 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
     return true;
 }
 
-bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+bool effect_turn_on(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
                     const char *path)
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     struct effect_state state = {.on = true};
     char usage[EFFECT_USAGE];
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
@@ -167,9 +167,9 @@ bool effect_turn_on(struct session *session, enum dom_effect_name name, const do
     return true;
 }
 
-void effect_put(struct session *session, enum dom_effect_name name, dom_real value)
+void effect_put(struct session *session, enum dom_effect_name name, domq_real value)
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     struct effect_state *state = &session->effect[name];
     for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         state->value[i] = e->argument[i].usual;
@@ -183,10 +183,10 @@ void effect_put(struct session *session, enum dom_effect_name name, dom_real val
 bool effect_turn_off(struct session *session, enum dom_effect_name name)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (session->effect[k].on && dom_effect((enum dom_effect_name)k)->needs >> name & 1)
+        if (session->effect[k].on && domq_effect((enum dom_effect_name)k)->needs >> name & 1)
             return session_error(session, "%s is about the %s: 'effect %s off' first",
-                                 dom_effect((enum dom_effect_name)k)->name, dom_effect(name)->name,
-                                 dom_effect((enum dom_effect_name)k)->name);
+                                 domq_effect((enum dom_effect_name)k)->name, domq_effect(name)->name,
+                                 domq_effect((enum dom_effect_name)k)->name);
     if (name == DOM_EFFECT_row)
         listed_free(&session->listed);
     session->effect[name] = (struct effect_state){.on = false};
@@ -222,7 +222,7 @@ void effects_save_off(const struct session *session, FILE *out)
     /* Those that need another one first. */
     for (int needs = 1; needs >= 0; needs--)
         for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-            const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+            const struct domq_effect *e = domq_effect((enum dom_effect_name)k);
             if (!session->effect[k].on && (e->needs != 0) == (needs != 0))
                 fprintf(out, "effect %s off\n", e->name);
         }
@@ -231,7 +231,7 @@ void effects_save_off(const struct session *session, FILE *out)
 void effects_save(const struct session *session, FILE *out)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
+        const struct domq_effect *e = domq_effect((enum dom_effect_name)k);
         if (!session->effect[k].on)
             continue;
         fprintf(out, "effect %s", e->name);
@@ -259,10 +259,11 @@ bool scene_weighed(const struct session *session)
 }
 
 /* Masses of which only the ratios are known become such that m g h / 2 of the first is 1, or what is set. */
-static void row_weigh(const struct session *session, struct dom_domino *domino, size_t count)
+static void row_weigh(const struct session *session, struct domq_domino *domino, size_t count)
 {
-    dom_real mass = session_block_mass(session, domino[0].height, domino[0].thickness);
-    dom_real first = mass > 0 ? mass : 2 / (session->scale.g * domino[0].height), by = first / domino[0].mass;
+    domq_real mass = session_block_mass(session, domino[0].height, domino[0].thickness);
+    domq_real first = mass > 0 ? mass : 2 / (session->scale.g * domino[0].height),
+              by = first / domino[0].mass;
     for (size_t k = 0; k < count; k++)
         domino[k].mass *= by;
 }
@@ -284,26 +285,26 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
     if (listed->domino)
         memcpy(scene->domino, listed->domino, count * sizeof *scene->domino);
     else
-        dom_row_of_train(&session->train, &session->scale, 1, scene->domino, count);
+        domq_row_of_train(&session->train, &session->scale, 1, scene->domino, count);
     for (size_t i = 0; i < listed->changes; i++)
         scene->domino[listed->placed[i].k - 1].gap = listed->placed[i].gap;
     if (!listed->domino || !listed->weighed)
         row_weigh(session, scene->domino, count);
-    scene->row = (struct dom_row){
+    scene->row = (struct domq_row){
         .domino = scene->domino,
         .count = count,
         .g = session->scale.g,
-        .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOM_NAN,
+        .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOMQ_NAN,
         .mu = session->train.mu,
         .floor = effect[DOM_EFFECT_floor].on,
-        .tol = session->train.tol,
-        .precision = session->train.precision,
-        .interrupt = session->train.interrupt,
+        .tol = session->compute.tol,
+        .precision = session->compute.precision,
+        .interrupt = session->compute.interrupt,
     };
     return true;
 }
 
-bool scene_row_place(struct session *session, size_t k, dom_real gap)
+bool scene_row_place(struct session *session, size_t k, domq_real gap)
 {
     struct scene_row scene;
     struct listed_row *listed = &session->listed;

@@ -26,13 +26,13 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
  * place of its first argument.  False: an error was reported, and nothing has changed; but
  * a file that gives no row leaves none in force, nor what needs one, and the error says so.
  */
-bool effect_turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+bool effect_turn_on(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
                     const char *path);
 /*
  * The first value of an effect, which is on then, into a session that borrows its row: that is not given
  * back. effect_needs: is there what it says nothing without?  An error if not.
  */
-void effect_put(struct session *session, enum dom_effect_name name, dom_real value);
+void effect_put(struct session *session, enum dom_effect_name name, domq_real value);
 bool effect_needs(struct session *session, enum dom_effect_name name);
 
 bool effect_turn_off(struct session *session, enum dom_effect_name name);
@@ -56,8 +56,8 @@ void effects_save(const struct session *session, FILE *out);
  * unit that session_energy_unit names.
  */
 struct scene_row {
-    struct dom_row row;
-    struct dom_domino *domino;
+    struct domq_row row;
+    struct domq_domino *domino;
 };
 
 /* False: there is no row, or no memory, which was reported. */
@@ -67,6 +67,6 @@ bool scene_row_make(struct session *session, struct scene_row *row);
 bool scene_weighed(const struct session *session);
 
 /* Changes the gap before domino k, from 1, until another row is taken. */
-bool scene_row_place(struct session *session, size_t k, dom_real gap);
+bool scene_row_place(struct session *session, size_t k, domq_real gap);
 
 #endif

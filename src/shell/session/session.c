@@ -16,7 +16,7 @@ static const struct word angle_words[] = {{"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}
 static const struct word switch_words[] = {{"off", 0}, {"on", 1}, {NULL, 0}};
 
 /* So that 'show' says which. */
-#if defined DOM_REAL_FLOAT128
+#if defined DOMQ_REAL_FLOAT128
 #define QUAD_TYPE "__float128, 113 bits"
 #elif LDBL_MANT_DIG == 113
 #define QUAD_TYPE "long double, 113 bits"
@@ -47,17 +47,17 @@ static const char errors_help[] =
     "csv "
     "and json it is a column or key of its own, KEY_error. The values of 'print' have none.";
 
-static dom_real tol_default(const struct dom_arithmetic *arithmetic)
+static domq_real tol_default(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->tol_default;
 }
 
-static dom_real tol_floor(const struct dom_arithmetic *arithmetic)
+static domq_real tol_floor(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->tol_floor;
 }
 
-static dom_real digits_default(const struct dom_arithmetic *arithmetic)
+static domq_real digits_default(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->digits;
 }
@@ -75,9 +75,9 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
     {.name = #name_,                                                                                         \
      .unit = unit_,                                                                                          \
      .meaning = meaning_,                                                                                    \
-     .fallback = (dom_real)(default_),                                                                       \
-     .lowest = (dom_real)(lowest_),                                                                          \
-     .highest = (dom_real)(highest_),                                                                        \
+     .fallback = (domq_real)(default_),                                                                      \
+     .lowest = (domq_real)(lowest_),                                                                         \
+     .highest = (domq_real)(highest_),                                                                       \
      .offset = offsetof(struct session, member.name_),                                                       \
      MORE_##name_},
 #define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
@@ -90,7 +90,7 @@ static dom_real digits_default(const struct dom_arithmetic *arithmetic)
 
 /* clang-format off: to it the two lists, whose commas are their own, are no elements. */
 const struct parameter session_parameters[] = {
-    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER) DOM_SCALE_PARAMETERS(SCALE_NUMBER){
+    DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER) DOMQ_SCALE_PARAMETERS(SCALE_NUMBER){
         .name = "mass",
         .unit = "kg",
         .meaning = "mass of the first domino, 0 for none: energies are then in m g h/2",
@@ -103,13 +103,13 @@ const struct parameter session_parameters[] = {
      .offset = offsetof(struct session, density)},
     WORDS("fuel", train.fuel, fuel_words, DOM_FUEL_EXACT, false,
           "energy balance, or the paper's closed form of (c7)", NULL),
-    WORDS("precision", train.precision, precision_words, DOM_DOUBLE, false,
+    WORDS("precision", compute.precision, precision_words, DOM_DOUBLE, false,
           "arithmetic of the answers; quad is " QUAD_TYPE, precision_help),
     {.name = "seed",
      .unit = "",
      .meaning = "of random rows: the same seed, the same rows",
      .fallback = 1,
-     .highest = (dom_real)4294967295.0,
+     .highest = (domq_real)4294967295.0,
      .whole = true,
      .offset = offsetof(struct session, seed)},
     {.name = "threads",
@@ -143,7 +143,7 @@ enum { CARET_INDENT = 2 };
 
 void session_init(struct session *session, FILE *out)
 {
-    *session = (struct session){.train = dom_train_default(), .scale = dom_scale_default(), .out = out};
+    *session = (struct session){.train = domq_train_default(), .scale = domq_scale_default(), .out = out};
     session->style.digits = parameter_find("digits")->fallback;
     session->seed = parameter_find("seed")->fallback;
 }
@@ -175,14 +175,14 @@ void session_close(struct session *session)
     effects_reset(session);
 }
 
-dom_real session_block_mass(const struct session *session, dom_real height, dom_real thickness)
+domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness)
 {
     return session->mass > 0 ? session->mass : session->density * height * height * thickness / 2;
 }
 
-dom_real session_mass(const struct session *session)
+domq_real session_mass(const struct session *session)
 {
-    dom_real h = session->scale.h;
+    domq_real h = session->scale.h;
     return session_block_mass(session, h, session->train.d * h);
 }
 
@@ -302,12 +302,12 @@ struct range session_part(const struct session *session, size_t points)
 bool session_stops(const struct session *session, long errors)
 {
     return session->quit || ferror(session->out) || (session->bail && session->errors > errors) ||
-           dom_raised(session->train.interrupt);
+           dom_raised(session->compute.interrupt);
 }
 
 bool session_status(struct session *session, enum dom_status status)
 {
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     session->column = 0;
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY) /* no matter with which values */
         return session_error(session, "%s", dom_status_text(status));
@@ -345,28 +345,28 @@ const struct parameter *parameter_find(const char *name)
     return NULL;
 }
 
-dom_real parameter_get(const struct session *session, const struct parameter *p)
+domq_real parameter_get(const struct session *session, const struct parameter *p)
 {
     const char *place = (const char *)session + p->offset;
     if (!p->words_only)
-        return *(const dom_real *)(const void *)place;
+        return *(const domq_real *)(const void *)place;
     return *(const unsigned *)(const void *)place;
 }
 
-void parameter_put(struct session *session, const struct parameter *p, dom_real value)
+void parameter_put(struct session *session, const struct parameter *p, domq_real value)
 {
     char *place = (char *)session + p->offset;
     if (p->words_only)
         *(unsigned *)(void *)place = (unsigned)value;
     else
-        *(dom_real *)(void *)place = value;
+        *(domq_real *)(void *)place = value;
 }
 
 _Static_assert(sizeof(enum output) == sizeof(unsigned) && sizeof(enum dom_fuel) == sizeof(unsigned) &&
                    sizeof(enum angle) == sizeof(unsigned) && sizeof(enum dom_precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned");
 
-const char *parameter_word(const struct parameter *p, dom_real value)
+const char *parameter_word(const struct parameter *p, domq_real value)
 {
     for (const struct word *w = p->words; w && w->name; w++)
         if (w->value == value)
@@ -387,7 +387,7 @@ void parameter_range(const struct session *session, const struct parameter *p, c
     }
 }
 
-void parameter_text(const struct parameter *p, dom_real value, int digits, char *text, size_t size)
+void parameter_text(const struct parameter *p, domq_real value, int digits, char *text, size_t size)
 {
     char number[WIDE_TEXT];
     const char *word = p->words_only ? parameter_word(p, value) : NULL;
@@ -397,14 +397,14 @@ void parameter_text(const struct parameter *p, dom_real value, int digits, char 
                                      : quad_text(value, digits < 15 ? digits : 15, number));
 }
 
-dom_real parameter_fallback(const struct session *session, const struct parameter *p)
+domq_real parameter_fallback(const struct session *session, const struct parameter *p)
 {
-    return p->fallback_of ? p->fallback_of(dom_arithmetic(session->train.precision)) : p->fallback;
+    return p->fallback_of ? p->fallback_of(domq_arithmetic(session->compute.precision)) : p->fallback;
 }
 
-dom_real parameter_lowest(const struct session *session, const struct parameter *p)
+domq_real parameter_lowest(const struct session *session, const struct parameter *p)
 {
-    return p->lowest_of ? p->lowest_of(dom_arithmetic(session->train.precision)) : p->lowest;
+    return p->lowest_of ? p->lowest_of(domq_arithmetic(session->compute.precision)) : p->lowest;
 }
 
 const struct parameter *parameter_in_order(int k)
@@ -419,12 +419,12 @@ const struct parameter *parameter_in_order(int k)
 bool session_precision(struct session *session, enum dom_precision precision)
 {
     bool changed = false;
-    enum dom_precision before = session->train.precision;
+    enum dom_precision before = session->compute.precision;
     for (const struct parameter *p = session_parameters; p->name; p++) {
-        session->train.precision = before;
-        dom_real value = parameter_get(session, p), was = parameter_fallback(session, p);
-        session->train.precision = precision;
-        dom_real now = value == was ? parameter_fallback(session, p) : value;
+        session->compute.precision = before;
+        domq_real value = parameter_get(session, p), was = parameter_fallback(session, p);
+        session->compute.precision = precision;
+        domq_real now = value == was ? parameter_fallback(session, p) : value;
         if (p->lowest_of)
             now = quad_larger(now, parameter_lowest(session, p));
         if (p->fallback_of && now != value) {
@@ -438,19 +438,19 @@ bool session_precision(struct session *session, enum dom_precision precision)
 struct output_style session_style(const struct session *session)
 {
     struct output_style style = session->style;
-    int bits = dom_arithmetic(session->train.precision)->bits;
-    style.precision = session->train.precision;
+    int bits = domq_arithmetic(session->compute.precision)->bits;
+    style.precision = session->compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->train.tol) + (dom_real)1e-6), 1);
+    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }
 
-bool parameter_check(struct session *session, const struct parameter *p, dom_real value)
+bool parameter_check(struct session *session, const struct parameter *p, domq_real value)
 {
     char range[64];
-    const struct dom_arithmetic *arithmetic = dom_arithmetic(session->train.precision);
-    dom_real lowest = parameter_lowest(session, p);
+    const struct domq_arithmetic *arithmetic = domq_arithmetic(session->compute.precision);
+    domq_real lowest = parameter_lowest(session, p);
     parameter_range(session, p, range, sizeof range);
     if (p->whole && value != quad(floor)(value))
         return session_no_answer(session, "%s = %s is no whole number; %s is one in %s", p->name,
@@ -462,7 +462,7 @@ bool parameter_check(struct session *session, const struct parameter *p, dom_rea
         return session_no_answer(
             session, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
             quad_shown(value).text, arithmetic->name, p->name, range,
-            session->train.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
+            session->compute.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
     return session_no_answer(session, "%s = %s is out of range; %s is a number in %s%s%s%s", p->name,
                              quad_shown(value).text, p->name, range, *p->unit ? " " : "", p->unit,
                              p->words ? ", or one of its words" : "");

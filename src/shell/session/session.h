@@ -7,7 +7,7 @@
 #define SHELL_SESSION_H
 
 #include "answer/output.h"
-#include "domino.h"
+#include "domino_quad.h"
 #include "language/expression.h"
 #include "session/place.h"
 
@@ -18,7 +18,7 @@ enum { ANSWER_CELLS = 12, SOURCE_DEPTH = 16 };
 /* What the session asks of an effect. */
 struct effect_state {
     bool on;
-    dom_real value[DOM_EFFECT_ARGUMENTS];
+    domq_real value[DOM_EFFECT_ARGUMENTS];
 };
 
 /* The message of a session that is not to write it, and what it is about. */
@@ -36,24 +36,24 @@ struct shard {
 
 /* Dominoes that are listed in a file, and gaps that were changed since. */
 struct listed_row {
-    struct dom_domino *domino; /* NULL for none */
+    struct domq_domino *domino; /* NULL for none */
     size_t count;
     bool weighed; /* masses are in kg; else they are relative */
     char *path;
     struct placed {
         size_t k; /* from 1 */
-        dom_real gap;
+        domq_real gap;
     } * placed;
     size_t changes;
 };
 
 struct session {
-    struct dom_train train;
-    struct dom_scale scale;
-    dom_real mass, density;    /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
+    struct domq_train train;
+    struct domq_scale scale;
+    domq_real mass, density;   /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
     struct output_style style; /* output, digits, angle */
     unsigned timing;
-    dom_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
+    domq_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
     struct effect_state effect[DOM_EFFECT_COUNT];
     struct listed_row listed; /* the row, where it is not counted */
     struct walk walk;
@@ -100,8 +100,8 @@ void listed_free(struct listed_row *row);
 
 /* The mass of the first domino in kg; 0 where it is not known.  As a block of these sizes in m, or as h and d
  * say. */
-dom_real session_block_mass(const struct session *session, dom_real height, dom_real thickness);
-dom_real session_mass(const struct session *session);
+domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness);
+domq_real session_mass(const struct session *session);
 
 /* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
 bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -133,19 +133,19 @@ bool session_status(struct session *session, enum dom_status status);
 /* A name for a value: hollow = 3, exact = 0. */
 struct word {
     const char *name;
-    dom_real value;
+    domq_real value;
 };
 
 struct parameter {
     const char *name, *unit, *meaning;
     const char *help; /* more, or NULL */
-    dom_real fallback, lowest, highest;
+    domq_real fallback, lowest, highest;
     const struct word *words; /* names for some values; NULL for none */
     bool words_only;          /* stored as an unsigned */
     bool whole;               /* a whole number */
     /* Of the arithmetic of the session's precision, where the default or the lowest value depends on it. */
-    dom_real (*fallback_of)(const struct dom_arithmetic *arithmetic);
-    dom_real (*lowest_of)(const struct dom_arithmetic *arithmetic);
+    domq_real (*fallback_of)(const struct domq_arithmetic *arithmetic);
+    domq_real (*lowest_of)(const struct domq_arithmetic *arithmetic);
     size_t offset; /* in struct session */
     bool setting;  /* of the calculator rather than of the model: a plain reset keeps it */
 };
@@ -158,12 +158,12 @@ const char *parameter_names(const void *context, int k);
 const char *parameter_words(const void *parameter, int k);
 
 const struct parameter *parameter_find(const char *name);
-dom_real parameter_get(const struct session *session, const struct parameter *parameter);
-void parameter_put(struct session *session, const struct parameter *parameter, dom_real value);
+domq_real parameter_get(const struct session *session, const struct parameter *parameter);
+void parameter_put(struct session *session, const struct parameter *parameter, domq_real value);
 
 /* The default, and the lowest value, at the session's precision. */
-dom_real parameter_fallback(const struct session *session, const struct parameter *parameter);
-dom_real parameter_lowest(const struct session *session, const struct parameter *parameter);
+domq_real parameter_fallback(const struct session *session, const struct parameter *parameter);
+domq_real parameter_lowest(const struct session *session, const struct parameter *parameter);
 
 /* The parameters in an order in which 'set' can take them: first how answers are written, then words, since
  * precision rules the floor of tol, then numbers.  NULL after the last. */
@@ -179,16 +179,16 @@ struct output_style session_style(const struct session *session);
 bool session_precision(struct session *session, enum dom_precision precision);
 
 /* Is the value in the range?  What is wrong is an error of the session. */
-bool parameter_check(struct session *session, const struct parameter *parameter, dom_real value);
+bool parameter_check(struct session *session, const struct parameter *parameter, domq_real value);
 
 /* The name of a value that has one, else NULL. */
-const char *parameter_word(const struct parameter *parameter, dom_real value);
+const char *parameter_word(const struct parameter *parameter, domq_real value);
 
 /* "1e-12 .. 1", or "exact|paper". */
 void parameter_range(const struct session *session, const struct parameter *parameter, char *text,
                      size_t size);
 
 /* The value as 'set' would take it back. */
-void parameter_text(const struct parameter *parameter, dom_real value, int digits, char *text, size_t size);
+void parameter_text(const struct parameter *parameter, domq_real value, int digits, char *text, size_t size);
 
 #endif
