@@ -67,7 +67,7 @@ static void cost_say(const struct call *call, const struct cost *cost, const str
 
 bool cost_of(struct session *session, const struct costed *answer, struct cost *cost)
 {
-    enum dom_status status = cost_measure(answer, &session->train, cost);
+    enum dom_status status = cost_measure(answer, &session->train, &session->compute, cost);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
         return session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
     return status == DOM_OK || session_status(session, status);

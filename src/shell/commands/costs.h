@@ -8,10 +8,11 @@
 
 #include "domino_quad.h"
 
-/* An answer that has a tolerance: one number, and unless error is NULL the bound of its error. */
+/* An answer that has a tolerance: one number, and the bound of its error. */
 struct costed {
     const char *name, *says;
-    enum dom_status (*ask)(const struct domq_train *train, domq_real *value, domq_real *error);
+    enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute,
+                           struct domq_value *answer);
 };
 
 /* Ends with a NULL name. */
@@ -40,7 +41,8 @@ struct cost {
 };
 
 /* Fills cost; not DOM_OK where the answer does not exist, or after an interrupt. */
-enum dom_status cost_measure(const struct costed *answer, const struct domq_train *train, struct cost *cost);
+enum dom_status cost_measure(const struct costed *answer, const struct domq_train *train,
+                             const struct domq_compute *compute, struct cost *cost);
 
 /* The same for the session's train; false: what is wrong was reported. */
 struct session;

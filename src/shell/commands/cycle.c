@@ -149,15 +149,15 @@ enum { REASON_SIZE = 160 };
 /* "the train stops at theta = ..., below the barrier", into reason. */
 static const char *stop_reason(const struct session *session, char *reason, size_t size)
 {
-    domq_real stop;
+    struct domq_value stop;
     char text[WIDE_TEXT];
     struct output_style style = session_style(session);
     int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
-    if (domq_cycle_stop(&session->train, &session->compute, &stop) == DOM_OK && isfinite(stop))
+    if (domq_cycle_stop(&session->train, &session->compute, &stop) == DOM_OK && isfinite(stop.value))
         snprintf(
             reason, size,
             "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %s %s",
-            quad_text(style_angle(&style, stop), digits, text), style_angle_unit(&style));
+            quad_text(style_angle(&style, stop.value), digits, text), style_angle_unit(&style));
     else
         snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
     return reason;
@@ -214,13 +214,16 @@ static const struct column omega_columns[] = {
 static bool run_omega(struct session *session, const struct call *call)
 {
     const struct domq_compute compute = session_compute(session);
-    domq_real theta = call->number[0], omegasq, e = 0;
+    domq_real theta = call->number[0];
+    struct domq_value omegasq;
     char reason[REASON_SIZE];
     enum dom_status status = domq_cycle_omegasq(&session->train, &compute, theta, &omegasq);
     if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer, ROW(cell_real(theta), cell_bound(omegasq, e), cell_omega(omegasq, e, tau)),
+    answer_row(call->answer,
+               ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
+                   cell_omega(omegasq.value, omegasq.error, tau)),
                no_cycle(session, status, reason));
     return true;
 }
@@ -265,16 +268,18 @@ static const struct column duration_columns[] = {
 static bool run_duration(struct session *session, const struct call *call)
 {
     const struct domq_compute compute = session_compute(session);
-    domq_real duration = DOMQ_NAN, e = 0, tau = domq_scale_tau(&session->scale, session->train.d);
+    struct domq_value duration = {.value = DOMQ_NAN};
+    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
     char reason[REASON_SIZE];
     enum dom_status status = domq_cycle_duration(&session->train, &compute, &duration);
     const char *why = no_cycle(session, status, reason);
     if (status != DOM_OK && !why)
         return session_status(session, status);
-    domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&session->scale, &session->train, duration);
+    domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&session->scale, &session->train, duration.value);
     answer_row(call->answer,
-               ROW(cell_bound(duration, e), cell_real(tau), cell_bound(duration * tau, e * tau),
-                   cell_bound(speed, speed * e / duration)),
+               ROW(cell_bound(duration.value, duration.error), cell_real(tau),
+                   cell_bound(duration.value * tau, duration.error * tau),
+                   cell_bound(speed, speed * duration.error / duration.value)),
                why);
     return true;
 }

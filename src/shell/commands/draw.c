@@ -302,19 +302,19 @@ static bool run_draw(struct session *session, const struct call *call)
     bool word = call->count > 0 && !forces_follow(call->number[0]), forces = word || call->count > 1;
     /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
     const struct walk *walk = call->count == 0 || word ? walk_now(session) : NULL;
-    const struct domq_train *train = walk ? &walk->train : &session->train;
+    const struct domq_compute *compute = walk ? &walk->compute : &session->compute;
     domq_real theta = walk ? walk->theta : call->count > 0 && !word ? call->number[0] : 0;
     if (word && call->count > 1)
         return session_error(session, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
     bool people = answer_for_people(call->answer);
     if (!walk && !picture_comes_to(session, theta))
         return false;
-    enum dom_status status = scene_make(train, theta, 0, &scene);
+    enum dom_status status = scene_make(&session->train, compute, theta, 0, &scene);
     if (status != DOM_OK)
         return session_status(session, status);
     /* Data has forces where there are any; the margin may be too small for them. */
     if (forces || !people)
-        status = scene_forces(train, theta, &scene);
+        status = scene_forces(&session->train, compute, theta, &scene);
     if (status != DOM_OK && forces)
         return session_status(session, status);
     if (!people)

@@ -62,21 +62,19 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
     struct domq_barrier barrier;
     struct domq_verdict verdict;
     struct domq_study study;
+    struct domq_compute compute = scene->compute;
+    compute.work = work;
     if (scene->effect[DOM_EFFECT_row].on) {
-        struct domq_row asked = row->row;
-        asked.work = work;
         const struct effect_state *errors = &scene->effect[DOM_EFFECT_placement];
         if (!errors->on)
-            return domq_row_run(&asked, &compute, false, NULL, NULL, &verdict);
+            return domq_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
         struct domq_placement p = {
             .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1, .threads = 1};
-        return domq_placement_study(&asked, &compute, &p, &study, NULL);
+        return domq_placement_study(&row->row, &compute, &p, &study, NULL);
     }
-    struct domq_train train = scene->train;
-    compute.work = work;
-    enum dom_status status = domq_barrier_find(&train, &compute, &barrier);
+    enum dom_status status = domq_barrier_find(&scene->train, &compute, &barrier);
     if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
-        status = domq_cycle_floor(&train, &compute, &floor);
+        status = domq_cycle_floor(&scene->train, &compute, &floor);
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
@@ -297,7 +295,8 @@ static bool run_scene(struct session *session, const struct call *call)
                      domq_effect((enum dom_effect_name)k)->plan, 0,
                      k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
     answer_say(a, "%zu passes down the %s give its verdict at tol = %g in %s precision.", work.passes,
-               is_row ? "row" : "train", (double)t->tol, domq_arithmetic(t->precision)->name);
+               is_row ? "row" : "train", (double)session->compute.tol,
+               domq_arithmetic(session->compute.precision)->name);
     return true;
 }
 

@@ -18,7 +18,7 @@ static const char *energy_unit(const struct session *session)
 
 bool row_status(struct session *session, enum dom_status status)
 {
-    if (status != DOM_BAD_PARAMETER)
+    if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return session_status(session, status);
     return session_no_answer(
         session,

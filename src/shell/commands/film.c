@@ -15,6 +15,7 @@ enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, FRAMES_WIDTH = 900, CYCLES_MOST = 30
 /* The cycles one after the other, lengths in heights of the first head, times in its tau. */
 struct film {
     struct domq_train train;
+    struct domq_compute compute;
     int cycles, frames;
     double r, d, pitch, duration, step; /* duration of the first cycle; step from frame to frame */
     double left, right, top, tau;       /* tau of the first head in s */
@@ -67,11 +68,11 @@ static bool film_make(struct session *session, const struct call *call, struct f
 {
     struct domq_event events[DOM_EVENTS_MAX];
     int count = 0;
-    *film = (struct film){.train = session->train};
-    struct domq_train *t = &film->train;
+    *film = (struct film){.train = session->train, .compute = session->compute};
+    const struct domq_train *t = &film->train;
     /* More than that no eye sees. */
-    t->precision = DOM_DOUBLE;
-    t->tol = FILM_TOL;
+    film->compute.precision = DOM_DOUBLE;
+    film->compute.tol = FILM_TOL;
     film->r = (double)t->r;
     film->d = (double)t->d;
     film->pitch = (double)(t->s + t->d);
@@ -79,7 +80,7 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->cycles = film_cycles(film->r);
     if (call->count > 1)
         film->cycles = (int)call->number[1];
-    enum dom_status status = domq_cycle_events(t, compute, events, &count);
+    enum dom_status status = domq_cycle_events(t, &film->compute, events, &count);
     if (status == DOM_NO_MARGIN)
         return session_error(session,
                              "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "
@@ -155,7 +156,7 @@ static bool film_script(struct session *session, const struct film *film, FILE *
         enum dom_status status = frame_tilt(film, frame, &m, &theta);
         double behind = (m.place.shift - film->left) / m.place.scale + 0.1;
         if (status == DOM_OK)
-            status = scene_make(&film->train, theta, behind, &scene);
+            status = scene_make(&film->train, &film->compute, theta, behind, &scene);
         progress_show(&progress, status == DOM_OK ? (frame + 1.0) / (film->frames + 1) : 1);
         if (status != DOM_OK)
             return session_status(session, status);

@@ -19,37 +19,26 @@ static const char no_growth_stops[] =
 
 static const char no_growth_locks[] = "no growth possible: friction locks already equal dominoes (r = 1)";
 
-static const char *no_growth(struct domq_limit limit, enum dom_status why)
+static const char *no_growth(struct domq_limit limit)
 {
     if (limit.ends != DOM_END_NONE)
         return NULL;
-    return why == DOM_NO_FUEL ? no_growth_fuel : why == DOM_LOCKS ? no_growth_locks : no_growth_stops;
+    return limit.why == DOM_NO_FUEL ? no_growth_fuel
+           : limit.why == DOM_LOCKS ? no_growth_locks
+                                    : no_growth_stops;
 }
 
-/* A limit with the bound of its error. */
-struct bounded {
-    struct domq_limit is, error;
-};
-
-static struct cell cell_limit(const struct bounded *limit)
+/* Finds the limits with either fuel; with friction there is none with the paper's. */
+static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
+                                   struct domq_limit *exact, struct domq_limit *paper)
 {
-    return cell_bound(limit->is.r_max, limit->error.r_max);
-}
-
-static enum dom_status limit_with(bool errors, struct domq_train train, enum dom_fuel fuel,
-                                  struct bounded *limit, enum dom_status *why)
-{
-    train.fuel = fuel;
-    limit->error.r_max = 0;
-    return domq_limit_rmax(&train, &compute, &limit->is);
-}
-
-/* With the paper's fuel, which knows no friction. */
-static enum dom_status limit_paper(bool errors, struct domq_train train, struct bounded *limit,
-                                   enum dom_status *why)
-{
-    *limit = (struct bounded){.is = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE}};
-    return train.mu > 0 ? DOM_OK : limit_with(errors, train, DOM_FUEL_PAPER, limit, why);
+    train.fuel = DOM_FUEL_EXACT;
+    enum dom_status status = domq_limit_rmax(&train, compute, exact);
+    if (status != DOM_OK)
+        return status;
+    *paper = (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why};
+    train.fuel = DOM_FUEL_PAPER;
+    return train.mu > 0 ? DOM_OK : domq_limit_rmax(&train, compute, paper);
 }
 
 static const struct column rmax_columns[] = {
@@ -63,27 +52,25 @@ static const struct column rmax_columns[] = {
 
 static bool run_rmax(struct session *session, const struct call *call)
 {
+    const struct domq_compute compute = session_compute(session);
     struct domq_train train = session->train;
-    struct bounded exact, paper;
-    enum dom_status why = DOM_OK;
+    struct domq_limit exact, paper;
     train.s = argument_or(call, 0, train.s);
-    enum dom_status status = limit_with(session->style.errors, train, DOM_FUEL_EXACT, &exact, &why);
-    if (status == DOM_OK)
-        status = limit_paper(session->style.errors, train, &paper, &why);
+    enum dom_status status = limits_find(train, &compute, &exact, &paper);
     if (status != DOM_OK)
         return session_status(session, status);
-    struct bounded used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     answer_row(call->answer,
-               ROW(cell_real(train.s), cell_limit(&used), cell_word(dom_end_text(used.is.ends)),
-                   cell_limit(&exact), cell_limit(&paper)),
-               no_growth(used.is, why));
+               ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
+                   CELL_OF(exact, r_max), CELL_OF(paper, r_max)),
+               no_growth(used));
     if (train.mu > 0)
         answer_say(call->answer,
                    "with friction %.6g between dominoes; the paper's closed form of the fuel knows none",
                    (double)train.mu);
-    else if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
+    else if (used.ends != DOM_END_NONE && exact.r_max == paper.r_max)
         answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
-    else if (used.is.ends != DOM_END_NONE)
+    else if (used.ends != DOM_END_NONE)
         answer_say(call->answer,
                    "they differ since (c7)'s closed form of the fuel leaves out the weights r^(-q i)");
     return true;
@@ -98,17 +85,18 @@ static const struct column pair_columns[] = {
 
 static bool run_pair(struct session *session, const struct call *call)
 {
+    const struct domq_compute compute = session_compute(session);
     struct domq_train train = session->train;
-    struct bounded limit = {.error = {.r_max = 0}};
+    struct domq_limit limit;
     train.s = argument_or(call, 0, train.s);
-    enum dom_status status = domq_limit_pair(&train, &compute, &limit.is);
+    enum dom_status status = domq_limit_pair(&train, &compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
     answer_row(
-        call->answer, ROW(cell_real(train.s), cell_limit(&limit), cell_word(dom_end_text(limit.is.ends))),
-        limit.is.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
-                                        "the next one at this s and d"
-                                      : NULL);
+        call->answer, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
+        limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
+                                     "the next one at this s and d"
+                                   : NULL);
     return true;
 }
 
@@ -144,8 +132,8 @@ static const struct column curve_columns[] = {
 /* A worker's; the first four are the same for all. */
 struct curve {
     domq_real from, to, n;
-    bool errors;
     struct domq_train train;
+    struct domq_compute compute;
     struct answer answer;
     bool gaps;
     enum dom_status status; /* of the point that ended it */
@@ -154,22 +142,20 @@ struct curve {
 static bool curve_point(void *own, size_t k, FILE *out)
 {
     struct curve *c = own;
-    struct bounded exact, paper, pair = {.error = {.r_max = 0}};
+    struct domq_limit exact, paper, pair;
     struct answer a = answer_part(&c->answer, out, k == 0);
     domq_real f = c->n > 1 ? (domq_real)k / (c->n - 1) : 0;
     c->train.s = (1 - f) * c->from + f * c->to;
-    c->status = limit_with(c->errors, c->train, DOM_FUEL_EXACT, &exact, NULL);
+    c->status = limits_find(c->train, &c->compute, &exact, &paper);
     if (c->status == DOM_OK)
-        c->status = limit_paper(c->errors, c->train, &paper, NULL);
-    if (c->status == DOM_OK)
-        c->status = domq_limit_pair(&c->train, &compute, &pair.is);
+        c->status = domq_limit_pair(&c->train, &c->compute, &pair);
     if (c->status != DOM_OK)
         return false;
     answer_row(&a,
-               ROW(cell_real(c->train.s), cell_limit(&exact), cell_limit(&paper), cell_limit(&pair),
+               ROW(cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max), CELL_OF(pair, r_max),
                    cell_real(1 / c->train.s)),
                NULL);
-    c->gaps = c->gaps || exact.is.ends == DOM_END_NONE || pair.is.ends == DOM_END_NONE;
+    c->gaps = c->gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
 
@@ -184,8 +170,8 @@ static bool run_curve(struct session *session, const struct call *call)
     struct curve c = {.from = call->number[0],
                       .to = call->number[1],
                       .n = call->number[2],
-                      .errors = session->style.errors,
-                      .train = session->train};
+                      .train = session->train,
+                      .compute = session_compute(session)};
     struct answer *a = call->answer;
     struct cell number = cell_real(0);
     bool by_point;
@@ -226,7 +212,8 @@ static const char *mass_name(domq_real q, char name[32])
 }
 
 /* Whether a train goes on; why is the reason where it does not. */
-static enum dom_status count_feasible(const struct domq_train *train, bool *feasible, const char **why)
+static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
+                                      bool *feasible, const char **why)
 {
     struct domq_barrier barrier;
     enum dom_status status = domq_barrier_find(train, compute, &barrier);
@@ -249,16 +236,16 @@ static bool count_kind(struct session *session, const struct call *call, struct 
     char name[32], number[WIDE_TEXT], said[96] = "no number of them gets there";
     bool feasible;
     const char *why;
-    enum dom_status status = count_feasible(&train, &feasible, &why);
+    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
     if (status == DOM_OK)
-        status = domq_limit_rmax(&train, &compute, &limit);
+        status = domq_limit_rmax(&train, &session->compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
     if (limit.ends == DOM_END_NONE) {
         answer_say(call->answer, "  %-8s no; not even equal ones keep falling", mass_name(train.q, name));
         return true;
     }
-    if (domq_count_find(session->scale.h, height, limit.r_max, &compute, &count) == DOM_OK &&
+    if (domq_count_find(session->scale.h, height, limit.r_max, &session->compute, &count) == DOM_OK &&
         isfinite(count.dominoes))
         snprintf(said, sizeof said, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
                  count.dominoes == 1 ? "" : "es");
@@ -300,7 +287,7 @@ static bool run_count(struct session *session, const struct call *call)
                                  "in %s precision",
                                  quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
                                  domq_arithmetic(compute.precision)->name);
-    enum dom_status status = count_feasible(&train, &feasible, &why);
+    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
     if (status != DOM_OK)
         return session_status(session, status);
 

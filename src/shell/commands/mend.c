@@ -136,7 +136,7 @@ static bool falls_pushed(struct scene_row *scene, domq_real push, enum dom_statu
     struct domq_row pushed = scene->row;
     pushed.push = push;
     if (*status == DOM_OK)
-        *status = domq_row_run(&pushed, &compute, false, NULL, NULL, &v);
+        *status = domq_row_run(&pushed, &scene->compute, false, NULL, NULL, &v);
     return *status == DOM_OK && v.end == DOM_ROW_FALLS;
 }
 

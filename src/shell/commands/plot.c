@@ -125,8 +125,8 @@ struct limit_table {
     domq_real s[SAMPLES], r[SAMPLES][LIMIT_CURVES];
 };
 
-static enum dom_status limit_point(struct domq_train train, const struct limit_curve *curve, domq_real s,
-                                   domq_real *r)
+static enum dom_status limit_point(struct domq_train train, const struct domq_compute *compute,
+                                   const struct limit_curve *curve, domq_real s, domq_real *r)
 {
     struct domq_limit limit;
     train.s = s;
@@ -137,7 +137,7 @@ static enum dom_status limit_point(struct domq_train train, const struct limit_c
     if (train.mu > 0 && train.fuel == DOM_FUEL_PAPER) /* which knows no friction */
         return DOM_OK;
     enum dom_status status =
-        curve->pair ? domq_limit_pair(&train, &compute, &limit) : domq_limit_rmax(&train, &compute, &limit);
+        curve->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);
     *r = status == DOM_OK && limit.ends != DOM_END_NONE ? limit.r_max : DOMQ_NAN;
     return status;
 }
@@ -149,7 +149,7 @@ static bool limits_find(struct session *session, const struct limit_curve *curve
         enum dom_status status = DOM_OK;
         table->s[k] = S_LOW + (domq_real)k * S_STEP;
         for (int c = 0; c < LIMIT_CURVES && status == DOM_OK; c++)
-            status = limit_point(session->train, &curves[c], table->s[k], &table->r[k][c]);
+            status = limit_point(session->train, &session->compute, &curves[c], table->s[k], &table->r[k][c]);
         progress_show(&progress, status == DOM_OK ? (k + 1.0) / SAMPLES : 1);
         if (status != DOM_OK)
             return session_status(session, status);

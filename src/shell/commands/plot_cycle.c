@@ -62,19 +62,20 @@ static void tilts_make(struct cycle_samples *c)
     }
 }
 
-static enum dom_status sample_find(const struct domq_train *train, bool beyond, struct sample *k)
+static enum dom_status sample_find(const struct session *session, bool beyond, struct sample *k)
 {
     struct domq_energy energy;
-    enum dom_status status = domq_energy_find(train, compute, k->theta, &energy);
+    struct domq_value omegasq = {.value = DOMQ_NAN};
+    enum dom_status status = domq_energy_find(&session->train, &session->compute, k->theta, &energy);
     if (status != DOM_OK)
         return status;
     k->dH = energy.dH;
     k->J = energy.J;
-    k->omegasq = DOMQ_NAN;
     if (k->event && strcmp(k->event, "stop") == 0)
-        k->omegasq = 0;
+        omegasq.value = 0;
     else if (!beyond)
-        status = domq_cycle_omegasq(train, compute, k->theta, &k->omegasq);
+        status = domq_cycle_omegasq(&session->train, &session->compute, k->theta, &omegasq);
+    k->omegasq = omegasq.value;
     return status == DOM_STOPS ? DOM_OK : status;
 }
 
@@ -86,7 +87,7 @@ static bool samples_find(struct session *session, struct cycle_samples *c)
     tilts_make(c);
     domq_real end = c->events[c->event_count - 1].theta;
     for (int k = 0; k < c->count; k++) {
-        enum dom_status status = sample_find(&session->train, c->at[k].theta > end, &c->at[k]);
+        enum dom_status status = sample_find(session, c->at[k].theta > end, &c->at[k]);
         progress_show(&progress, status == DOM_OK ? (k + 1.0) / c->count : 1);
         if (status != DOM_OK)
             return session_status(session, status);
@@ -241,22 +242,22 @@ static bool angles_link(const struct domq_link *link, void *context)
 }
 
 /* One that is too light to matter, or has fallen off, is at theta_f. */
-static enum dom_status angles_find(const struct domq_train *train, domq_real theta, domq_real theta_f,
+static enum dom_status angles_find(const struct session *session, domq_real theta, domq_real theta_f,
                                    struct angles *a)
 {
     a->count = 0;
-    enum dom_status status = domq_chain_walk(train, compute, theta, angles_link, a);
+    enum dom_status status = domq_chain_walk(&session->train, &session->compute, theta, angles_link, a);
     while (a->count < LINES)
         a->theta[a->count++] = theta_f;
     return status;
 }
 
 /* As many as begin apart from theta_f. */
-static enum dom_status lines_count(const struct domq_train *train, const struct domq_angles *angles,
+static enum dom_status lines_count(const struct session *session, const struct domq_angles *angles,
                                    int *lines)
 {
     struct angles a;
-    enum dom_status status = angles_find(train, 0, angles->theta_f, &a);
+    enum dom_status status = angles_find(session, 0, angles->theta_f, &a);
     *lines = 1;
     while (*lines < LINES && angles->theta_f - a.theta[*lines] > LINES_APART * angles->theta_f)
         ++*lines;
@@ -268,7 +269,7 @@ static bool chain_rows(struct session *session, struct answer *answer, const str
 {
     for (int k = 0; k < c->count; k++) {
         struct angles a;
-        enum dom_status status = angles_find(&session->train, c->at[k].theta, angles->theta_f, &a);
+        enum dom_status status = angles_find(session, c->at[k].theta, angles->theta_f, &a);
         if (status != DOM_OK)
             return session_status(session, status);
         for (int i = 0; i < lines; i++)
@@ -291,7 +292,7 @@ static bool chain_script(const struct picture *picture, struct session *session,
             "<< END\n",
             picture->theta, style_angle_unit(&session->style), 1.02 * shown_angle(session, angles->theta_f));
     for (int k = 0; k < c->count; k++) {
-        enum dom_status status = angles_find(&session->train, c->at[k].theta, angles->theta_f, &a);
+        enum dom_status status = angles_find(session, c->at[k].theta, angles->theta_f, &a);
         if (status != DOM_OK)
             return session_status(session, status);
         fprintf(out, "%.8g", shown_angle(session, c->at[k].theta));
@@ -322,7 +323,7 @@ bool plot_chain(struct session *session, const struct call *call)
         return people && picture_drop(&picture);
     enum dom_status status = domq_angles_find(&session->train, &session->compute, &angles);
     if (status == DOM_OK)
-        status = lines_count(&session->train, &angles, &lines);
+        status = lines_count(session, &angles, &lines);
     if (status != DOM_OK) {
         session_status(session, status);
         return people && picture_drop(&picture);

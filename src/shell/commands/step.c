@@ -39,7 +39,8 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
         return true;
     if (w->count > 0)
         answer_say(answer, "The parameters have changed: the walk begins anew.");
-    *w = (struct walk){.train = session->train, .asked = session->train, .cycle = 1};
+    *w = (struct walk){
+        .train = session->train, .compute = session->compute, .tol = session->compute.tol, .cycle = 1};
     /* Its sentences have six digits: they are to be right at any tolerance. */
     w->compute.tol = quad_smaller(
         w->compute.tol, quad_larger(domq_arithmetic(w->compute.precision)->tol_floor, (domq_real)1e-9));
@@ -51,11 +52,12 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
 
 static bool walk_answer(struct session *session, const struct call *call, bool words)
 {
-    const struct domq_compute compute = session_compute(session);
     const struct walk *w = &session->walk;
     struct column room[COLUMNS_ROOM];
     struct answer *a = call->answer;
     struct domq_state s;
+    struct domq_compute compute = w->compute;
+    compute.errors = session->style.errors;
     a->columns = w->train.mu > 0 ? rubbing_columns : walk_columns;
     if (w->verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOMQ_NAN);

@@ -101,11 +101,11 @@ static void checksum_add(uint32_t *sum, domq_real value)
         *sum = (*sum ^ bytes[i]) * 16777619u;
 }
 
-static uint32_t scene_checksum(const struct domq_row *row)
+static uint32_t scene_checksum(const struct domq_row *row, const struct domq_compute *compute)
 {
     uint32_t sum = 2166136261u;
-    const domq_real all[] = {row->g, isnan(row->push) ? -1 : row->push, row->mu, row->tol,
-                             (domq_real)row->precision};
+    const domq_real all[] = {row->g, isnan(row->push) ? -1 : row->push, row->mu, compute->tol,
+                             (domq_real)compute->precision};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);
     for (size_t k = 0; k < row->count; k++) {
@@ -117,9 +117,10 @@ static uint32_t scene_checksum(const struct domq_row *row)
     return sum;
 }
 
-/* A worker's; the first five are the same for all. */
+/* A worker's; the first six are the same for all. */
 struct blocks {
     const struct domq_row *row;
+    const struct domq_compute *compute;
     const struct domq_placement *placement; /* of all rows */
     char scene[16];
     const struct column *columns;
@@ -169,10 +170,10 @@ bool study_blocks(struct session *session, const struct call *call, const struct
                   const struct domq_placement *placement)
 {
     struct answer *a = call->answer;
-    struct blocks b = {.row = &scene->row, .placement = placement};
+    struct blocks b = {.row = &scene->row, .compute = &scene->compute, .placement = placement};
     bool by_point;
     const struct column *own = a->columns;
-    snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row));
+    snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row, &scene->compute));
     a->columns = block_columns;
     a->rows = true;
     a->style.errors = false; /* counts have none */

@@ -26,17 +26,20 @@ struct walk_units walk_units(const struct session *session, int cycle)
     };
 }
 
-/* Compares everything that an answer depends on. */
-static bool same_train(const struct domq_train *a, const struct domq_train *b)
+/* Compares everything that an answer depends on with what the session had when the walk began. */
+static bool same_train(const struct walk *walk, const struct session *session)
 {
-    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->tol == b->tol &&
-           a->precision == b->precision && a->fuel == b->fuel && a->method == b->method && a->mu == b->mu;
+    const struct domq_train *a = &walk->train, *b = &session->train;
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->fuel == b->fuel &&
+           a->mu == b->mu && walk->tol == session->compute.tol &&
+           walk->compute.precision == session->compute.precision &&
+           walk->compute.method == session->compute.method;
 }
 
 const struct walk *walk_now(const struct session *session)
 {
     const struct walk *walk = &session->walk;
-    return walk->count > 0 && same_train(&walk->asked, &session->train) ? walk : NULL;
+    return walk->count > 0 && same_train(walk, session) ? walk : NULL;
 }
 
 const char walk_no_start[] =

@@ -138,8 +138,12 @@ void command_run_text(struct session *session, const char *text);
 /* omega from tau^2 omega^2 and the bound of that; at rest the bound is that of a root near 0. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
-/* Where a function is to put the bounds of its errors: nowhere, unless the session asks for them. */
-#define ERROR_OF(session, error) ((session)->style.errors ? &(error) : NULL)
+/* The cell of a member of a result, with the bound of its error. */
+#define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
+
+/* The same in another unit: both times a factor. */
+#define CELL_TIMES(result, member, factor)                                                                   \
+    cell_bound((result).member *(factor), (result).error.member *(factor))
 
 #define ROW(...) ((const struct cell[]){__VA_ARGS__})
 

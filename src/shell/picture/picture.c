@@ -130,7 +130,7 @@ bool picture_animation(struct session *session, struct picture *picture, FILE *o
 
 bool picture_comes_to(struct session *session, domq_real theta)
 {
-    domq_real omegasq, stop = DOMQ_NAN;
+    struct domq_value omegasq, stop = {.value = DOMQ_NAN};
     const struct output_style *style = &session->style;
     enum dom_status status = domq_cycle_omegasq(&session->train, &session->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
@@ -142,12 +142,12 @@ bool picture_comes_to(struct session *session, domq_real theta)
     if (status != DOM_OK)
         return session_status(session, status);
     /* As it was answered, with 10 digits, the end may have been rounded up. */
-    if (stop < theta * (1 - (domq_real)1e-9))
+    if (stop.value < theta * (1 - (domq_real)1e-9))
         return session_error(session,
                              "the train does not come to T = %.10g %s: it stops at %.10g %s, below the "
                              "barrier",
                              (double)style_angle(style, theta), style_angle_unit(style),
-                             (double)style_angle(style, stop), style_angle_unit(style));
+                             (double)style_angle(style, stop.value), style_angle_unit(style));
     return true;
 }
 

@@ -62,14 +62,14 @@ static bool scene_link(const struct domq_link *link, void *context)
     return !scene_full(f->scene);
 }
 
-enum dom_status scene_make(const struct domq_train *train, domq_real theta, double behind,
-                           struct scene *scene)
+enum dom_status scene_make(const struct domq_train *train, const struct domq_compute *compute,
+                           domq_real theta, double behind, struct scene *scene)
 {
-    struct domq_train fine = *train;
+    struct domq_compute fine = *compute;
     struct domq_angles angles;
     struct filling f = {.scene = scene, .s = (double)train->s, .r = (double)train->r, .d = (double)train->d};
     double pitch = (f.s + f.d) * f.r;
-    fine.tol = domq_arithmetic(train->precision)->tol_floor; /* what is light is not always small */
+    fine.tol = domq_arithmetic(fine.precision)->tol_floor; /* what is light is not always small */
     scene->top = 1.04 * (f.r < TALLEST ? f.r : TALLEST);
     scene->right = pitch + 0.12 * scene->top;
     scene->left = behind > 0 ? -behind : scene->right - WIDEST * scene->top;
@@ -78,7 +78,7 @@ enum dom_status scene_make(const struct domq_train *train, domq_real theta, doub
     scene->domino[0] = drawn_at(-1, f.r, pitch, 0, f.d);
     enum dom_status status = domq_angles_find(train, compute, &angles);
     if (status == DOM_OK)
-        status = domq_chain_walk(&fine, &compute, theta, scene_link, &f);
+        status = domq_chain_walk(train, &fine, theta, scene_link, &f);
     if (status != DOM_OK)
         return status;
     while (!scene_full(scene)) {
@@ -107,7 +107,8 @@ static bool scene_force(const struct domq_force *f, void *context)
     return true;
 }
 
-enum dom_status scene_forces(const struct domq_train *train, domq_real theta, struct scene *scene)
+enum dom_status scene_forces(const struct domq_train *train, const struct domq_compute *compute,
+                             domq_real theta, struct scene *scene)
 {
     return domq_cycle_forces(train, compute, theta, scene_force, scene);
 }

@@ -297,10 +297,8 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
         .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOMQ_NAN,
         .mu = session->train.mu,
         .floor = effect[DOM_EFFECT_floor].on,
-        .tol = session->compute.tol,
-        .precision = session->compute.precision,
-        .interrupt = session->compute.interrupt,
     };
+    scene->compute = session->compute;
     return true;
 }
 

@@ -57,6 +57,7 @@ void effects_save(const struct session *session, FILE *out);
  */
 struct scene_row {
     struct domq_row row;
+    struct domq_compute compute;
     struct domq_domino *domino;
 };
 

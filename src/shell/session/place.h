@@ -7,8 +7,9 @@
 
 /* Where the walk stands: at an event of a cycle, or between two. */
 struct walk {
-    struct domq_train train; /* of the walk */
-    struct domq_train asked; /* what the session had then; another one begins anew */
+    struct domq_train train;     /* that the session had when the walk began; another one begins anew */
+    struct domq_compute compute; /* to a finer tolerance than the session's */
+    domq_real tol;               /* the session's then */
     struct domq_event events[DOM_EVENTS_MAX];
     int count; /* of the events; 0: no walk has begun */
     int event; /* the last one that was passed */

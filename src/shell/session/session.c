@@ -80,22 +80,23 @@ static domq_real digits_default(const struct domq_arithmetic *arithmetic)
      .highest = (domq_real)(highest_),                                                                       \
      .offset = offsetof(struct session, member.name_),                                                       \
      MORE_##name_},
-#define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
-#define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
+#define TRAIN_NUMBER(...)   NUMBER(train, __VA_ARGS__)
+#define COMPUTE_NUMBER(...) NUMBER(compute, __VA_ARGS__)
+#define SCALE_NUMBER(...)   NUMBER(scale, __VA_ARGS__)
 #define WORDS(name_, member, words_, fallback_, setting_, meaning_, help_)                                   \
     {                                                                                                        \
         .name = name_, .unit = "", .meaning = meaning_, .help = help_, .fallback = fallback_,                \
         .words = words_, .words_only = true, .offset = offsetof(struct session, member), .setting = setting_ \
     }
 
-/* clang-format off: to it the two lists, whose commas are their own, are no elements. */
+/* clang-format off: to it the lists, whose commas are their own, are no elements. */
 const struct parameter session_parameters[] = {
-    DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER) DOMQ_SCALE_PARAMETERS(SCALE_NUMBER){
-        .name = "mass",
-        .unit = "kg",
-        .meaning = "mass of the first domino, 0 for none: energies are then in m g h/2",
-        .highest = 1e9,
-        .offset = offsetof(struct session, mass)},
+    DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER) DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER) DOMQ_SCALE_PARAMETERS(
+        SCALE_NUMBER){.name = "mass",
+                      .unit = "kg",
+                      .meaning = "mass of the first domino, 0 for none: energies are then in m g h/2",
+                      .highest = 1e9,
+                      .offset = offsetof(struct session, mass)},
     {.name = "density",
      .unit = "kg/m^3",
      .meaning = "of solid dominoes half as wide as tall, where no mass is set",
@@ -143,7 +144,10 @@ enum { CARET_INDENT = 2 };
 
 void session_init(struct session *session, FILE *out)
 {
-    *session = (struct session){.train = domq_train_default(), .scale = domq_scale_default(), .out = out};
+    *session = (struct session){.train = domq_train_default(),
+                                .compute = domq_compute_default(),
+                                .scale = domq_scale_default(),
+                                .out = out};
     session->style.digits = parameter_find("digits")->fallback;
     session->seed = parameter_find("seed")->fallback;
 }
@@ -433,6 +437,13 @@ bool session_precision(struct session *session, enum dom_precision precision)
         }
     }
     return changed;
+}
+
+struct domq_compute session_compute(const struct session *session)
+{
+    struct domq_compute compute = session->compute;
+    compute.errors = session->style.errors;
+    return compute;
 }
 
 struct output_style session_style(const struct session *session)

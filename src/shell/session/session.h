@@ -49,6 +49,7 @@ struct listed_row {
 
 struct session {
     struct domq_train train;
+    struct domq_compute compute; /* without bounds of errors: see session_compute */
     struct domq_scale scale;
     domq_real mass, density;   /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
     struct output_style style; /* output, digits, angle */
@@ -168,6 +169,9 @@ domq_real parameter_lowest(const struct session *session, const struct parameter
 /* The parameters in an order in which 'set' can take them: first how answers are written, then words, since
  * precision rules the floor of tol, then numbers.  NULL after the last. */
 const struct parameter *parameter_in_order(int k);
+
+/* Returns how to compute an answer: with bounds of its errors if the session asks for them. */
+struct domq_compute session_compute(const struct session *session);
 
 /* The style of the session's answers. */
 struct output_style session_style(const struct session *session);
