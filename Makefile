@@ -2,7 +2,7 @@
 #
 #   make deps run     install what is missing (Debian), build, open the calculator
 #   make deps test    the same, and run the tests; with -j2 suites run side by side; make quick: a selection
-#   make              .build/domino and .build/libdomino.a
+#   make              .build/domino, .build/libdomino.a and .build/libdomino.so
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
@@ -149,13 +149,11 @@ $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 $(B)/domino-effects.7: $(B)/domino
 	@$(B)/domino -n -e manual > $@
 
-# The library is static alone: its structures still grow with every effect, and no soname would keep up with
-# that.  So what it needs is named for every link, not under Requires.private and Libs.private.
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
-	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires: gsl' \
-	  'Libs: -L$${libdir} -ldomino -lm -pthread' \
+	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires.private: gsl' \
+	  'Libs: -L$${libdir} -ldomino' 'Libs.private: -lm -pthread' \
 	  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))' > $@
 
 run: all
@@ -336,7 +334,8 @@ format:
 
 # What goes where under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
-INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib include/domino.h:include $(B)/domino.pc:lib/pkgconfig \
+INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include \
+  $(B)/include/domino_quad.h:include $(B)/domino.pc:lib/pkgconfig \
   man/domino.1:share/man/man1 man/libdomino.3:share/man/man3 $(B)/domino-effects.7:share/man/man7 \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
   $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f))))
@@ -354,7 +353,7 @@ install: all $(B)/completion/domino
 	for entry in $(INSTALLED); do \
 	  file=$${entry%:*} to=$(PREFIX)/$${entry##*:} mode=644 && if [ -x "$$file" ]; then mode=755; fi && \
 	  echo "  INSTALL  $(DESTDIR)$$to/$${file##*/}" && folder "$$to" && \
-	  install -m $$mode "$$file" "$(DESTDIR)$$to/" && echo "$$to/$${file##*/}" >> "$$new" || exit 1; \
+	  if [ -h "$$file" ]; then cp -P "$$file" "$(DESTDIR)$$to/"; else install -m $$mode "$$file" "$(DESTDIR)$$to/"; fi && echo "$$to/$${file##*/}" >> "$$new" || exit 1; \
 	done && \
 	sed -i 's|^prefix=.*|prefix=$(PREFIX)|' "$(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc" && \
 	echo "$(PREFIX)/share/doc/domino/installed" >> "$$new" && \
