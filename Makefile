@@ -313,7 +313,7 @@ STACK := -Wframe-larger-than=20480
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
-lint: $(B)/kernel_names.h | $(FIRST)
+lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion $(STACK)' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
