@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The floor's friction: what it is; floor.c of the model finds it. */
-#include "domino.h"
+#include "numerics/api.h"
 
-const struct dom_effect dom_effect_floor = {
+const struct dom_effect effect_floor = {
     .name = "floor",
     .adds = "what friction the floor needs so that no hinge slips",
     .help =
@@ -16,7 +16,6 @@ const struct dom_effect dom_effect_floor = {
         "itself stays that of hinges: the answer says where a real floor would let a domino slip first.",
     .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
     .plan = "forces at samples, closer around the largest",
-    .example = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
     .argument = {{.name = "MU",
                   .unit = "",
                   .meaning = "friction coefficient of the floor",

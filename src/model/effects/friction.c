@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Friction between dominoes: what it is; how it is computed stands in friction.c of the model. */
-#include "domino.h"
+#include "numerics/api.h"
 
-const struct dom_effect dom_effect_friction = {
+const struct dom_effect effect_friction = {
     .name = "friction",
     .adds = "Coulomb friction between dominoes, also in the collision",
     .help =
@@ -19,7 +19,6 @@ const struct dom_effect dom_effect_friction = {
         "cannot turn it. There is no closed form of the fuel: 'set fuel paper' excludes friction.",
     .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
     .plan = "the motion, linear in omega^2: Chebyshev series",
-    .example = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     .argument = {{.name = "MU",
                   .unit = "",
                   .meaning = "friction coefficient",

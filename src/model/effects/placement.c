@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Random errors of placement: what they are; placement.c of the model draws them. */
-#include "domino.h"
+#include "numerics/api.h"
 
-const struct dom_effect dom_effect_placement = {
+const struct dom_effect effect_placement = {
     .name = "placement",
     .adds = "random errors of the gaps, and of the heights if asked for",
     .help = "The row is set up again and again, each gap with a normal error of its own of standard "
@@ -17,7 +17,6 @@ const struct dom_effect dom_effect_placement = {
     .source =
         "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; generators of GSL",
     .plan = "many rows, verdicts only, on all processors",
-    .example = "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
     .argument = {{.name = "SIGMA",
                   .unit = "m",
                   .meaning = "standard deviation of every gap",

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How a row starts. */
-#include "domino.h"
+#include "numerics/api.h"
 
-const struct dom_effect dom_effect_push = {
+const struct dom_effect effect_push = {
     .name = "push",
     .adds = "the first domino is pushed upright, not tipped over",
     .help = "Without it the first domino stands on its edge, at theta_u with tan theta_u = d (b1), and is "
@@ -12,7 +12,6 @@ const struct dom_effect dom_effect_push = {
             "over its edge is a verdict; where it touches the next before it tips over, it needs one.",
     .source = "energy of a single domino, (b2) and (b5)",
     .plan = "omega^2 of the first domino",
-    .example = "effect row 5; effect push 3; fall; effect push off; effect row off",
     .argument = {{.name = "OMEGA",
                   .unit = "rad/s",
                   .meaning = "angular velocity of the first domino",

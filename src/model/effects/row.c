@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A finite row in the place of the endless train: what it is; row.c of the model runs it. */
-#include "domino.h"
+#include "numerics/api.h"
 
-const struct dom_effect dom_effect_row = {
+const struct dom_effect effect_row = {
     .name = "row",
     .adds = "a finite row, alike or not, in place of the train",
     .help =
@@ -22,7 +22,6 @@ const struct dom_effect dom_effect_row = {
         "domino, or a contact would have to pull, the model ends, and says so. 'fall' runs it.",
     .source = "energy balance and collision of the paper, (c1) to (c4), with sizes of their own",
     .plan = "each head: kinetic energy against the top of H",
-    .example = "effect row 13; fall; effect row off",
     .argument = {{.name = "N",
                   .unit = "",
                   .meaning = "number of dominoes",

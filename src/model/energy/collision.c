@@ -72,8 +72,8 @@ KERNEL enum dom_status collision_launch(const struct geometry *geometry, enum do
     return isfinite(kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_launch *launch,
-                                   struct dom_launch *error)
+KERNEL enum dom_status launch_find(const struct request *train, struct dom_launch *launch,
+                                   struct dom_launch_error *error)
 {
     struct geometry geometry;
     FLOW(flow);
@@ -94,10 +94,10 @@ KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_lau
         .kinetic = fuelled ? l.kinetic : REAL_NAN,
     };
     if (error)
-        *error = (struct dom_launch){.fuel = e.fuel,
-                                     .J0 = e.J0,
-                                     .velocity_ratio = e.velocity_ratio,
-                                     .omegasq = e.omegasq,
-                                     .kinetic = e.kinetic};
+        *error = (struct dom_launch_error){.fuel = e.fuel,
+                                           .J0 = e.J0,
+                                           .velocity_ratio = e.velocity_ratio,
+                                           .omegasq = e.omegasq,
+                                           .kinetic = e.kinetic};
     return fuelled ? DOM_OK : DOM_NO_FUEL;
 }

@@ -48,8 +48,8 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 
 /* ---- Public ---- */
 
-KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
-                                 struct dom_fuels *error)
+KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *fuels,
+                                 struct dom_fuels_error *error)
 {
     struct geometry geometry;
     struct fuel fuel, e;
@@ -60,12 +60,12 @@ KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels
         return status;
     *fuels = (struct dom_fuels){.exact = fuel.exact, .paper = fuel.paper};
     if (error)
-        *error = (struct dom_fuels){.exact = e.exact, .paper = e.paper};
+        *error = (struct dom_fuels_error){.exact = e.exact, .paper = e.paper};
     return DOM_OK;
 }
 
-KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta, struct dom_energy *energy,
-                                   struct dom_energy *error)
+KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, struct dom_energy *energy,
+                                   struct dom_energy_error *error)
 {
     struct geometry geometry;
     struct tilt head;
@@ -80,7 +80,7 @@ KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta
         return status;
     *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = 1 + fuel.inertia_ratio};
     if (error)
-        *error = (struct dom_energy){
+        *error = (struct dom_energy_error){
             .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};
     return DOM_OK;
 }

@@ -8,6 +8,7 @@
 #ifndef DOM_GEOMETRY_H
 #define DOM_GEOMETRY_H
 
+#include "geometry/request.h"
 #include "numerics/real.h"
 
 struct tilt {
@@ -65,10 +66,10 @@ struct geometry {
 #define CHAIN_ENDLESS SIZE_MAX
 
 /* Checks the train, and fills lean. */
-KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry);
+KERNEL enum dom_status geometry_make(const struct request *train, struct geometry *geometry);
 
 /* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
-KERNEL struct geometry geometry_read(const struct dom_train *train);
+KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
 /* Room for the motion of a train with friction, if it has any; for as long as the lean is used. */
@@ -78,7 +79,7 @@ KERNEL void geometry_flow(struct geometry *geometry, struct flow *flow);
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /* A checked train and theta in [0, theta_c] as the tilt of its head. */
-KERNEL enum dom_status geometry_make_tilted(const struct dom_train *train, dom_real theta,
+KERNEL enum dom_status geometry_make_tilted(const struct request *train, dom_real theta,
                                             struct geometry *geometry, struct tilt *head);
 
 /* Bounds of the error, as an angle, of a head's tilt and of theta_f. */

@@ -101,7 +101,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     return margin_barrier(&two, c, NULL, m);
 }
 
-KERNEL struct margin_context margin_of_train(const struct dom_train *train)
+KERNEL struct margin_context margin_of_train(const struct request *train)
 {
     return (struct margin_context){.train = train,
                                    .geometry = geometry_read(train),
@@ -110,7 +110,7 @@ KERNEL struct margin_context margin_of_train(const struct dom_train *train)
                                    .margin = train_margin};
 }
 
-KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
+KERNEL struct margin_context margin_of_pair(const struct request *train)
 {
     struct margin_context c = margin_of_train(train);
     c.dominoes = 2;

@@ -27,7 +27,7 @@ KERNEL real margin_share(const struct margin *m)
 }
 
 struct margin_context {
-    const struct dom_train *train;
+    const struct request *train;
     struct geometry geometry; /* of the train, for any s and r */
     size_t dominoes;          /* that are in motion: CHAIN_ENDLESS, or a pair */
     real s;
@@ -53,8 +53,8 @@ struct margin_context {
 };
 
 /* Of a train, with room for what a search keeps: of the endless one (c8, corrected), or of the pair (b13). */
-KERNEL struct margin_context margin_of_train(const struct dom_train *train);
-KERNEL struct margin_context margin_of_pair(const struct dom_train *train);
+KERNEL struct margin_context margin_of_train(const struct request *train);
+KERNEL struct margin_context margin_of_pair(const struct request *train);
 
 /* tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (b5), without cancellation: 0 where domino 1 has not tipped
  * over. */

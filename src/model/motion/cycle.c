@@ -7,7 +7,7 @@ static enum dom_status cycle_climb(struct cycle *cycle, real end)
     return barrier_search(&cycle->geometry, end, cycle->geometry.tol / 8, &cycle->barrier);
 }
 
-KERNEL enum dom_status cycle_whole(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
+KERNEL enum dom_status cycle_whole(const struct request *train, struct flow *flow, struct cycle *cycle,
                                    bool errors)
 {
     struct geometry *geometry = &cycle->geometry;
@@ -110,10 +110,10 @@ static enum dom_status cycle_speed_within(const struct cycle *cycle, real theta,
     return status;
 }
 
-KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real theta_, dom_real *omegasq,
+KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, dom_real *omegasq,
                                      dom_real *error)
 {
-    struct dom_train finer = *train;
+    struct request finer = *train;
     struct cycle cycle;
     FLOW(flow);
     struct tilt head;
@@ -161,7 +161,7 @@ static enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     return status;
 }
 
-KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error)
+KERNEL enum dom_status cycle_stop(const struct request *train, dom_real *theta, dom_real *error)
 {
     struct cycle cycle;
     FLOW(flow);
@@ -227,7 +227,7 @@ KERNEL enum dom_status cycle_integral(struct cycle *cycle, num_function *f, real
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
+KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration, dom_real *error)
 {
     struct cycle cycle;
     FLOW(flow);

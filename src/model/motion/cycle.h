@@ -18,7 +18,7 @@ struct cycle {
  * Begins the cycle and finds its barrier over [0, theta_c], at a tolerance at which the margin is known. flow
  * is room for the motion with friction; errors: with launch_error.  DOM_NO_FUEL if the cycle does not begin.
  */
-KERNEL enum dom_status cycle_whole(const struct dom_train *train, struct flow *flow, struct cycle *cycle,
+KERNEL enum dom_status cycle_whole(const struct request *train, struct flow *flow, struct cycle *cycle,
                                    bool errors);
 
 /* tau^2 omega^2 at a tilt (c3), and unless error is NULL the bound of its error. */

@@ -95,7 +95,7 @@ static enum dom_status train_kinematics(real theta, struct tilt *head, struct ki
     return status == DOM_OK ? motion_kinematics(m, theta, *head, kinematics) : status;
 }
 
-KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_floor *floor)
+KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor *floor)
 {
     struct motion m;
     FLOW(flow);

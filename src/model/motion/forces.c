@@ -190,7 +190,7 @@ static bool force_visit(const struct hinge_load *hinge_load, void *context)
     return c->visit(&force, c->context);
 }
 
-KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real theta_, dom_force_visit *visit,
+KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_, dom_force_visit *visit,
                                     void *context)
 {
     struct motion m;
@@ -290,7 +290,7 @@ static enum dom_status least_over(struct least_context *c, real lo, real hi)
     return c->status;
 }
 
-KERNEL enum dom_status cycle_least_force(const struct dom_train *train, struct dom_least_force *least)
+KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom_least_force *least)
 {
     FLOW(flow);
     struct least_context c = {.least = (real)INFINITY, .impulse = (real)INFINITY};

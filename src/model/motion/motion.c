@@ -5,7 +5,7 @@
 
 /* ---- Times ---- */
 
-KERNEL enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *m,
+KERNEL enum dom_status motion_begin(const struct request *train, struct flow *flow, struct motion *m,
                                     bool errors)
 {
     m->room = (struct room){0};
@@ -107,7 +107,7 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *e
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
+KERNEL enum dom_status cycle_events(const struct request *train, struct dom_event *events, int *count)
 {
     struct motion m;
     FLOW(flow);
@@ -228,7 +228,7 @@ static enum dom_status fallen_energy(const struct geometry *geometry, real theta
 
 /* The state at a tilt; time NaN: not known yet. */
 KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state,
-                                    struct dom_state *error)
+                                    struct dom_state_error *error)
 {
     struct cycle *c = &m->cycle;
     struct tilt head;
@@ -283,7 +283,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         of_time = REAL_NAN;
     else
         status = time_error(m, state, &of_time);
-    *error = (struct dom_state){
+    *error = (struct dom_state_error){
         .time = of_time,
         .omegasq = omegasq_error,
         .acceleration = REAL_NAN, /* no bound is known */
@@ -296,8 +296,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     return status;
 }
 
-KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state,
-                                   struct dom_state *error)
+KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state,
+                                   struct dom_state_error *error)
 {
     struct motion m;
     FLOW(flow);

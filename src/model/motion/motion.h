@@ -26,7 +26,7 @@ struct motion {
  * Begins the motion of a train, up to theta_c or to where it comes to rest; motion_end gives back what it
  * takes. DOM_NO_MARGIN where times have no value.
  */
-KERNEL enum dom_status motion_begin(const struct dom_train *train, struct flow *flow, struct motion *motion,
+KERNEL enum dom_status motion_begin(const struct request *train, struct flow *flow, struct motion *motion,
                                     bool errors);
 KERNEL void motion_end(struct motion *motion);
 
@@ -48,6 +48,6 @@ KERNEL enum dom_status motion_acceleration(const struct geometry *geometry, stru
 
 /* The state at a tilt; time NaN where it is not known yet. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,
-                                    struct dom_state *error);
+                                    struct dom_state_error *error);
 
 #endif

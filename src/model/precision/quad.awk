@@ -24,7 +24,7 @@ function renamed(line,   name, own, done) {
     while (match(line, /(dom|DOM)_[A-Za-z0-9_]+/)) {
         name = substr(line, RSTART, RLENGTH)
         own = name ~ /^dom/ ? !(name in common) : name in macro
-        if (own && names && !(name in seen)) print "#define " name " " in_quad(name)
+        if (own && names && !(name in seen)) print (name ~ /^dom/ ? "" : "#undef " name "\n") "#define " name " " in_quad(name)
         seen[name] = 1
         done = done substr(line, 1, RSTART - 1) (own ? in_quad(name) : name)
         line = substr(line, RSTART + RLENGTH)

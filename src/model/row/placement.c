@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, on all processors: each row has random numbers of its own, by its number alone. */
-#include "domino.h"
+#include "numerics/api.h"
 #include "numerics/quiet.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
@@ -34,6 +34,7 @@ static unsigned long row_seed(unsigned long seed, size_t i)
 /* What all threads share, and what each has. */
 struct shared {
     const struct dom_row *row;
+    struct dom_compute compute;
     const struct dom_placement *placement;
     atomic_size_t next;
     atomic_int status; /* the first that was not DOM_OK */
@@ -82,13 +83,14 @@ static void row_draw(const struct worker *w, size_t i)
 static enum dom_status row_try(struct worker *w, size_t i)
 {
     struct dom_row row = *w->shared->row;
+    struct dom_compute compute = w->shared->compute;
     struct dom_verdict verdict;
     row_draw(w, i);
     row.domino = w->domino;
-    row.work = NULL;
     row.floor = false;
-    row.tol = row.tol > VERDICT_TOL ? row.tol : VERDICT_TOL;
-    enum dom_status status = dom_row_run(&row, false, NULL, NULL, &verdict);
+    compute.work = NULL;
+    compute.tol = compute.tol > VERDICT_TOL ? compute.tol : VERDICT_TOL;
+    enum dom_status status = dom_row_run(&row, &compute, false, NULL, NULL, &verdict);
     if (status != DOM_OK)
         return status;
     bool unknown = verdict.end == DOM_ROW_PASSES || verdict.end == DOM_ROW_PARTS;
@@ -203,15 +205,15 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
 enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
-        return DOM_BAD_PARAMETER;
+        return DOM_BAD_ROWS;
     double N = (double)s->rows, few = (double)s->fall, many = (double)(s->fall + s->unknown);
     s->low = 0;
     s->high = 1;
-    quiet_begin();
+    dom_quiet_begin();
     enum dom_status status = few > 0 ? tail_inverse((struct tail){few, N, true}, &s->low) : DOM_OK;
     if (status == DOM_OK && many < N)
         status = tail_inverse((struct tail){many, N, false}, &s->high);
-    quiet_end();
+    dom_quiet_end();
     return status;
 }
 
@@ -227,15 +229,20 @@ static enum dom_status workers_run(struct worker *worker, unsigned n)
     return (enum dom_status)atomic_load(&worker[0].shared->status);
 }
 
-enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *p,
-                                    struct dom_study *study, size_t *stops)
+enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
+                                    const struct dom_placement *p, struct dom_study *study, size_t *stops)
 {
     struct dom_study found = {.rows = p->rows};
-    if (!(p->sigma >= 0 && (double)p->sigma < HUGE_VAL && p->heights >= 0 && p->heights <= 1) ||
-        p->rows == 0 || row->count == 0)
-        return DOM_BAD_PARAMETER;
-    struct shared shared = {.row = row, .placement = p, .status = DOM_OK};
-    quiet_begin();
+    enum dom_status bad = !(p->sigma >= 0 && (double)p->sigma < HUGE_VAL) ? DOM_BAD_SIGMA
+                          : !(p->heights >= 0 && p->heights <= 1)         ? DOM_BAD_HEIGHTS
+                          : p->rows == 0                                  ? DOM_BAD_ROWS
+                          : row->count == 0                               ? DOM_BAD_COUNT
+                                                                          : DOM_OK;
+    if (bad != DOM_OK)
+        return bad;
+    struct shared shared = {
+        .row = row, .compute = compute ? *compute : dom_compute_default(), .placement = p, .status = DOM_OK};
+    dom_quiet_begin();
     unsigned n = thread_count(p);
     struct worker *worker = calloc(n, sizeof *worker);
     bool made = worker != NULL;
@@ -252,37 +259,38 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
         worker_free(&worker[i]);
     }
     free(worker);
-    if (row->work)
-        row->work->entered[DOM_EFFECT_placement] += p->rows;
+    if (compute && compute->work)
+        compute->work->entered[DOM_EFFECT_placement] += p->rows;
     if (status == DOM_OK)
         status = dom_study_interval(&found);
     if (status == DOM_OK)
         *study = found;
-    quiet_end();
+    dom_quiet_end();
     return status;
 }
 
 /* ---- The budget ---- */
 
 /* The same rows at every sigma, with errors that are longer or shorter: so what differs is sigma alone. */
-static enum dom_status fall_share(const struct dom_row *row, struct dom_placement p, double sigma,
-                                  double *share)
+static enum dom_status fall_share(const struct dom_row *row, const struct dom_compute *compute,
+                                  struct dom_placement p, double sigma, double *share)
 {
     struct dom_study study = {.rows = p.rows};
     p.sigma = (dom_real)sigma;
-    enum dom_status status = dom_placement_study(row, &p, &study, NULL);
+    enum dom_status status = dom_placement_study(row, compute, &p, &study, NULL);
     *share = (double)study.fall / (double)study.rows;
     return status;
 }
 
 /* Between lo, where more than the share fall, and hi, where fewer do: to a thousandth. */
-static enum dom_status sigma_between(const struct dom_row *row, const struct dom_placement *p, double share,
-                                     double lo, double hi, double *sigma)
+static enum dom_status sigma_between(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *p, double share, double lo, double hi,
+                                     double *sigma)
 {
     const double none = 1e-9 * hi; /* what nobody can place */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
-        enum dom_status status = fall_share(row, *p, at, &falls);
+        enum dom_status status = fall_share(row, compute, *p, at, &falls);
         if (status != DOM_OK)
             return status;
         *(falls >= share ? &lo : &hi) = at;
@@ -292,16 +300,16 @@ static enum dom_status sigma_between(const struct dom_row *row, const struct dom
 }
 
 /* The first of doubled sigmas at which fewer than the share fall; infinite where it is beyond `widest`. */
-static enum dom_status sigma_at(const struct dom_row *row, const struct dom_placement *p, double share,
-                                double widest, double *sigma)
+static enum dom_status sigma_at(const struct dom_row *row, const struct dom_compute *compute,
+                                const struct dom_placement *p, double share, double widest, double *sigma)
 {
     double lo = 0, falls = 1;
     for (double hi = widest / 4096;; lo = hi, hi *= 2) {
-        enum dom_status status = fall_share(row, *p, hi, &falls);
+        enum dom_status status = fall_share(row, compute, *p, hi, &falls);
         if (status != DOM_OK)
             return status;
         if (falls < share)
-            return sigma_between(row, p, share, lo, hi, sigma);
+            return sigma_between(row, compute, p, share, lo, hi, sigma);
         if (hi >= widest) {
             *sigma = HUGE_VAL;
             return DOM_OK;
@@ -330,13 +338,15 @@ static void chance(double share, size_t rows, double *few, double *many)
     *many = hi;
 }
 
-enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *p, double share,
-                                     struct dom_budget *budget)
+enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *p, double share, struct dom_budget *budget)
 {
     double falls, widest = 0, few, many;
-    if (!(share > 0 && share < 1) || p->rows == 0)
-        return DOM_BAD_PARAMETER;
-    enum dom_status status = fall_share(row, *p, 0, &falls);
+    if (!(share > 0 && share < 1))
+        return DOM_BAD_PROBABILITY;
+    if (p->rows == 0)
+        return DOM_BAD_ROWS;
+    enum dom_status status = fall_share(row, compute, *p, 0, &falls);
     if (status != DOM_OK || falls < share)
         return status != DOM_OK ? status : DOM_STOPS;
     for (size_t k = 1; k < row->count; k++)
@@ -344,11 +354,11 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
     chance(share, p->rows, &few, &many);
     double N = (double)p->rows;
     struct dom_budget found = {.low = 0};
-    status = sigma_at(row, p, share, widest, &found.sigma);
+    status = sigma_at(row, compute, p, share, widest, &found.sigma);
     if (status == DOM_OK && many <= N)
-        status = sigma_at(row, p, many / N, widest, &found.low);
+        status = sigma_at(row, compute, p, many / N, widest, &found.low);
     if (status == DOM_OK)
-        status = sigma_at(row, p, few / N, widest, &found.high);
+        status = sigma_at(row, compute, p, few / N, widest, &found.high);
     if (status == DOM_OK)
         *budget = found;
     return status;

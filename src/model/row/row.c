@@ -13,7 +13,7 @@
 /* ---- The row as a chain ---- */
 
 struct row {
-    const struct dom_row *asked;
+    const struct row_request *asked;
     struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
     struct flow *flow;
 };
@@ -24,7 +24,7 @@ struct block {
     real unit;                 /* m g h / 2 */
 };
 
-static struct block block_of(const struct dom_row *row, size_t k)
+static struct block block_of(const struct row_request *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
@@ -33,7 +33,7 @@ static struct block block_of(const struct dom_row *row, size_t k)
 }
 
 /* The joint of domino k with k - 1, its follower, and how much of the row is behind it. */
-static void joint_make(const struct dom_row *row, size_t k, const struct geometry *follower,
+static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
     struct block own = block_of(row, k), behind = block_of(row, k - 1);
@@ -61,7 +61,7 @@ static void joint_make(const struct dom_row *row, size_t k, const struct geometr
 }
 
 /* Where domino k ends as a head: at the next one, or on the floor. */
-static struct tilt row_end(const struct dom_row *row, size_t k)
+static struct tilt row_end(const struct row_request *row, size_t k)
 {
     if (k + 1 == row->count)
         return (struct tilt){1, 0, 1};
@@ -71,7 +71,7 @@ static struct tilt row_end(const struct dom_row *row, size_t k)
 
 static void row_make(struct row *row)
 {
-    const struct dom_row *asked = row->asked;
+    const struct row_request *asked = row->asked;
     for (size_t k = 0; k < asked->count; k++) {
         struct geometry *geometry = &row->geometry[k];
         *geometry = (struct geometry){.tol = (real)asked->tol,
@@ -95,19 +95,25 @@ static bool positive(dom_real value)
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
 }
 
-static enum dom_status row_check(const struct dom_row *row)
+static enum dom_status row_check(const struct row_request *row)
 {
-    if (row->count == 0 || !positive(row->g) || !(row->mu >= 0 && row->mu <= DOM_MU_HIGHEST) ||
-        !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ||
-        (!isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))))
-        return DOM_BAD_PARAMETER;
-    for (size_t k = 0; k < row->count; k++) {
-        const struct dom_domino *d = &row->domino[k];
-        if (!positive(d->height) || !positive(d->thickness) || !positive(d->mass) || !(d->gap >= 0) ||
-            !isfinite((real)d->gap) || !positive(block_of(row, k).unit) || !positive(block_of(row, k).d))
-            return DOM_BAD_PARAMETER;
-    }
-    return DOM_OK;
+    return row->count == 0                                ? DOM_BAD_COUNT
+           : !positive(row->g)                            ? DOM_BAD_G
+           : !(row->mu >= 0 && row->mu <= DOM_MU_HIGHEST) ? DOM_BAD_MU
+           : !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
+           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push)) ? DOM_BAD_PUSH
+                                                                                 : DOM_OK;
+}
+
+/* Names what is wrong with a domino; what is made of its sizes must be a number of the precision, too. */
+static enum dom_status domino_check(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *d = &row->domino[k];
+    return !positive(d->height)                                       ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(block_of(row, k).d) ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(block_of(row, k).unit)   ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite((real)d->gap)                ? DOM_BAD_GAP
+                                                                      : DOM_OK;
 }
 
 /* ---- The run ---- */
@@ -320,8 +326,8 @@ static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool
     }
 }
 
-static void fall_floor(const struct dom_row *row, size_t k, const struct required_friction *required_friction,
-                       struct dom_fall *fall)
+static void fall_floor(const struct row_request *row, size_t k,
+                       const struct required_friction *required_friction, struct dom_fall *fall)
 {
     fall->floor_motion = fall->floor_hit = REAL_NAN;
     if (!row->floor)
@@ -377,11 +383,16 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 
 /* ---- Public ---- */
 
-KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall_visit *visit, void *context,
-                               struct dom_verdict *verdict)
+KERNEL enum dom_status row_run(const struct row_request *asked, bool times, dom_fall_visit *visit,
+                               void *context, struct dom_verdict *verdict)
 {
     FLOW(flow);
     enum dom_status status = row_check(asked);
+    for (size_t k = 0; status == DOM_OK && k < asked->count; k++) {
+        status = domino_check(asked, k);
+        if (status != DOM_OK)
+            verdict->domino = k + 1;
+    }
     if (status != DOM_OK)
         return status;
     struct run run = {.row = {.asked = asked, .flow = &flow},
