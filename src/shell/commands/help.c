@@ -141,6 +141,16 @@ static void help_command(struct session *session, const struct command *c)
         fprintf(out, "\nSee also: %s\n", c->see);
 }
 
+/* Examples of effects. */
+static const char *const effect_examples[DOM_EFFECT_COUNT] = {
+    [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
+    [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
+    [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",
+    [DOM_EFFECT_placement] =
+        "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
+    [DOM_EFFECT_floor] = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
+};
+
 static void help_effect(struct session *session, enum dom_effect_name name, bool example)
 {
     const struct domq_effect *e = domq_effect(name);
@@ -162,7 +172,7 @@ static void help_effect(struct session *session, enum dom_effect_name name, bool
     else
         fputs("It is off, and nothing of it is computed.\n", out);
     if (example)
-        help_example(session, e->example);
+        help_example(session, effect_examples[name]);
 }
 
 static bool run_help(struct session *session, const struct call *call)
@@ -252,7 +262,7 @@ static void mdoc_text(FILE *out, const char *text)
         putc('\n', out);
 }
 
-static void mdoc_effect(FILE *out, const struct domq_effect *e)
+static void mdoc_effect(FILE *out, const struct domq_effect *e, const char *example)
 {
     fprintf(out, ".Ss %s\n.Bd -ragged -compact\n.Nm effect %s\n", e->name, e->name);
     for (const struct domq_effect_argument *a = e->argument;
@@ -274,7 +284,7 @@ static void mdoc_effect(FILE *out, const struct domq_effect *e)
     fputs(".Pp\nSource:\n", out);
     mdoc_text(out, e->source);
     fputs(".Pp\nExample:\n.Dl ", out);
-    fprintf(out, "%s\n", e->example);
+    fprintf(out, "%s\n", example);
 }
 
 static bool run_manual(struct session *session, const struct call *call)
@@ -288,7 +298,7 @@ static bool run_manual(struct session *session, const struct call *call)
           "An effect that is off is not computed.\n",
           out);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        mdoc_effect(out, domq_effect((enum dom_effect_name)k));
+        mdoc_effect(out, domq_effect((enum dom_effect_name)k), effect_examples[k]);
     fputs(".Sh SEE ALSO\n.Xr domino 1\n", out);
     return true;
 }
