@@ -13,7 +13,7 @@
 enum { ROW = 20, ROWS = 60, POINTS = 12 };
 
 /* Zeros stand for the defaults. */
-struct asked {
+struct counted {
     const char *name;
     enum dom_status (*ask)(const struct asked *train);
     double s, r, q, mu;
@@ -139,7 +139,7 @@ static enum dom_status ask_study(const struct asked *train)
     return ask_placement_study(&row, &placement, &study, NULL);
 }
 
-static const struct asked table[] = {
+static const struct counted table[] = {
     {.name = "rmax 0.05 hollow", .ask = ask_rmax, .s = 0.05, .q = 3},
     {.name = "rmax 0.2 hollow", .ask = ask_rmax, .s = 0.2, .q = 3},
     {.name = "rmax 0.5 hollow", .ask = ask_rmax, .s = 0.5, .q = 3},
@@ -169,37 +169,37 @@ static const struct asked table[] = {
 };
 
 /* The function that callgrind looks for: it must keep its name and be called. */
-__attribute__((noinline)) enum dom_status answer(const struct asked *asked, const struct asked *train);
+__attribute__((noinline)) enum dom_status answer(const struct counted *counted, const struct asked *train);
 
-enum dom_status answer(const struct asked *asked, const struct asked *train)
+enum dom_status answer(const struct counted *counted, const struct asked *train)
 {
-    return asked->ask(train);
+    return counted->ask(train);
 }
 
 int main(int argc, char **argv)
 {
     struct dom_work work = {.passes = 0};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        const struct asked *asked = &table[i];
+        const struct counted *counted = &table[i];
         struct asked train = asked_default();
-        if (argc > 1 && strcmp(argv[1], asked->name) != 0)
+        if (argc > 1 && strcmp(argv[1], counted->name) != 0)
             continue;
-        train.s = asked->s > 0 ? asked->s : train.s;
-        train.r = asked->r > 0 ? asked->r : train.r;
-        train.q = asked->q > 0 ? asked->q : train.q;
-        train.precision = asked->quad ? DOM_QUAD : asked->single ? DOM_FLOAT : DOM_DOUBLE;
+        train.s = counted->s > 0 ? counted->s : train.s;
+        train.r = counted->r > 0 ? counted->r : train.r;
+        train.q = counted->q > 0 ? counted->q : train.q;
+        train.precision = counted->quad ? DOM_QUAD : counted->single ? DOM_FLOAT : DOM_DOUBLE;
         train.tol = domq_arithmetic(train.precision)->tol_default;
-        train.mu = asked->mu;
+        train.mu = counted->mu;
         train.work = argc > 1 ? &work : NULL;
-        enum dom_status status = answer(asked, &train);
+        enum dom_status status = answer(counted, &train);
         if (status != DOM_OK) {
-            fprintf(stderr, "answers: %s: %s\n", asked->name, dom_status_text(status));
+            fprintf(stderr, "answers: %s: %s\n", counted->name, dom_status_text(status));
             return EXIT_FAILURE;
         }
         if (argc > 1)
             printf("%zu %zu\n", work.passes, work.dominoes);
         else
-            puts(asked->name);
+            puts(counted->name);
     }
     return EXIT_SUCCESS;
 }

@@ -39,17 +39,17 @@ static void note(struct answers *answers, enum ref_quantity quantity, enum dom_s
     answers->error[quantity] = error;
 }
 
-#define NOTE(QUANTITY, from, member) note(answers, REF_##QUANTITY, status, from.member, from##_error.member)
+#define NOTE(QUANTITY, from, member) note(answers, REF_##QUANTITY, status, from.member, from.error.member)
 
-static void ask_angles(const struct asked *train, struct answers *answers)
+static void note_angles(const struct domq_train *train, const struct domq_compute *compute,
+                        struct answers *answers)
 {
     struct domq_angles angles = {.theta_c = DOMQ_NAN,
                                  .theta_u = DOMQ_NAN,
                                  .theta_inf = DOMQ_NAN,
                                  .theta_f = DOMQ_NAN,
-                                 .theta_leave = DOMQ_NAN},
-                       angles_error = angles;
-    enum dom_status status = ask_angles_find(train, &angles, &angles_error);
+                                 .theta_leave = DOMQ_NAN};
+    enum dom_status status = domq_angles_find(train, compute, &angles);
     answers->detaches = angles.detaches;
     NOTE(THETA_C, angles, theta_c);
     NOTE(THETA_U, angles, theta_u);
@@ -58,14 +58,12 @@ static void ask_angles(const struct asked *train, struct answers *answers)
     NOTE(THETA_LEAVE, angles, theta_leave);
 }
 
-static void ask_contact(const struct asked *train, domq_real tilt, struct answers *answers)
+static void note_contact(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
+                         struct answers *answers)
 {
-    struct domq_contact contact = {.theta_1 = DOMQ_NAN,
-                                   .slope = DOMQ_NAN,
-                                   .arm_a = DOMQ_NAN,
-                                   .arm_b = DOMQ_NAN},
-                        contact_error = contact;
-    enum dom_status status = ask_contact_find(train, tilt, &contact, &contact_error);
+    struct domq_contact contact = {
+        .theta_1 = DOMQ_NAN, .slope = DOMQ_NAN, .arm_a = DOMQ_NAN, .arm_b = DOMQ_NAN};
+    enum dom_status status = domq_contact_find(train, compute, tilt, &contact);
     NOTE(THETA_1, contact, theta_1);
     NOTE(SLOPE, contact, slope);
     NOTE(ARM_A, contact, arm_a);
@@ -74,22 +72,23 @@ static void ask_contact(const struct asked *train, domq_real tilt, struct answer
 
 struct look {
     size_t wanted;
-    struct domq_link link, link_error;
+    struct domq_link link;
 };
 
-static bool look_at_link(const struct domq_link *link, const struct domq_link *error, void *context)
+static bool look_at_link(const struct domq_link *link, void *context)
 {
     struct look *look = context;
     look->link = *link;
-    look->link_error = *error;
     return link->i < look->wanted;
 }
 
-void library_link(const struct asked *train, domq_real tilt, size_t wanted, struct answers *answers)
+void library_link(const struct asked *asked, domq_real tilt, size_t wanted, struct answers *answers)
 {
+    const struct domq_train train = asked_train(asked);
+    const struct domq_compute compute = asked_compute(asked, true);
     struct look look = {.wanted = wanted};
-    enum dom_status status = ask_chain_walk(train, tilt, true, look_at_link, &look);
-    struct domq_link link = look.link, link_error = look.link_error;
+    enum dom_status status = domq_chain_walk(&train, &compute, tilt, look_at_link, &look);
+    struct domq_link link = look.link;
     if (status != DOM_OK)
         return;
     answers->link = link.i;
@@ -100,124 +99,128 @@ void library_link(const struct asked *train, domq_real tilt, size_t wanted, stru
     NOTE(LINK_WEIGHT, link, weight);
 }
 
-static void ask_energy(const struct asked *train, domq_real tilt, struct answers *answers)
+static void note_energy(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
+                        struct answers *answers)
 {
-    struct domq_energy energy = {.dH = DOMQ_NAN, .J = DOMQ_NAN, .J0 = DOMQ_NAN}, energy_error = energy;
-    enum dom_status status = ask_energy_find(train, tilt, &energy, &energy_error);
+    struct domq_energy energy = {.dH = DOMQ_NAN, .J = DOMQ_NAN, .J0 = DOMQ_NAN};
+    enum dom_status status = domq_energy_find(train, compute, tilt, &energy);
     NOTE(DH, energy, dH);
     NOTE(J, energy, J);
     NOTE(J0, energy, J0);
 }
 
-static void ask_fuel(const struct asked *train, struct answers *answers)
+static void note_fuel(const struct domq_train *train, const struct domq_compute *compute,
+                      struct answers *answers)
 {
-    struct domq_fuels fuels = {.exact = DOMQ_NAN, .paper = DOMQ_NAN}, fuels_error = fuels;
-    enum dom_status status = ask_fuel_find(train, &fuels, &fuels_error);
+    struct domq_fuels fuels = {.exact = DOMQ_NAN, .paper = DOMQ_NAN};
+    enum dom_status status = domq_fuel_find(train, compute, &fuels);
     NOTE(FUEL_EXACT, fuels, exact);
     NOTE(FUEL_PAPER, fuels, paper);
 }
 
-static void ask_launch(const struct asked *train, struct answers *answers)
+static void note_launch(const struct domq_train *train, const struct domq_compute *compute,
+                        struct answers *answers)
 {
     struct domq_launch launch = {.fuel = DOMQ_NAN,
                                  .J0 = DOMQ_NAN,
                                  .velocity_ratio = DOMQ_NAN,
                                  .omegasq = DOMQ_NAN,
-                                 .kinetic = DOMQ_NAN},
-                       launch_error = launch;
-    enum dom_status status = ask_launch_find(train, &launch, &launch_error);
+                                 .kinetic = DOMQ_NAN};
+    enum dom_status status = domq_launch_find(train, compute, &launch);
     NOTE(LAUNCH_OMEGASQ, launch, omegasq);
     NOTE(KINETIC, launch, kinetic);
 }
 
-static void ask_barrier(const struct asked *train, struct answers *answers)
+static void note_barrier(const struct domq_train *train, const struct domq_compute *compute,
+                         struct answers *answers)
 {
-    struct domq_barrier barrier = {.theta_m = DOMQ_NAN,
-                                   .barrier = DOMQ_NAN,
-                                   .kinetic = DOMQ_NAN,
-                                   .margin = DOMQ_NAN},
-                        barrier_error = barrier;
-    enum dom_status status = ask_barrier_find(train, &barrier, &barrier_error);
+    struct domq_barrier barrier = {
+        .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
+    enum dom_status status = domq_barrier_find(train, compute, &barrier);
     NOTE(THETA_M, barrier, theta_m);
     NOTE(BARRIER, barrier, barrier);
     NOTE(KINETIC, barrier, kinetic);
     NOTE(MARGIN, barrier, margin);
 }
 
-static void ask_cycle(const struct asked *train, domq_real tilt, enum ref_quantity quantity,
-                      struct answers *answers)
+static void note_cycle(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
+                       enum ref_quantity quantity, struct answers *answers)
 {
-    domq_real value = DOMQ_NAN, error = DOMQ_NAN;
-    enum dom_status status = quantity == REF_OMEGASQ ? ask_cycle_omegasq(train, tilt, &value, &error)
-                             : quantity == REF_STOP  ? ask_cycle_stop(train, &value, &error)
-                                                     : ask_cycle_duration(train, &value, &error);
-    note(answers, quantity, status, value, error);
+    struct domq_value value = {DOMQ_NAN, DOMQ_NAN};
+    enum dom_status status = quantity == REF_OMEGASQ ? domq_cycle_omegasq(train, compute, tilt, &value)
+                             : quantity == REF_STOP  ? domq_cycle_stop(train, compute, &value)
+                                                     : domq_cycle_duration(train, compute, &value);
+    note(answers, quantity, status, value.value, value.error);
 }
 
-static void ask_growth(const struct asked *train, enum ref_quantity quantity, struct answers *answers)
+static void note_growth(const struct domq_train *train, const struct domq_compute *compute,
+                        enum ref_quantity quantity, struct answers *answers)
 {
-    struct domq_limit limit = {.r_max = DOMQ_NAN}, limit_error = limit;
-    struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN}, best_error = best;
+    struct domq_limit limit = {.r_max = DOMQ_NAN};
+    struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
     enum dom_status status;
     if (quantity == REF_R_MAX || quantity == REF_PAIR) {
-        status = quantity == REF_PAIR ? ask_limit_pair(train, &limit, &limit_error)
-                                      : ask_limit_rmax(train, &limit, &limit_error, &answers->why);
+        status = quantity == REF_PAIR ? domq_limit_pair(train, compute, &limit)
+                                      : domq_limit_rmax(train, compute, &limit);
         answers->ends = limit.ends;
-        note(answers, quantity, status, limit.r_max, limit_error.r_max);
+        answers->why = limit.why;
+        note(answers, quantity, status, limit.r_max, limit.error.r_max);
     } else {
-        status = ask_limit_best(train, &best, &best_error);
+        status = domq_limit_best(train, compute, &best);
         NOTE(BEST_S, best, s);
         NOTE(BEST_R, best, r_max);
     }
 }
 
-void library_ask(const struct asked *train, domq_real tilt, enum ref_quantity quantity,
+void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity quantity,
                  struct answers *answers)
 {
+    const struct domq_train train = asked_train(asked);
+    const struct domq_compute compute = asked_compute(asked, true);
     switch (quantity) {
     case REF_THETA_C:
     case REF_THETA_U:
     case REF_THETA_INF:
     case REF_THETA_F:
     case REF_THETA_LEAVE:
-        ask_angles(train, answers);
+        note_angles(&train, &compute, answers);
         break;
     case REF_THETA_1:
     case REF_SLOPE:
     case REF_ARM_A:
     case REF_ARM_B:
-        ask_contact(train, tilt, answers);
+        note_contact(&train, &compute, tilt, answers);
         break;
     case REF_DH:
     case REF_J:
     case REF_J0:
-        ask_energy(train, tilt, answers);
+        note_energy(&train, &compute, tilt, answers);
         break;
     case REF_FUEL_EXACT:
     case REF_FUEL_PAPER:
-        ask_fuel(train, answers);
+        note_fuel(&train, &compute, answers);
         break;
     case REF_LAUNCH_OMEGASQ:
     case REF_KINETIC:
-        ask_launch(train, answers);
+        note_launch(&train, &compute, answers);
         break;
     case REF_THETA_M:
     case REF_BARRIER:
     case REF_MARGIN:
-        ask_barrier(train, answers);
+        note_barrier(&train, &compute, answers);
         break;
     case REF_OMEGASQ:
     case REF_STOP:
     case REF_DURATION:
-        ask_cycle(train, tilt, quantity, answers);
+        note_cycle(&train, &compute, tilt, quantity, answers);
         break;
     case REF_R_MAX:
     case REF_PAIR:
     case REF_BEST_S:
     case REF_BEST_R:
-        ask_growth(train, quantity, answers);
+        note_growth(&train, &compute, quantity, answers);
         break;
     default:
-        library_link(train, tilt, 1, answers);
+        library_link(asked, tilt, 1, answers);
     }
 }

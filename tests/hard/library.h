@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The library's answers under the names that the reference has for them. */
-#ifndef HARD_ASK_H
-#define HARD_ASK_H
+#ifndef HARD_LIBRARY_H
+#define HARD_LIBRARY_H
 
 #include "reference.h"
 
@@ -23,9 +23,9 @@ double library_floor(enum dom_precision precision);
 
 void library_nothing(struct answers *answers);
 /* Of the function that gives this quantity everything, other quantities included. */
-void library_ask(const struct asked *train, domq_real tilt, enum ref_quantity quantity,
+void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity quantity,
                  struct answers *answers);
 /* LINK_...: of the given domino, counted from the end where it is negative. */
-void library_link(const struct asked *train, domq_real tilt, size_t link, struct answers *answers);
+void library_link(const struct asked *asked, domq_real tilt, size_t link, struct answers *answers);
 
 #endif

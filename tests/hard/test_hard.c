@@ -345,9 +345,9 @@ static void tolerances_have_a_floor(void **state)
         train.tol = arithmetic->tol_floor;
         assert_status(ask_train_check(&train), DOM_OK);
         train.tol = arithmetic->tol_floor * (domq_real)0.999;
-        assert_status(ask_train_check(&train), DOM_BAD_PARAMETER);
+        assert_status(ask_train_check(&train), DOM_BAD_TOL);
         train.tol = DOMQ_NAN;
-        assert_status(ask_train_check(&train), DOM_BAD_PARAMETER);
+        assert_status(ask_train_check(&train), DOM_BAD_TOL);
     }
 }
 

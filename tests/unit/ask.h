@@ -207,6 +207,8 @@ static inline enum dom_status ask_count_find(enum dom_precision precision, domq_
     compute.errors = error;
     enum dom_status status = domq_count_find(first, height, r, &compute, count);
     ASK_BOUNDS(count, error, exact);
+    if (error)
+        error->dominoes = 0; /* a whole number */
     return status;
 }
 

@@ -193,19 +193,19 @@ static void no_such_precision(void **state)
     struct domq_angles angles;
     ask_row_of_train(&t, &scale, 1, domino, 3);
     row.precision = t.precision = (enum dom_precision)(DOM_QUAD + 1);
-    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_PARAMETER);
-    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_PARAMETER);
-    assert_status(ask_count_find(row.precision, 1, 2, 1.5, &count, NULL), DOM_BAD_PARAMETER);
+    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_PRECISION);
+    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_PRECISION);
+    assert_status(ask_count_find(row.precision, 1, 2, 1.5, &count, NULL), DOM_BAD_PRECISION);
     t = asked_default();
     t.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
-    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_PARAMETER);
+    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_METHOD);
     assert_string_equal(dom_status_text((enum dom_status)(DOM_INTERRUPTED + 1)), "unknown status");
 }
 
 static void counts_of_equal_dominoes(void **state)
 {
     (void)state;
-    struct domq_count count, error = {1, 1, 1};
+    struct domq_count count, error = {.dominoes = 1, .exact = 1, .last = 1};
     assert_status(ask_count_find(DOM_DOUBLE, 1, 1, 1, &count, &error), DOM_OK);
     assert_true(count.dominoes == 0 && count.last == 1 && error.dominoes == 0 && error.last == 0);
     assert_status(ask_count_find(DOM_DOUBLE, 1, 2, 1, &count, &error), DOM_OK);

@@ -2,6 +2,13 @@
 /* What the library refuses, with which status, and that it writes nothing then. */
 #include "support.h"
 
+/* The status that names a parameter of the lists. */
+#define BAD_s   DOM_BAD_S
+#define BAD_r   DOM_BAD_R
+#define BAD_d   DOM_BAD_D
+#define BAD_q   DOM_BAD_Q
+#define BAD_tol DOM_BAD_TOL
+
 static void parameters_have_ranges(void **state)
 {
     (void)state;
@@ -12,9 +19,10 @@ static void parameters_have_ranges(void **state)
         const double bad[] = {DOMQ_NAN, (double)INFINITY, (lowest) * (1 - 1e-9), (highest) * (1 + 1e-9)};    \
         train = asked_default();                                                                             \
         train.name = bad[k];                                                                                 \
-        assert_status(ask_train_check(&train), DOM_BAD_PARAMETER);                                           \
+        assert_status(ask_train_check(&train), BAD_##name);                                                  \
     }
     DOMQ_TRAIN_PARAMETERS(REFUSE)
+    DOMQ_COMPUTE_PARAMETERS(REFUSE)
 #undef REFUSE
 }
 
@@ -142,10 +150,10 @@ static void counting(void **state)
     }
     assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 1, &count, NULL), DOM_OK);
     assert_true(isinf(count.dominoes) && isnan(count.last));
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 0.9, &count, NULL), DOM_BAD_PARAMETER);
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, -1, 2, &count, NULL), DOM_BAD_PARAMETER);
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, DOMQ_NAN, 2, &count, NULL), DOM_BAD_PARAMETER);
-    assert_status(ask_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count, NULL), DOM_BAD_PARAMETER);
+    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 0.9, &count, NULL), DOM_BAD_R);
+    assert_status(ask_count_find(DOM_DOUBLE, 0.048, -1, 2, &count, NULL), DOM_BAD_HEIGHT);
+    assert_status(ask_count_find(DOM_DOUBLE, 0.048, DOMQ_NAN, 2, &count, NULL), DOM_BAD_HEIGHT);
+    assert_status(ask_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count, NULL), DOM_BAD_HEIGHT);
 }
 
 static void metres_and_seconds(void **state)

@@ -240,7 +240,7 @@ static void ends(void **state)
     assert_status(run(&seen), DOM_OK);
     assert_true(!(seen.verdict.spare < 0));
     seen.row.tol = 1e-30;
-    assert_status(run(&seen), DOM_BAD_PARAMETER);
+    assert_status(run(&seen), DOM_BAD_TOL);
 }
 
 /* Hit at its own hinge no domino can stay on the floor. */
@@ -279,7 +279,7 @@ static void budgets(void **state)
     p.sigma = budget.high;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_in_range(study.fall, 183, 184);
-    assert_status(ask_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PARAMETER);
+    assert_status(ask_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PROBABILITY);
     seen.row.push = 2; /* not over its edge */
     assert_status(ask_placement_budget(&seen.row, &p, 0.5, &budget), DOM_STOPS);
 }

@@ -468,9 +468,9 @@ static void refusals(void **state)
     train.method = DOM_METHOD_OURS;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         train.mu = wrong[i];
-        assert_status(ask_train_check(&train), DOM_BAD_PARAMETER);
-        assert_status(ask_launch_find(&train, &launch, NULL), DOM_BAD_PARAMETER);
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_BAD_PARAMETER);
+        assert_status(ask_train_check(&train), DOM_BAD_MU);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_BAD_MU);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_BAD_MU);
     }
     /* It locks, also where the sums behind such a hit would have no end. */
     train = rubbing_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);

@@ -208,8 +208,8 @@ static void tilt_inverts_time(void **state)
             assert_near("time", s.time, k * whole / 4, 1e-9);
             checked++;
         }
-        assert_status(ask_cycle_tilt(&train, 1.01 * whole, &theta), DOM_BAD_TILT);
-        assert_status(ask_cycle_tilt(&train, -1e-9, &theta), DOM_BAD_TILT);
+        assert_status(ask_cycle_tilt(&train, 1.01 * whole, &theta), DOM_BAD_TIME);
+        assert_status(ask_cycle_tilt(&train, -1e-9, &theta), DOM_BAD_TIME);
         if (events[n - 1].kind == DOM_EVENT_HIT && ask_cycle_duration(&train, &duration, NULL) == DOM_OK)
             assert_near("duration", duration, whole, 1e-9);
     }

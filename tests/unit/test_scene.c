@@ -10,6 +10,21 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.43, 2.1, 7.0 / 48, 3}, {0.54, 1.84, 7.0 / 48, 3},
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
+/* The shell's functions of a train that is asked like the others here. */
+static enum dom_status asked_scene(const struct asked *asked, domq_real theta, struct scene *scene)
+{
+    const struct domq_train train = asked_train(asked);
+    const struct domq_compute compute = asked_compute(asked, false);
+    return scene_make(&train, &compute, theta, 0, scene);
+}
+
+static enum dom_status asked_scene_forces(const struct asked *asked, domq_real theta, struct scene *scene)
+{
+    const struct domq_train train = asked_train(asked);
+    const struct domq_compute compute = asked_compute(asked, false);
+    return scene_forces(&train, &compute, theta, scene);
+}
+
 enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 };
 
 /* A picture, the train in it and the angles between which it moves. */
@@ -39,7 +54,7 @@ static bool view_next(struct view *v, int k)
         v->train = random_train(&seed);
     assert_status(ask_angles_find(&v->train, &v->angles, NULL), DOM_OK);
     v->theta = (double)v->angles.theta_c * (k % TILTS) / (TILTS - 1);
-    assert_status(scene_make(&v->train, v->theta, 0, &v->scene), DOM_OK);
+    assert_status(asked_scene(&v->train, v->theta, &v->scene), DOM_OK);
     return true;
 }
 
@@ -265,7 +280,7 @@ static void what_has_fallen_off_lies(void **state)
     train.q = 3;
     assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
     assert_true(angles.detaches && angles.theta_leave < 1);
-    assert_status(scene_make(&train, 1, 0, &scene), DOM_OK);
+    assert_status(asked_scene(&train, 1, &scene), DOM_OK);
     assert_false(scene.domino[1].touched);
     assert_true(scene.count > 4);
     for (int i = 2; i < scene.count; i++) {
@@ -295,7 +310,7 @@ static void forces_press_where_dominoes_touch(void **state)
     static struct forces forces;
     int pressed = 0, alone = 0;
     for (int k = 0; view_next(&v, k); k++) {
-        enum dom_status status = scene_forces(&v.train, v.theta, &v.scene);
+        enum dom_status status = asked_scene_forces(&v.train, v.theta, &v.scene);
         forces.count = 0;
         assert_status(ask_cycle_forces(&v.train, v.theta, force_seen, &forces), status);
         for (int i = 1; i < v.scene.count; i++) {
@@ -319,9 +334,9 @@ static void no_scene_beyond_the_cycle(void **state)
     (void)state;
     struct asked train = asked_default();
     static struct scene scene;
-    assert_status(scene_make(&train, 0.7, 0, &scene), DOM_BAD_TILT);
+    assert_status(asked_scene(&train, 0.7, &scene), DOM_BAD_TILT);
     train.r = 3;
-    assert_status(scene_make(&train, 0, 0, &scene), DOM_OUT_OF_REACH);
+    assert_status(asked_scene(&train, 0, &scene), DOM_OUT_OF_REACH);
 }
 
 int main(void)
