@@ -30,6 +30,20 @@ static inline void near_(const char *what, double value, double expected, double
     _fail(file, line);
 }
 
+/* The number of one public header is that of the other, to a relative difference; both may be NaN. */
+#define assert_same(what, value, wide, bound) same_(what, value, wide, bound, __FILE__, __LINE__)
+
+static inline void same_(const char *what, double value, domq_real wide, double bound, const char *file,
+                         int line)
+{
+    if (value == (double)wide || (isnan(value) && isnan((double)wide)) ||
+        fabs(value - (double)wide) <= bound * fabs(value))
+        return;
+    fprintf(stderr, "%s:%d: %s = %.17g, but %.17g in <domino_quad.h>\n", file, line, what, value,
+            (double)wide);
+    _fail(file, line);
+}
+
 #define assert_status(status, expected)                                                                      \
     assert_string_equal(dom_status_text(status), dom_status_text(expected))
 

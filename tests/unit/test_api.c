@@ -46,23 +46,12 @@ static struct both both_of(const double p[5], enum dom_precision precision, bool
  */
 static double rounding = DBL_EPSILON;
 
-/* Fails unless the quad header's number is that of the other. */
-static void same_(const char *what, double value, domq_real wide, int line)
-{
-    if (value == (double)wide || (isnan(value) && isnan((double)wide)) ||
-        fabs(value - (double)wide) <= rounding * fabs(value))
-        return;
-    fprintf(stderr, "%s:%d: %s = %.17g, but %.17g in <domino_quad.h>\n", __FILE__, line, what, value,
-            (double)wide);
-    _fail(__FILE__, line);
-}
-
-#define SAME(member) same_(#member, d.member, q.member, __LINE__);
+#define SAME(member) assert_same(#member, d.member, q.member, rounding);
 
 /* The same of a member that has a bound where that is asked for; with friction it may be unknown. */
 #define SAME_BOUND(member)                                                                                   \
     SAME(member)                                                                                             \
-    same_("the bound of " #member, d.error.member, q.error.member, __LINE__);                                \
+    assert_same("the bound of " #member, d.error.member, q.error.member, rounding);                          \
     assert_true(b->compute.errors ? d.error.member >= 0 || isnan(d.member) || b->train.mu > 0                \
                                   : isnan(d.error.member));
 
@@ -101,7 +90,8 @@ static void same_(const char *what, double value, domq_real wide, int line)
 #define STATE(X)                                                                                             \
     X(theta)                                                                                                 \
     X(time) X(omegasq) X(kinetic) X(climbed) X(fallen) X(before) X(lost) X(friction_work) SAME(acceleration)
-#define VALUE(X) same_("value", d.value, q.value, __LINE__), same_("error", d.error, q.error, __LINE__);
+#define VALUE(X)                                                                                             \
+    assert_same("value", d.value, q.value, rounding), assert_same("error", d.error, q.error, rounding);
 #define LIMIT(X) X(r_max) SAME(ends) SAME(why)
 #define BEST(X)  X(s) X(r_max)
 
@@ -262,7 +252,8 @@ static void check_chain(const struct both *b)
         SAME(arm_a)
         SAME(arm_b)
         SAME(weight)
-        SAME(error.theta) SAME(error.slope) SAME(error.weight)
+        SAME(error.theta)
+        SAME(error.slope) SAME(error.weight)
             assert_true(bounds == !isnan(d.error.theta) && bounds == !isnan(d.error.weight));
     }
 }
@@ -311,7 +302,7 @@ static void check_events(const struct both *b)
         domq_real wide = -1;
         assert_status(dom_cycle_tilt(&b->train, &b->compute, d.time, &theta),
                       domq_cycle_tilt(&b->trainq, &b->computeq, (domq_real)d.time, &wide));
-        same_("tilt", theta, wide, __LINE__);
+        assert_same("tilt", theta, wide, rounding);
     }
 }
 
@@ -327,8 +318,8 @@ static void check_forces(const struct both *b)
         struct domq_floor fq = {0};
         assert_status(dom_cycle_floor(&b->train, &b->compute, &f),
                       domq_cycle_floor(&b->trainq, &b->computeq, &fq));
-        same_("motion", f.motion, fq.motion, __LINE__);
-        same_("hit", f.hit, fq.hit, __LINE__);
+        assert_same("motion", f.motion, fq.motion, rounding);
+        assert_same("hit", f.hit, fq.hit, rounding);
         assert_int_equal(f.domino, fq.domino);
     }
     assert_status(dom_train_check(&b->train, &b->compute), domq_train_check(&b->trainq, &b->computeq));
@@ -345,7 +336,7 @@ static void walks(void **state)
 
 /* ---- NULL in the place of how to compute ---- */
 
-#define SAME_AS_DEFAULT(member) same_(#member, d.member, q.member, __LINE__);
+#define SAME_AS_DEFAULT(member) assert_same(#member, d.member, q.member, rounding);
 #define DEFAULT(name, type, MEMBERS, ...)                                                                    \
     do {                                                                                                     \
         struct dom_##type d = {0}, q = {0};                                                                  \
