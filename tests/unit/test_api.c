@@ -42,9 +42,8 @@ static struct both both_of(const double p[5], enum dom_precision precision, bool
     return b;
 }
 
-/* What numbers may differ by, relatively: a rounding, or what becomes of one in a tilt that a walk has made.
- */
-static double rounding = DBL_EPSILON;
+/* What numbers may differ by, relatively. */
+static const double rounding = DBL_EPSILON;
 
 #define SAME(member) assert_same(#member, d.member, q.member, rounding);
 
@@ -253,8 +252,8 @@ static void check_chain(const struct both *b)
         SAME(arm_b)
         SAME(weight)
         SAME(error.theta)
-        SAME(error.slope) SAME(error.weight)
-            assert_true(bounds == !isnan(d.error.theta) && bounds == !isnan(d.error.weight));
+        SAME(error.slope)
+        SAME(error.weight) assert_true(bounds == !isnan(d.error.theta) && bounds == !isnan(d.error.weight));
     }
 }
 
@@ -266,7 +265,6 @@ static void check_walk(const struct both *b)
     enum dom_status status = dom_cycle_walk(&b->train, &b->compute, 6, DOM_BY_TILT, state_seen, &seen);
     assert_status(domq_cycle_walk(&b->trainq, &b->computeq, 6, DOM_BY_TILT, state_seenq, &seenq), status);
     assert_int_equal(seen.count, seenq.count);
-    rounding = 1e-7; /* of the time at a stop, where it grows like the square root */
     for (int k = 0; k < seen.count; k++) {
         struct dom_state d = seen.state[k];
         struct domq_state q = seenq.state[k];
@@ -275,7 +273,6 @@ static void check_walk(const struct both *b)
         assert_true(b->compute.errors ? d.error.climbed >= 0 || b->train.mu > 0 : isnan(d.error.climbed));
         assert_int_equal(isnan(d.error.climbed), isnan((double)q.error.climbed));
     }
-    rounding = DBL_EPSILON;
     seen.count = seenq.count = 0;
     status = dom_cycle_forces(&b->train, &b->compute, 0, force_seen, &seen);
     assert_status(domq_cycle_forces(&b->trainq, &b->computeq, 0, force_seenq, &seenq), status);
