@@ -31,7 +31,7 @@ static inline void near_(const char *what, double value, double expected, double
 }
 
 /* The number of one public header is that of the other, to a relative difference; both may be NaN. */
-#define assert_same(what, value, wide, bound) same_(what, value, wide, bound, __FILE__, __LINE__)
+#define assert_in_both(what, value, wide, bound) same_(what, value, wide, bound, __FILE__, __LINE__)
 
 static inline void same_(const char *what, double value, domq_real wide, double bound, const char *file,
                          int line)

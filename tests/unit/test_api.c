@@ -45,12 +45,12 @@ static struct both both_of(const double p[5], enum dom_precision precision, bool
 /* What numbers may differ by, relatively. */
 static const double rounding = DBL_EPSILON;
 
-#define SAME(member) assert_same(#member, d.member, q.member, rounding);
+#define SAME(member) assert_in_both(#member, d.member, q.member, rounding);
 
 /* The same of a member that has a bound where that is asked for; with friction it may be unknown. */
 #define SAME_BOUND(member)                                                                                   \
     SAME(member)                                                                                             \
-    assert_same("the bound of " #member, d.error.member, q.error.member, rounding);                          \
+    assert_in_both("the bound of " #member, d.error.member, q.error.member, rounding);                       \
     assert_true(b->compute.errors ? d.error.member >= 0 || isnan(d.member) || b->train.mu > 0                \
                                   : isnan(d.error.member));
 
@@ -90,7 +90,7 @@ static const double rounding = DBL_EPSILON;
     X(theta)                                                                                                 \
     X(time) X(omegasq) X(kinetic) X(climbed) X(fallen) X(before) X(lost) X(friction_work) SAME(acceleration)
 #define VALUE(X)                                                                                             \
-    assert_same("value", d.value, q.value, rounding), assert_same("error", d.error, q.error, rounding);
+    assert_in_both("value", d.value, q.value, rounding), assert_in_both("error", d.error, q.error, rounding);
 #define LIMIT(X) X(r_max) SAME(ends) SAME(why)
 #define BEST(X)  X(s) X(r_max)
 
@@ -299,7 +299,7 @@ static void check_events(const struct both *b)
         domq_real wide = -1;
         assert_status(dom_cycle_tilt(&b->train, &b->compute, d.time, &theta),
                       domq_cycle_tilt(&b->trainq, &b->computeq, (domq_real)d.time, &wide));
-        assert_same("tilt", theta, wide, rounding);
+        assert_in_both("tilt", theta, wide, rounding);
     }
 }
 
@@ -315,8 +315,8 @@ static void check_forces(const struct both *b)
         struct domq_floor fq = {0};
         assert_status(dom_cycle_floor(&b->train, &b->compute, &f),
                       domq_cycle_floor(&b->trainq, &b->computeq, &fq));
-        assert_same("motion", f.motion, fq.motion, rounding);
-        assert_same("hit", f.hit, fq.hit, rounding);
+        assert_in_both("motion", f.motion, fq.motion, rounding);
+        assert_in_both("hit", f.hit, fq.hit, rounding);
         assert_int_equal(f.domino, fq.domino);
     }
     assert_status(dom_train_check(&b->train, &b->compute), domq_train_check(&b->trainq, &b->computeq));
@@ -333,7 +333,7 @@ static void walks(void **state)
 
 /* ---- NULL in the place of how to compute ---- */
 
-#define SAME_AS_DEFAULT(member) assert_same(#member, d.member, q.member, rounding);
+#define SAME_AS_DEFAULT(member) assert_in_both(#member, d.member, q.member, rounding);
 #define DEFAULT(name, type, MEMBERS, ...)                                                                    \
     do {                                                                                                     \
         struct dom_##type d = {0}, q = {0};                                                                  \

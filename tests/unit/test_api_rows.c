@@ -6,7 +6,7 @@
 /* What numbers may differ by, relatively: a rounding, or what becomes of those in the sizes of a row. */
 static double rounding = DBL_EPSILON;
 
-#define SAME(member) assert_same(#member, d.member, q.member, rounding)
+#define SAME(member) assert_in_both(#member, d.member, q.member, rounding)
 
 /* ---- Rows ---- */
 
@@ -163,7 +163,7 @@ static void scales_and_lists(void **state)
     struct dom_scale d = dom_scale_default();
     struct domq_scale q = domq_scale_default();
     SAME(h), SAME(g);
-    assert_same("tau", dom_scale_tau(&d, t.d), domq_scale_tau(&q, domq_train_default().d), rounding);
+    assert_in_both("tau", dom_scale_tau(&d, t.d), domq_scale_tau(&q, domq_train_default().d), rounding);
     const struct domq_train tq = domq_train_default();
     assert_near("speed", dom_scale_speed(&d, &t, 9), (double)domq_scale_speed(&q, &tq, 9), 4 * DBL_EPSILON);
     for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++) {
@@ -172,8 +172,8 @@ static void scales_and_lists(void **state)
         assert_string_equal(a->name, aq->name);
         assert_string_equal(a->type, aq->type);
         assert_true(a->bits == aq->bits && a->digits == aq->digits && a->epsilon == aq->epsilon);
-        assert_same("tol_default", a->tol_default, aq->tol_default, rounding);
-        assert_same("tol_floor", a->tol_floor, aq->tol_floor, rounding);
+        assert_in_both("tol_default", a->tol_default, aq->tol_default, rounding);
+        assert_in_both("tol_floor", a->tol_floor, aq->tol_floor, rounding);
     }
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
@@ -183,9 +183,9 @@ static void scales_and_lists(void **state)
         assert_int_equal(e->needs, eq->needs);
         for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
             assert_string_equal(e->argument[i].name, eq->argument[i].name);
-            assert_same("lowest", e->argument[i].lowest, eq->argument[i].lowest, rounding);
-            assert_same("highest", e->argument[i].highest, eq->argument[i].highest, rounding);
-            assert_same("usual", e->argument[i].usual, eq->argument[i].usual, rounding);
+            assert_in_both("lowest", e->argument[i].lowest, eq->argument[i].lowest, rounding);
+            assert_in_both("highest", e->argument[i].highest, eq->argument[i].highest, rounding);
+            assert_in_both("usual", e->argument[i].usual, eq->argument[i].usual, rounding);
         }
     }
 }
@@ -204,7 +204,7 @@ static void simple(void **state)
     t.q = 3;
     assert_status(dom_limit_rmax(&t, NULL, &limit), DOM_OK);
     assert_true(dom_rmax(0.3, 0.2, 3) == limit.r_max);
-    assert_same("rmax", limit.r_max, domq_rmax(0.3, t.d, 3), rounding); /* to 1e-12 of it below */
+    assert_in_both("rmax", limit.r_max, domq_rmax(0.3, t.d, 3), rounding); /* to 1e-12 of it below */
     assert_true(isnan(dom_rmax(2, 0.2, 3)) && isnan(dom_rmax(0.3, -1, 3)) && isnan(dom_rmax(0.3, 1.5, NAN)));
     assert_true(isnan(dom_rmax(0.3, 1.5, 3))); /* no growth */
     assert_true(dom_dominoes(0.048, 112, 1.5) == 20 && domq_dominoes(0.048, 112, 1.5) == 20);
