@@ -2,7 +2,7 @@
 #
 #   make deps run     install what is missing (Debian), build, open the calculator
 #   make deps test    the same, and run the tests; with -j2 suites run side by side; make quick: a selection
-#   make              .build/domino and .build/libdomino.a
+#   make              .build/domino, .build/libdomino.a and .build/libdomino.so
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
@@ -28,7 +28,7 @@ CFLAGS  ?= $(OPTIM) $(HARDEN)
 LDFLAGS ?= -Wl,-z,relro,-z,now
 # Every digit is to be the same on every machine: no contraction, never -ffast-math.  Nobody reads errno behind
 # a square root, and without that it is one instruction.
-INCLUDES := -Iinclude -Isrc/model -Isrc/shell -I$(B)
+INCLUDES := -Iinclude -I$(B)/include -Isrc/model -Isrc/shell -I$(B)
 C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 GSL     := -lgsl -lgslcblas -lm -pthread
@@ -37,6 +37,7 @@ GSL     := -lgsl -lgslcblas -lm -pthread
 MODEL   := src/model/model.c src/model/train.c $(addprefix src/model/row/,mend.c placement.c rmax.c) \
            $(addprefix src/model/numerics/,edge.c quiet.c) \
            $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
+MODEL   := $(COMMON) $(TYPED)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
@@ -85,25 +86,60 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/kernel_names.h # made of other sources
+
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
+$(call OBJ,$(MODEL) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=$(B)/objq/%.o): | $(HEADERS)
 
 # The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
 KERNEL_C := $(filter-out $(MODEL),$(wildcard src/model/*/*.c src/model/*/*.h))
 $(B)/kernel_names.h: $(KERNEL_C) Makefile
 	@mkdir -p $(@D)
 	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z]\w*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@
-$(call OBJ,$(wildcard src/model/precision/*.c tests/unit/*.c tests/hard/*.c tests/bench/*.c)): $(B)/kernel_names.h
 
-# The library shows no other names than dom_*.
-$(B)/libdomino.a: $(call OBJ,$(MODEL))
+# <domino_quad.h>, made of domino.h, and the names in it for the sources.
+QUAD_AWK := src/model/precision/quad.awk
+$(B)/include/domino_quad.h: include/domino.h $(QUAD_AWK)
+	@mkdir -p $(@D)
+	@awk -f $(QUAD_AWK) $< $< > $@
+$(B)/domq_names.h: include/domino.h $(QUAD_AWK)
+	@mkdir -p $(@D)
+	@awk -v names=1 -f $(QUAD_AWK) $< $< > $@
+
+# The sources of the library are compiled twice: with answers in double, and with answers in the widest type.
+MODEL_OBJ  := $(call OBJ,$(TYPED))
+MODEL_OBJQ := $(TYPED:%.c=$(B)/objq/%.o)
+COMMON_OBJ := $(call OBJ,$(COMMON))
+$(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += -fPIC
+$(B)/objq/%.o: %.c | $(FIRST)
+	@mkdir -p $(@D)
+	$(call SAY,CC,$< (quad))
+	$(Q)$(CC) $(C_FLAGS) -fPIC -DDOMQ -MMD -MP -c $< -o $@
+
+# The library shows no other names than dom_* and domq_*.  Who uses one of the two headers links one of two objects.
+$(B)/lib/domino.o: $(MODEL_OBJ)
+$(B)/lib/domino_quad.o: $(MODEL_OBJQ)
+$(B)/lib/common.o: $(COMMON_OBJ)
+LIB_OBJ := $(addprefix $(B)/lib/,domino.o domino_quad.o common.o)
+$(LIB_OBJ):
+	@mkdir -p $(@D)
+	$(Q)$(LD) -r -o $@ $^
+	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='dom_*' --keep-global-symbol='domq_*' $@
+$(B)/libdomino.a: $(LIB_OBJ)
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
-	$(Q)$(LD) -r -o $(B)/domino.o $^
-	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='dom_*' $(B)/domino.o
-	$(Q)$(AR) rcsD $@ $(B)/domino.o
+	$(Q)$(AR) rcsD $@ $^
+
+# While the version is 0.x, a new number after the point may change structures: it is part of the soname.
+SONAME := libdomino.so.$(basename $(VERSION))
+$(B)/$(SONAME): $(LIB_OBJ)
+	$(call SAY,LD,$@)
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) $^ $(GSL) -o $@
+$(B)/libdomino.so: $(B)/$(SONAME)
+	@ln -sf $(SONAME) $@
 
 $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
@@ -114,8 +150,8 @@ $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
-	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires: gsl' \
-	  'Libs: -L$${libdir} -ldomino -lm -pthread' \
+	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires.private: gsl' \
+	  'Libs: -L$${libdir} -ldomino' 'Libs.private: -lm -pthread' \
 	  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))' > $@
 
 run: all
@@ -279,7 +315,7 @@ STACK := -Wframe-larger-than=16384
 
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
-lint: $(B)/kernel_names.h | $(FIRST)
+lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion $(STACK)' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
@@ -317,7 +353,7 @@ install: all $(B)/completion/domino
 	for entry in $(INSTALLED); do \
 	  file=$${entry%:*} to=$(PREFIX)/$${entry##*:} mode=644 && if [ -x "$$file" ]; then mode=755; fi && \
 	  echo "  INSTALL  $(DESTDIR)$$to/$${file##*/}" && folder "$$to" && \
-	  install -m $$mode "$$file" "$(DESTDIR)$$to/" && echo "$$to/$${file##*/}" >> "$$new" || exit 1; \
+	  if [ -h "$$file" ]; then cp -P "$$file" "$(DESTDIR)$$to/"; else install -m $$mode "$$file" "$(DESTDIR)$$to/"; fi && echo "$$to/$${file##*/}" >> "$$new" || exit 1; \
 	done && \
 	sed -i 's|^prefix=.*|prefix=$(PREFIX)|' "$(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc" && \
 	echo "$(PREFIX)/share/doc/domino/installed" >> "$$new" && \
@@ -347,4 +383,4 @@ dist:
 clean:
 	rm -rf $(B)
 
--include $(shell find $(B)/obj -name '*.d' 2>/dev/null)
+-include $(shell find $(B)/obj $(B)/objq -name '*.d' 2>/dev/null)

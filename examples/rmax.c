@@ -9,21 +9,18 @@ int main(int argc, char **argv)
 {
     struct dom_train train = dom_train_default();
     struct dom_limit limit;
-    double s;
     char rest;
-    if (argc != 2 || sscanf(argv[1], "%lf%c", &s, &rest) != 1) {
+    if (argc != 2 || sscanf(argv[1], "%lf%c", &train.s, &rest) != 1) {
         fprintf(stderr, "usage: rmax SEPARATION\n");
         return 2;
     }
-    train.s = s;
-    enum dom_status why = DOM_OK; /* set where there is no limit */
-    enum dom_status status = dom_limit_rmax(&train, &limit, NULL, &why);
-    status = status == DOM_OK ? why : status;
+    enum dom_status status = dom_limit_rmax(&train, NULL, &limit);
+    if (status == DOM_OK)
+        status = limit.why; /* there may be no growth */
     if (status != DOM_OK) {
-        fprintf(stderr, "rmax: s = %g: %s\n", s, dom_status_text(status));
+        fprintf(stderr, "rmax: s = %g: %s\n", train.s, dom_status_text(status));
         return 1;
     }
-    double r = (double)limit.r_max;
-    printf("%.12g, ends by %s\n", r, dom_end_text(limit.ends));
+    printf("%.12g, ends by %s\n", limit.r_max, dom_end_text(limit.ends));
     return 0;
 }

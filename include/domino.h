@@ -2,16 +2,39 @@
 /*
  * libdomino: how far can a domino train grow?
  *
- * The model of J. M. J. van Leeuwen, "Domino Magnification": an endless row of dominoes, each r times
- * larger than the one before, that lean on each other without friction while they fall. "(c6)" in a
- * comment is the equation of the paper with that label; "corrected" marks where the paper has a slip.
+ * Introduction
+ *
+ * A train is an endless row of dominoes, each r times larger than the one before, that lean on each other
+ * while they fall (J. M. J. van Leeuwen, "Domino Magnification"). The library answers whether a train keeps
+ * falling, how large r may be, how fast it runs and which forces act; and the same for a finite row of any
+ * dominoes. To ask, describe the train, and call the function of the answer:
+ *
+ *     struct dom_train train = dom_train_default();
+ *     struct dom_limit limit;
+ *     train.s = 0.4;
+ *     if (dom_limit_rmax(&train, NULL, &limit) == DOM_OK)
+ *         printf("%.12g\n", limit.r_max);
+ *
+ * The second argument says how to compute: tolerance, precision, method, counts of the work, an interrupt.
+ * NULL takes the defaults, which are double precision and a relative tolerance of 1e-12. Where
+ * compute.errors is set, the `error` in a result holds a bound of the absolute error of each member: of
+ * rounding on the way from the parameters, as rounded to the precision, and of what the tolerance cuts off.
+ * Else, and with friction, for which no bounds are known, these bounds are NaN.
+ *
+ * This header is the library in double. <domino_quad.h> has the same functions, structures and lists in the
+ * widest arithmetic of the machine, with domq_ in the place of dom_; it includes this header. Both compute in
+ * any precision: these headers differ only in the type that parameters and answers travel in.
  *
  * Units: lengths in the height h of the head (the foremost falling domino, number 0; its pushers are
  * 1, 2, ... down the train), energies in m g h / 2 of the head, angles in radians from the vertical,
- * time in tau (a1).  Only struct dom_scale brings in metres and seconds.
+ * time in tau (a1). Only struct dom_scale and rows are in metres, kilograms and seconds.
  *
- * Every function is free of global state and of input and output.  Functions that can fail return a
- * status; unless it is DOM_OK (or the comment says otherwise) nothing was written to the result.
+ * Functions have no global state and no input or output, and may run in any number of threads. A function
+ * that can fail returns a status. A status DOM_BAD_... names the parameter that is refused. Unless the status
+ * is DOM_OK, or a comment says otherwise, nothing is written to the result but its bounds.
+ *
+ * "(24; c6)" in a comment is an equation: the number that the paper prints, and the label of its source;
+ * "(c6)" is the label alone. "corrected" marks where the paper has a slip.
  */
 #ifndef DOMINO_H
 #define DOMINO_H
@@ -27,27 +50,33 @@ extern "C" {
 
 #define DOM_VERSION "0.1.0"
 
-/*
- * The widest arithmetic there is: parameters and answers travel in it, whatever precision computes them.
- * It converts from and to double as every floating type does; printf wants (double)x.
- */
-#if defined __SIZEOF_FLOAT128__ && defined __GLIBC__ && !defined DOM_NO_FLOAT128
-__extension__ typedef __float128 dom_real;
-#define DOM_REAL_FLOAT128
-#else
-typedef long double dom_real;
-#endif
-
-/* What does not exist. */
-#define DOM_NAN ((dom_real)NAN)
-
-/* ---- Statuses: X(name, what it means) ---- */
+/* ---- Statuses: X(name, meaning) ---- */
 
 #define DOM_STATUSES(X)                                                                                      \
     X(OK, "no error")                                                                                        \
-    X(BAD_PARAMETER, "a parameter is outside its range")                                                     \
-    X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
+    X(BAD_S, "the separation s is outside its range")                                                        \
+    X(BAD_R, "the growth r is outside its range")                                                            \
+    X(BAD_D, "the thickness d is outside its range")                                                         \
+    X(BAD_Q, "the mass exponent q is outside its range")                                                     \
+    X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
+    X(BAD_FUEL, "there is no fuel of that number")                                                           \
+    X(BAD_TOL, "the tolerance tol is outside its range, or below the floor of the precision")                \
+    X(BAD_PRECISION, "there is no precision of that number")                                                 \
+    X(BAD_METHOD, "there is no method of that number")                                                       \
     X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
+    X(BAD_TIME, "the time is outside [0, the next hit]")                                                     \
+    X(BAD_G, "the acceleration of gravity g is outside its range")                                           \
+    X(BAD_PUSH, "the push is outside its range")                                                             \
+    X(BAD_COUNT, "the row has no domino")                                                                    \
+    X(BAD_HEIGHT, "a height is outside its range")                                                           \
+    X(BAD_THICKNESS, "a thickness is outside its range")                                                     \
+    X(BAD_GAP, "a gap is outside its range")                                                                 \
+    X(BAD_MASS, "a mass is outside its range")                                                               \
+    X(BAD_SIGMA, "the error of the gaps is outside its range")                                               \
+    X(BAD_HEIGHTS, "the error of the heights is outside its range")                                          \
+    X(BAD_ROWS, "the number of rows is 0, or less than what is counted of them")                             \
+    X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
+    X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
     X(NO_FUEL, "the fuel P is not positive: a cycle sets no energy free")                                    \
     X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
     X(LOCKS, "friction locks the train: a contact force passes behind the hinge that it is to turn")         \
@@ -69,37 +98,16 @@ enum dom_status {
 #undef DOM_STATUS_ENUM
 };
 
-/* What a status means, as one line without a full stop. */
+/* Returns the meaning of a status: one line without a full stop. */
 const char *dom_status_text(enum dom_status status);
 
-/* ---- Precision ---- */
+/* ---- Choices ---- */
 
+/* The arithmetic that computes: quad is __float128 where there is one, else long double if that is wider. */
 enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 
-struct dom_arithmetic {
-    const char *name; /* of the precision: "float", "double", "quad" */
-    const char *type; /* of C that it is made of */
-    int bits;         /* of the significand; 0 where this machine has no such arithmetic */
-    double epsilon;   /* twice the unit roundoff */
-    dom_real tol_default, tol_floor;
-    int digits; /* of an answer, worth printing at tol_default */
-};
-
-/* quad is __float128 where the compiler and the library have it, else long double if that is wider. */
-const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
-
-/* ---- Parameters: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
-
-#define DOM_TRAIN_PARAMETERS(X)                                                                              \
-    X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: free gap to the next domino over height")              \
-    X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how much larger each domino is than the one before")          \
-    X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness over height")                                         \
-    X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, massive = 4")                                         \
-    X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
-
-#define DOM_SCALE_PARAMETERS(X)                                                                              \
-    X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")              \
-    X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
+/* The fuel P that enters (c6): see dom_fuel_find. */
+enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
  * Effects beyond the paper: struct dom_effect says what each adds.  One that is off is not computed, and none
@@ -127,29 +135,65 @@ enum dom_effect_name {
         DOM_EFFECT_COUNT
 };
 
-/* The largest friction coefficient that is taken. */
-#define DOM_MU_HIGHEST 100
+/* The most arguments that an effect has. */
+enum { DOM_EFFECT_ARGUMENTS = 2 };
 
-/* The fuel P that enters (c6): see dom_fuel_find. */
-enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
+/* What limits the growth: no growth at all, the barrier, or r = 1/s, the reach of the head. */
+enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/*
- * Who computes: this library; or, to compare with and in double precision only, solvers of GSL around the
- * textbook formulas, and the paper's own recipe, which raises theta and r step by step.
- */
-enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
+/* Returns "none", "barrier" or "reach". */
+const char *dom_end_text(enum dom_end end);
 
-/* The work that answers took; every answer adds its own. */
+enum dom_event_kind {
+    DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
+    DOM_EVENT_FALL,   /* a follower detaches from the domino that it leaned on (A17) */
+    DOM_EVENT_TOP,    /* the top of the barrier, where there is one */
+    DOM_EVENT_STOP,   /* the train comes to rest below the top: there is no next hit */
+    DOM_EVENT_HIT     /* the head hits the next domino (a2) */
+};
+
+/* The most events that a cycle has. */
+enum { DOM_EVENTS_MAX = 5 };
+
+/* Returns "launch", "fall", "top", "stop" or "hit". */
+const char *dom_event_text(enum dom_event_kind kind);
+
+/* How the states of dom_cycle_walk are spaced. */
+enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
+
+/* How a row ends: X(name, meaning). */
+#define DOM_ROW_ENDS(X)                                                                                      \
+    X(FALLS, "all fall")                                                                                     \
+    X(STOPS, "what is left of the motion does not carry it over its barrier")                                \
+    X(MISSES, "it falls short of the next: the gap is larger than it is tall")                               \
+    X(PASSES,                                                                                                \
+      "its tip passes above the next one: a contact of another kind, which this model does not have")        \
+    X(LEANS, "the first touches the second before it is over its edge: it needs a push")                     \
+    X(PARTS, "it runs ahead of those that lean on it: the contact opens, which this model does not follow")  \
+    X(LOCKS, "friction locks: a contact force passes behind the hinge that it is to turn")
+
+enum dom_row_end {
+#define DOM_ROW_ENUM(name, text) DOM_ROW_##name,
+    DOM_ROW_ENDS(DOM_ROW_ENUM)
+#undef DOM_ROW_ENUM
+};
+
+/* Returns the meaning, as a phrase about the domino where the row ends. */
+const char *dom_row_end_text(enum dom_row_end end);
+
+/* ---- Work and interrupts ---- */
+
+/* The work that answers took: every answer adds its own. */
 struct dom_work {
     size_t passes;                    /* evaluations: passes down the train */
     size_t dominoes;                  /* followed in all of them */
     size_t longest;                   /* in one pass */
-    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of an effect was */
+    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of an effect was entered */
 };
 
 /*
- * Is the flag of an interrupt up?  NULL never is.  A handler of signals in one thread may raise what others
- * look at: where both are atomic, as here, that is no race.
+ * Returns true if *flag is not 0; a NULL flag is never raised. A signal handler in one thread may raise a flag
+ * that others read: both accesses are atomic here, so that it is no race.
  */
 static inline bool dom_raised(const volatile sig_atomic_t *flag)
 {
@@ -160,13 +204,41 @@ static inline bool dom_raised(const volatile sig_atomic_t *flag)
 #endif
 }
 
-/* A self-similar train.  Start from dom_train_default() and change what differs. */
+/* ==== From here on everything is also in <domino_quad.h>, with domq_ in the place of dom_ ==== */
+
+/* The type that parameters and answers travel in. */
+typedef double dom_real;
+
+/* Marks a value that does not exist. */
+#define DOM_NAN ((dom_real)NAN)
+
+/* ---- Simple API: one question, one number; NaN where there is no answer ---- */
+
+/* Returns the largest growth at separation s, thickness d and mass exponent q (3 hollow, 4 solid). */
+dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
+
+/* Returns the smallest n with first r^n >= height: how many dominoes topple one of that height. */
+dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
+
+/* Returns the speed in m/s of the front of a row of equal dominoes, of height h in m. */
+dom_real dom_speed(dom_real h, dom_real s, dom_real d);
+
+/* ---- The train: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
+
+#define DOM_TRAIN_PARAMETERS(X)                                                                              \
+    X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: free gap to the next domino over height")              \
+    X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how much larger each domino is than the one before")          \
+    X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness over height")                                         \
+    X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, massive = 4")
+
+/* The largest friction coefficient that is taken. */
+#define DOM_MU_HIGHEST 100
+
+/* A self-similar train. Start from dom_train_default() and change what differs. */
 struct dom_train {
 #define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
     DOM_TRAIN_PARAMETERS(DOM_MEMBER)
-    enum dom_precision precision; /* in which answers are computed; parameters are rounded to it */
     enum dom_fuel fuel;
-    enum dom_method method;
     /*
      * The effects of DOM_DYNAMICS, each 0 for off.  With any of them the methods to compare with and the
      * paper's closed fuel are NO_METHOD.  mu is Coulomb's friction between dominoes, >= 0: with it no bounds
@@ -179,54 +251,102 @@ struct dom_train {
     const volatile sig_atomic_t *interrupt;
 };
 
+#define DOM_SCALE_PARAMETERS(X)                                                                              \
+    X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")              \
+    X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
+
 /* Size of the head and gravity, in SI units. */
 struct dom_scale {
     DOM_SCALE_PARAMETERS(DOM_MEMBER)
-#undef DOM_MEMBER
 };
 
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
+/* ---- How to compute ---- */
+
+#define DOM_COMPUTE_PARAMETERS(X)                                                                            \
+    X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
+
+/* Start from dom_compute_default() and change what differs; NULL in its place means the default. */
+struct dom_compute {
+    DOM_COMPUTE_PARAMETERS(DOM_MEMBER)
+#undef DOM_MEMBER
+    enum dom_precision precision; /* in which answers are computed; parameters are rounded to it */
+    enum dom_method method;
+    bool errors;           /* whether results get bounds of their errors, which costs time */
+    struct dom_work *work; /* where not NULL, counts */
+    /* Where not NULL, long computations end with DOM_INTERRUPTED soon after it becomes non-zero. */
+    const volatile sig_atomic_t *interrupt;
+};
+
+struct dom_compute dom_compute_default(void);
+
+struct dom_arithmetic {
+    const char *name; /* of the precision: "float", "double", "quad" */
+    const char *type; /* of C that it is made of */
+    int bits;         /* of the significand; 0 where this machine has no such arithmetic */
+    double epsilon;   /* twice the unit roundoff */
+    dom_real tol_default, tol_floor;
+    int digits; /* of an answer, worth printing at tol_default */
+};
+
+const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
+
 /*
- * DOM_OK where every parameter is in its range, tol not below the floor of the precision, and the head
- * reaches the next domino, r s <= 1; else BAD_PARAMETER, OUT_OF_REACH, UNDERFLOW or NO_PRECISION.
+ * Returns DOM_OK where every parameter is in its range, tol is not below the floor of the precision, and the
+ * head reaches the next domino, r s <= 1; else DOM_BAD_..., OUT_OF_REACH, UNDERFLOW or NO_PRECISION.
  * r = 1/s rounded to the precision counts as r s = 1.
  * Every function below that takes a train makes this check itself.
- *
- * Each of them takes a pointer `error` behind that to its result.  Where it is not NULL, it gets a bound
- * of the absolute error of every member: of rounding on the way from the parameters, as rounded to the
- * precision, and of what tol cuts off.  NULL costs nothing.
  */
-enum dom_status dom_train_check(const struct dom_train *train);
+enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
+
+/* A number and the bound of its error. */
+struct dom_value {
+    dom_real value, error;
+};
 
 /* ---- One domino leaning on the next (section 'Two dominoes' and appendix A) ---- */
+
+struct dom_angles_error {
+    dom_real theta_c, theta_u, theta_inf, theta_f, theta_leave;
+};
 
 struct dom_angles {
     dom_real theta_c;     /* the head hits the next domino, sin theta_c = r s          (a2) */
     dom_real theta_u;     /* a single domino tips over, tan theta_u = d                (b1) */
     dom_real theta_inf;   /* far followers approach it, cos theta_inf = d / (s + d)    (A16) */
-    dom_real theta_f;     /* the last angle of a follower: (A18) if it falls off, else theta_inf */
-    dom_real theta_leave; /* leader's angle at which its follower falls off; NaN if none does */
+    dom_real theta_f;     /* the last angle of a follower: (A18) if it detaches, else theta_inf */
+    dom_real theta_leave; /* leader's angle at which its follower detaches; NaN if none does */
     bool detaches;        /* (A17) */
+    struct dom_angles_error error;
 };
 
-enum dom_status dom_angles_find(const struct dom_train *train, struct dom_angles *angles,
-                                struct dom_angles *error);
+enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_angles *angles);
+
+struct dom_contact_error {
+    dom_real theta_1, slope, arm_a, arm_b;
+};
 
 /* A domino at tilt theta and the follower that leans on it. */
 struct dom_contact {
-    dom_real theta_1; /* angle of the follower (b8); theta_f where it has fallen off */
-    dom_real slope;   /* d theta_1 / d theta (b10); 0 where it has fallen off */
-    dom_real arm_a;   /* arm of the contact force on the leader, in h; NaN where fallen off */
-    dom_real arm_b;   /* arm of the contact force on the follower, in h; NaN where fallen off */
+    dom_real theta_1; /* angle of the follower (b8); theta_f where it is detached */
+    dom_real slope;   /* d theta_1 / d theta (b10); 0 where it is detached */
+    dom_real arm_a;   /* arm of the contact force on the leader, in h; NaN where detached */
+    dom_real arm_b;   /* arm of the contact force on the follower, in h; NaN where detached */
+    struct dom_contact_error error;
 };
 
 /* 0 <= theta <= theta_c, else DOM_BAD_TILT. */
-enum dom_status dom_contact_find(const struct dom_train *train, dom_real theta, struct dom_contact *contact,
-                                 struct dom_contact *error);
+enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, struct dom_contact *contact);
 
 /* ---- The train behind the head at one tilt ---- */
+
+struct dom_link_error {
+    dom_real theta, slope, arm_a, arm_b, weight;
+};
 
 struct dom_link {
     size_t i;              /* number of the domino, 0 = head */
@@ -234,56 +354,74 @@ struct dom_link {
     dom_real slope;        /* d theta_i / d theta (A9) */
     dom_real arm_a, arm_b; /* of the contact with its own follower; NaN without one (table 1) */
     dom_real weight;       /* r^(-q i): its share in H (c1) */
+    struct dom_link_error error;
 };
 
 /*
- * Calls visit for the head and for each follower that matters at the train's tolerance, in order;
- * visit returns false to stop the walk early (the status is still DOM_OK).  Its error is NULL unless
- * errors are asked for.
+ * Calls visit for the head and for each follower that matters at the tolerance, in order; visit returns false
+ * to stop the walk early (the status is still DOM_OK).
  */
-typedef bool dom_visit(const struct dom_link *link, const struct dom_link *error, void *context);
-enum dom_status dom_chain_walk(const struct dom_train *train, dom_real theta, bool errors, dom_visit *visit,
-                               void *context);
+typedef bool dom_visit(const struct dom_link *link, void *context);
+enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real theta, dom_visit *visit, void *context);
 
 /* ---- Energy ---- */
+
+struct dom_energy_error {
+    dom_real dH, J, J0;
+};
 
 struct dom_energy {
     dom_real dH; /* H(theta) - H(0), H the potential energy of the train (c1), in m g h / 2 */
     dom_real J;  /* inertia of the train: kinetic energy = J tau^2 omega^2 (c2) */
     dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (d8, corrected) */
+    struct dom_energy_error error;
 };
 
-enum dom_status dom_energy_find(const struct dom_train *train, dom_real theta, struct dom_energy *energy,
-                                struct dom_energy *error);
+enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_energy *energy);
+
+struct dom_fuels_error {
+    dom_real exact, paper;
+};
 
 struct dom_fuels {
     dom_real exact; /* what all dominoes lose in one cycle, with their weights: H(0) - H(theta_c) */
     dom_real paper; /* 1 - h(theta_f): the second equality of (c7), which holds only for r = 1 */
+    struct dom_fuels_error error;
 };
 
 /* Both fuels, in m g h / 2; they may be zero or negative (no domino effect). */
-enum dom_status dom_fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
-                              struct dom_fuels *error);
+enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
+                              struct dom_fuels *fuels);
 
 /* ---- Collision ---- */
 
+struct dom_launch_error {
+    dom_real fuel, J0, velocity_ratio, omegasq, kinetic;
+};
+
 struct dom_launch {
-    dom_real fuel; /* P, the one that train->fuel selects, less what friction takes of it */
-    dom_real J0;   /* J(0) */
-    dom_real
-        velocity_ratio; /* omega(0) over omega_1(theta_c): the share of momentum, (J(0) - 1) / J(0) (c4) */
-    dom_real omegasq;   /* tau^2 omega(0)^2 after the collision (c6) */
-    dom_real kinetic;   /* J(0) tau^2 omega(0)^2 */
+    dom_real fuel;           /* P, the one that train->fuel selects, less what friction takes of it */
+    dom_real J0;             /* J(0) */
+    dom_real velocity_ratio; /* omega(0) over omega_1(theta_c): the share of momentum, (J(0) - 1) / J(0) (c4) */
+    dom_real omegasq;        /* tau^2 omega(0)^2 after the collision (c6) */
+    dom_real kinetic;        /* J(0) tau^2 omega(0)^2 */
+    struct dom_launch_error error;
 };
 
 /*
- * DOM_NO_FUEL where P <= 0: then fuel, J0 and keeps are written, omegasq and kinetic are NaN.
+ * DOM_NO_FUEL where P <= 0: then fuel, J0 and velocity_ratio are written, omegasq and kinetic are NaN.
  * DOM_LOCKS, from here on also of the others: friction lets no cycle begin; nothing is written.
  */
-enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch *launch,
-                                struct dom_launch *error);
+enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_launch *launch);
 
 /* ---- Barrier and verdict ---- */
+
+struct dom_barrier_error {
+    dom_real theta_m, barrier, kinetic, margin;
+};
 
 struct dom_barrier {
     dom_real theta_m; /* where the barrier is highest, 0 <= theta_m <= theta_c */
@@ -292,6 +430,7 @@ struct dom_barrier {
     dom_real barrier;
     dom_real kinetic; /* after the collision; NaN without fuel */
     dom_real margin;  /* kinetic - barrier (c8, corrected); NaN without fuel */
+    struct dom_barrier_error error;
 };
 
 /*
@@ -299,63 +438,57 @@ struct dom_barrier {
  * of one cycle gives this same verdict, also where a rough tolerance does not show it: then it is refined.
  * DOM_NO_FUEL: theta_m and barrier are written, the others are NaN.
  */
-enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
-                                 struct dom_barrier *error);
+enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_barrier *barrier);
 
 /* ---- One cycle ---- */
 
 /*
  * tau^2 omega(theta)^2 on the way from one collision to the next (c3).  DOM_NO_FUEL: no cycle, NaN.
- * DOM_STOPS: the head does not come as far as theta; *omegasq is NaN.
+ * DOM_STOPS: the head does not come as far as theta; NaN.
  */
-enum dom_status dom_cycle_omegasq(const struct dom_train *train, dom_real theta, dom_real *omegasq,
-                                  dom_real *error);
+enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
+                                  dom_real theta, struct dom_value *omegasq);
 
 /*
  * Where a train that does not go on comes to rest: the smallest tilt at which H(theta) - H(0) has used up
  * the kinetic energy.  DOM_OK with NaN where it does go on; DOM_NO_FUEL where it does not start.
  */
-enum dom_status dom_cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error);
+enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_value *theta);
 
 /*
  * Duration of a cycle t_f / tau = integral of 1/(tau omega) over [0, theta_c].  It diverges like
  * ln(1 / margin): where the margin is 0 to rounding it is NO_MARGIN, and before that its relative error
  * grows like kinetic / margin times the unit roundoff.  NO_FUEL or STOPS without a whole cycle.
  */
-enum dom_status dom_cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error);
+enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
+                                   struct dom_value *duration);
 
 /* ---- One cycle, event by event ---- */
-
-enum dom_event_kind {
-    DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
-    DOM_EVENT_FALL,   /* a follower falls off the domino that it leaned on (A17) */
-    DOM_EVENT_TOP,    /* the top of the barrier, where there is one */
-    DOM_EVENT_STOP,   /* the train comes to rest below the top: there is no next hit */
-    DOM_EVENT_HIT     /* the head hits the next domino (a2) */
-};
 
 struct dom_event {
     enum dom_event_kind kind;
     dom_real theta; /* tilt of the head */
     dom_real time;  /* since the launch, in tau */
-    size_t domino;  /* that falls off; else 0, the head */
+    size_t domino;  /* that detaches; else 0, the head */
 };
-
-enum { DOM_EVENTS_MAX = 5 };
 
 /*
  * The events of the cycle in their order, at most DOM_EVENTS_MAX.  DOM_STOPS: the last is DOM_EVENT_STOP.
  * DOM_NO_FUEL: there are none.  DOM_NO_MARGIN, of all that have a time: see dom_cycle_duration.
  */
-enum dom_status dom_cycle_events(const struct dom_train *train, struct dom_event *events, int *count);
+enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_event *events, int *count);
 
-/* "launch", "fall", "top", "stop", "hit". */
-const char *dom_event_text(enum dom_event_kind kind);
+struct dom_state_error {
+    dom_real theta, time, omegasq, acceleration, kinetic, climbed, fallen, before, lost, friction_work;
+};
 
 /*
  * The train at one tilt on its way, and the ledger of its energy in m g h / 2 of the head:
- * before - lost - climbed - rubbed = kinetic.  With the paper's fuel it does not close, since that is no
- * balance.
+ * before - lost - climbed - friction_work = kinetic.  With the paper's fuel it does not close, since that is
+ * no balance.
  */
 struct dom_state {
     dom_real theta;
@@ -364,31 +497,29 @@ struct dom_state {
     dom_real acceleration;  /* tau^2 times that of the head, (c3) differentiated */
     dom_real kinetic;       /* J(theta) tau^2 omega^2 */
     dom_real climbed;       /* H(theta) - H(0); what is negative was set free */
-    dom_real fallen;        /* the part of it in dominoes that fell off in this cycle */
+    dom_real fallen;        /* the part of it in dominoes that detached in this cycle */
     dom_real before;        /* kinetic energy of the hitting train, just before the collision */
     dom_real lost;          /* of that in the collision: without friction the share 1 / J(0) (c4) */
     dom_real friction_work; /* what friction has taken since the launch */
+    struct dom_state_error error;
 };
 
 /* 0 <= theta <= theta_c.  DOM_STOPS: the head does not come as far; DOM_NO_FUEL: it does not start. */
-enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state,
-                                struct dom_state *error);
+enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_state *state);
 
-/* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TILT. */
-enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta);
-
-/* How the rows of dom_cycle_walk are spaced. */
-enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
+/* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TIME. */
+enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real time, dom_real *theta);
 
 /*
  * Calls visit for `rows` states of the cycle evenly in time or in tilt, and for each event (else NULL), in
- * order; it returns false to end the walk early.  Its error is NULL unless errors are asked for.  Statuses as
- * dom_cycle_events, DOM_STOPS after all rows; many states cost far less than as many dom_cycle_state.
+ * order; it returns false to end the walk early.  Statuses as dom_cycle_events, DOM_STOPS after all rows; many
+ * states cost far less than as many dom_cycle_state.
  */
-typedef bool dom_state_visit(const struct dom_state *state, const struct dom_state *error,
-                             const struct dom_event *event, void *context);
-enum dom_status dom_cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by, bool errors,
-                               dom_state_visit *visit, void *context);
+typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
+enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
+                               enum dom_spacing by, dom_state_visit *visit, void *context);
 
 /* Domino i, and the contact of the follower that leans on it. */
 struct dom_force {
@@ -403,11 +534,10 @@ struct dom_force {
  * section 5: they stay in contact as long as every force is > 0).  Statuses as dom_cycle_state.
  */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
-enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
-                                 void *context);
+enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, dom_force_visit *visit, void *context);
 
-/* Whether the dominoes stay in contact: > 0 where they do.  Infinite where there is no contact in the cycle.
- */
+/* Whether the dominoes stay in contact: > 0 where they do.  Infinite where there is no contact in the cycle. */
 struct dom_least_force {
     dom_real force;   /* the smallest of the cycle, in the weight of the domino that it pushes */
     dom_real theta;   /* the tilt of the head then */
@@ -415,9 +545,9 @@ struct dom_least_force {
     dom_real impulse; /* the smallest of the collision, in m g tau of the head */
 };
 
-/* Over the cycle, or up to where the train stops, to about 1e-5 of that weight.  Statuses as dom_cycle_state.
- */
-enum dom_status dom_cycle_least_force(const struct dom_train *train, struct dom_least_force *least);
+/* Over the cycle, or up to where the train stops, to about 1e-5 of that weight.  Statuses as dom_cycle_state. */
+enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
+                                      struct dom_least_force *least);
 
 /*
  * The friction coefficient that the floor needs so that no hinge slips: |R_x| / R_z of the floor's force, and
@@ -434,42 +564,48 @@ struct dom_floor {
  * Over the cycle, or up to where the train stops, of the dominoes that move with a thousandth of the head's
  * speed at least; a smooth maximum is right to a millionth.  DOM_NO_FUEL, DOM_LOCKS: no cycle.
  */
-enum dom_status dom_cycle_floor(const struct dom_train *train, struct dom_floor *floor);
+enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_floor *floor);
 
 /* ---- The limits of growth ---- */
 
-enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
-
-/* "none", "barrier" or "reach". */
-const char *dom_end_text(enum dom_end end);
+struct dom_limit_error {
+    dom_real r_max;
+};
 
 struct dom_limit {
-    dom_real r_max;    /* NaN with DOM_END_NONE */
-    enum dom_end ends; /* by what growth is limited */
+    dom_real r_max;      /* NaN with DOM_END_NONE */
+    enum dom_end ends;   /* by what growth is limited */
+    enum dom_status why; /* with DOM_END_NONE: NO_FUEL, STOPS or LOCKS at r = 1; else DOM_OK */
+    struct dom_limit_error error;
 };
 
 /*
  * The first r, raised from 1, at which the margin reaches 0; 1/s where that never happens.  train->r is
- * not used.  DOM_OK with DOM_END_NONE where already r = 1 does not go on; *why, unless why is NULL,
- * then tells whether by NO_FUEL, STOPS or LOCKS.  Without friction bounds cover every growth up to r_max:
- * what can be missed is a dip of the margin narrower than 1e-6 in ln r (1e-4 just before r_max; more where
- * 1,500 intervals do not decide).  With friction there are samples alone.  DOM_TOO_LONG, also of the next
- * two: more work than a second or two in double.
+ * not used.  DOM_OK with DOM_END_NONE where already r = 1 does not go on.  Without friction bounds cover every
+ * growth up to r_max: what can be missed is a dip of the margin narrower than 1e-6 in ln r (1e-4 just before
+ * r_max; more where 1,500 intervals do not decide).  With friction there are samples alone.  DOM_TOO_LONG, also
+ * of the next two: more work than a second or two in double.
  */
-enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
-                               struct dom_limit *error, enum dom_status *why);
+enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit);
 
 /*
  * The same for two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry domino 0
  * over the barrier of the pair.  train->r and train->fuel are not used.  Where equal dominoes fail, but
  * larger ones succeed ((b0) is a lower bound on r), the first band of r that succeeds counts.
  */
-enum dom_status dom_limit_pair(const struct dom_train *train, struct dom_limit *limit,
-                               struct dom_limit *error);
+enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit);
+
+struct dom_best_error {
+    dom_real s, r_max;
+};
 
 struct dom_best {
     dom_real s;     /* the separation that allows the largest growth */
     dom_real r_max; /* that growth */
+    struct dom_best_error error;
 };
 
 /*
@@ -477,7 +613,8 @@ struct dom_best {
  * bounds exclude larger growths elsewhere, but for tops of r_max(s) narrower than 0.2 % of s; with friction
  * there are samples alone.
  */
-enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *best, struct dom_best *error);
+enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_best *best);
 
 /* ---- A finite row of any dominoes ---- */
 
@@ -505,41 +642,20 @@ struct dom_row {
     const volatile sig_atomic_t *interrupt; /* as of a train */
 };
 
-/* How a row ends: X(name, what it means). */
-#define DOM_ROW_ENDS(X)                                                                                      \
-    X(FALLS, "all fall")                                                                                     \
-    X(STOPS, "what is left of the motion does not carry it over its barrier")                                \
-    X(MISSES, "it falls short of the next: the gap is larger than it is tall")                               \
-    X(PASSES,                                                                                                \
-      "its tip passes above the next one: a contact of another kind, which this model does not have")        \
-    X(LEANS, "the first touches the second before it is over its edge: it needs a push")                     \
-    X(PARTS, "it runs ahead of those that lean on it: the contact opens, which this model does not follow")  \
-    X(LOCKS, "friction locks: a contact force passes behind the hinge that it is to turn")
-
-enum dom_row_end {
-#define DOM_ROW_ENUM(name, text) DOM_ROW_##name,
-    DOM_ROW_ENDS(DOM_ROW_ENUM)
-#undef DOM_ROW_ENUM
-};
-
-/* What it means, as a phrase about the domino where it ends. */
-const char *dom_row_end_text(enum dom_row_end end);
-
 /* One domino of the row, from when it is hit to when it hits the next, or lies on the floor. */
 struct dom_fall {
-    size_t domino;     /* its number, from 1 */
-    dom_real time;     /* s, when it was hit; the clock starts with the push, or else with the first hit */
-    dom_real duration; /* s, until it hits the next one, or lies on the floor; NaN where it does not */
-    dom_real omega;    /* rad/s, just after it was hit */
-    dom_real kinetic;  /* J, of all that move, just after it was hit */
-    dom_real barrier;  /* J, that it takes to go on; infinite where friction locks on the way */
-    dom_real margin;   /* J, kinetic - barrier */
-    dom_real lost;     /* J, in the collision */
-    dom_real
-        friction_work; /* J, to friction between dominoes since it was hit; NaN where it does not go on */
-    dom_real theta_m;  /* where it is hardest to go on */
-    dom_real theta;    /* where it hits the next, lies on the floor, or comes to rest */
-    size_t moving;     /* dominoes that moved with it */
+    size_t domino;          /* its number, from 1 */
+    dom_real time;          /* s, when it was hit; the clock starts with the push, or else with the first hit */
+    dom_real duration;      /* s, until it hits the next one, or lies on the floor; NaN where it does not */
+    dom_real omega;         /* rad/s, just after it was hit */
+    dom_real kinetic;       /* J, of all that move, just after it was hit */
+    dom_real barrier;       /* J, that it takes to go on; infinite where friction locks on the way */
+    dom_real margin;        /* J, kinetic - barrier */
+    dom_real lost;          /* J, in the collision */
+    dom_real friction_work; /* J, to friction between dominoes since it was hit; NaN where it does not go on */
+    dom_real theta_m;       /* where it is hardest to go on */
+    dom_real theta;         /* where it hits the next, lies on the floor, or comes to rest */
+    size_t moving;          /* dominoes that moved with it */
     /* Where the floor is asked for, as of a train; by numbers in the row.  Else NaN and 0. */
     dom_real floor_motion, floor_hit;
     size_t floor_domino, floor_hit_domino;
@@ -547,12 +663,11 @@ struct dom_fall {
 
 struct dom_verdict {
     enum dom_row_end end;
-    size_t domino; /* the last that was hit: where the row ends */
-    dom_real
-        short_by; /* J, of what is missing there: > 0 for STOPS, infinite where friction locks farther on */
-    dom_real seconds; /* until all lie, or until the last hit */
-    size_t weakest;   /* of those that go on the one that does so with the smallest margin / barrier */
-    dom_real spare;   /* that ratio; infinite where nothing has to be climbed */
+    size_t domino;     /* the last that was hit: where the row ends; with DOM_BAD_... the one that is wrong */
+    dom_real short_by; /* J, of what is missing there: > 0 for STOPS, infinite where friction locks farther on */
+    dom_real seconds;  /* until all lie, or until the last hit */
+    size_t weakest;    /* of those that go on the one that does so with the smallest margin / barrier */
+    dom_real spare;    /* that ratio; infinite where nothing has to be climbed */
 };
 
 /*
@@ -561,11 +676,10 @@ struct dom_verdict {
  * DOM_OK.  BAD_PARAMETER: a size, g, push, tol or an effect is not finite, or not in its range.
  */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
-enum dom_status dom_row_run(const struct dom_row *row, bool times, dom_fall_visit *visit, void *context,
-                            struct dom_verdict *verdict);
+enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
+                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 
-/* Of a train: domino k = 1 ... count, each r times as large, gap s of its own height; the first weighs mass.
- */
+/* Of a train: domino k = 1 ... count, each r times as large, gap s of its own height; the first weighs mass. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -654,13 +768,11 @@ struct dom_study {
  * unknown left out.  The answer does not depend on how the batches are run.  BAD_PARAMETER: also sigma or
  * heights is no number >= 0, or rows is 0.
  */
-enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *placement,
-                                    struct dom_study *study, size_t *stops);
+enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
+                                    const struct dom_placement *placement, struct dom_study *study,
+                                    size_t *stops);
 
-/*
- * low and high from the counts: studies of other rows of one placement add up to a study of all of them.
- * BAD_PARAMETER: rows is 0, or fewer than fall + unknown.
- */
+/* low and high from the counts: studies of other rows of one placement add up to a study of all of them. */
 enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely must it be placed? */
@@ -674,8 +786,9 @@ struct dom_budget {
  * The sigma at which the whole row falls with the given probability; placement->sigma is not used.
  * DOM_STOPS: even without any error it does not.
  */
-enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *placement,
-                                     double probability, struct dom_budget *budget);
+enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *placement, double probability,
+                                     struct dom_budget *budget);
 
 /* ---- Effects ---- */
 
@@ -683,7 +796,7 @@ struct dom_effect_argument {
     const char *name, *unit, *meaning;
     dom_real lowest, highest;
     dom_real usual;      /* where it is left out, and what its price is measured with */
-    bool optional;       /* may be left out; those behind it too */
+    bool optional;       /* may be left out; those after it too */
     bool whole;          /* a whole number */
     const char *or_file; /* what a file may give in its place; NULL for nothing */
 };
@@ -726,21 +839,25 @@ dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d);
 /* Front speed of a cycle in m/s: (s + d) r h over its duration (given in tau). */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
+struct dom_count_error {
+    dom_real exact, last;
+};
+
 struct dom_count {
-    dom_real
-        dominoes;   /* n, the smallest integer with first r^n >= height; infinite for r = 1 < height/first */
-    dom_real exact; /* ln(height / first) / ln r */
-    dom_real last;  /* first r^n, in the unit of first; NaN where n is infinite */
+    dom_real dominoes; /* n, the smallest integer with first r^n >= height; infinite for r = 1 < height/first */
+    dom_real exact;    /* ln(height / first) / ln r */
+    dom_real last;     /* first r^n, in the unit of first; NaN where n is infinite */
+    struct dom_count_error error;
 };
 
 /*
  * How many dominoes topple one at least `height` tall, the first of them being `first` tall and each r
  * times the one before.  A power that meets the height up to the rounding of the typed numbers, half a
- * unit of the precision for each of 4 + n of them, counts as exact.  Both heights > 0 in one unit, r >= 1,
- * else DOM_BAD_PARAMETER.
+ * unit of the precision for each of 4 + n of them, counts as exact.  Both heights > 0 in one unit, else
+ * DOM_BAD_HEIGHT; r >= 1, else DOM_BAD_R.  Of compute the precision and errors are used.
  */
-enum dom_status dom_count_find(enum dom_precision precision, dom_real first, dom_real height, dom_real r,
-                               struct dom_count *count, struct dom_count *error);
+enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
+                               struct dom_count *count);
 
 #ifdef __cplusplus
 }

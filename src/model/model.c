@@ -24,8 +24,19 @@ static enum dom_status range_check(const struct dom_train *train)
 static const struct kernel *const kernels[] = {
     [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
 
-/* The kernel for a train; NULL with a status if there is none. */
-static const struct kernel *kernel_of(const struct dom_train *train, enum dom_status *status)
+/* The status that names a parameter of the lists. */
+#define BAD_s   DOM_BAD_S
+#define BAD_r   DOM_BAD_R
+#define BAD_d   DOM_BAD_D
+#define BAD_q   DOM_BAD_Q
+#define BAD_tol DOM_BAD_TOL
+
+/* Keeps the first parameter that is outside its range. */
+#define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
+    if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
+        status = BAD_##name;
+
+static enum dom_status request_check(const struct request *q)
 {
     *status = range_check(train);
     if (*status != DOM_OK)
@@ -39,159 +50,301 @@ static const struct kernel *kernel_of(const struct dom_train *train, enum dom_st
                                                : kernels[train->precision];
 }
 
-/* Calls the member of the train's kernel. */
-#define ASK(train, member, ...)                                                                              \
-    enum dom_status status;                                                                                  \
-    const struct kernel *kernel = kernel_of(train, &status);                                                 \
-    return !kernel ? status : !kernel->member ? DOM_NO_METHOD : kernel->member(__VA_ARGS__)
-
-enum dom_status dom_train_check(const struct dom_train *train)
+static struct question question_make(const struct dom_train *train, const struct dom_compute *asked)
 {
-    struct dom_angles angles;
-    return dom_angles_find(train, &angles, NULL);
+    struct dom_compute compute = compute_or_default(asked);
+#define COPY(name, default_, lowest, highest, unit, meaning)         .name = train->name,
+#define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
+    struct question q = {
+        .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
+                    .mu = train->mu, .precision = compute.precision, .method = compute.method,
+                    .errors = compute.errors, .work = compute.work, .interrupt = compute.interrupt}};
+#undef COPY
+#undef COPY_COMPUTE
+    q.status = request_check(&q.request);
+    if (q.status == DOM_OK)
+        q.kernel = compute.method == DOM_METHOD_GSL     ? &kernel_gsl
+                   : compute.method == DOM_METHOD_PAPER ? &kernel_paper
+                                                        : kernels[compute.precision];
+    return q;
 }
 
-enum dom_status dom_angles_find(const struct dom_train *train, struct dom_angles *angles,
-                                struct dom_angles *error)
-{
-    ASK(train, angles_find, train, angles, error);
-}
-
-enum dom_status dom_contact_find(const struct dom_train *train, dom_real theta, struct dom_contact *contact,
-                                 struct dom_contact *error)
-{
-    ASK(train, contact_find, train, theta, contact, error);
-}
-
-enum dom_status dom_chain_walk(const struct dom_train *train, dom_real theta, bool errors, dom_visit *visit,
-                               void *context)
-{
-    ASK(train, chain_walk, train, theta, errors, visit, context);
-}
-
-enum dom_status dom_energy_find(const struct dom_train *train, dom_real theta, struct dom_energy *energy,
-                                struct dom_energy *error)
-{
-    ASK(train, energy_find, train, theta, energy, error);
-}
-
-enum dom_status dom_fuel_find(const struct dom_train *train, struct dom_fuels *fuels, struct dom_fuels *error)
-{
-    ASK(train, fuel_find, train, fuels, error);
-}
-
-enum dom_status dom_launch_find(const struct dom_train *train, struct dom_launch *launch,
-                                struct dom_launch *error)
-{
-    ASK(train, launch_find, train, launch, error);
-}
-
-enum dom_status dom_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
-                                 struct dom_barrier *error)
-{
-    ASK(train, barrier_find, train, barrier, error);
-}
-
-enum dom_status dom_cycle_omegasq(const struct dom_train *train, dom_real theta, dom_real *omegasq,
-                                  dom_real *error)
-{
-    *omegasq = DOM_NAN;
-    ASK(train, cycle_omegasq, train, theta, omegasq, error);
-}
-
-enum dom_status dom_cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error)
-{
-    ASK(train, cycle_stop, train, theta, error);
-}
-
-enum dom_status dom_cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
-{
-    ASK(train, cycle_duration, train, duration, error);
-}
-
-enum dom_status dom_cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
-{
-    *count = 0;
-    ASK(train, cycle_events, train, events, count);
-}
-
-enum dom_status dom_cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state,
-                                struct dom_state *error)
-{
-    ASK(train, cycle_state, train, theta, state, error);
-}
-
-enum dom_status dom_cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta)
-{
-    ASK(train, cycle_tilt, train, time, theta);
-}
-
-enum dom_status dom_cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by, bool errors,
-                               dom_state_visit *visit, void *context)
-{
-    ASK(train, cycle_walk, train, rows, by, errors, visit, context);
-}
-
-enum dom_status dom_cycle_forces(const struct dom_train *train, dom_real theta, dom_force_visit *visit,
-                                 void *context)
-{
-    ASK(train, cycle_forces, train, theta, visit, context);
-}
-
-enum dom_status dom_cycle_least_force(const struct dom_train *train, struct dom_least_force *least)
-{
-    ASK(train, cycle_least_force, train, least);
-}
-
-enum dom_status dom_cycle_floor(const struct dom_train *train, struct dom_floor *floor)
-{
-    ASK(train, cycle_floor, train, floor);
-}
-
-/* The limits have r of their own: the train's may be anything. */
-static struct dom_train without_r(const struct dom_train *train)
+/* A question about a limit of growth, which has r of its own: the train's may be anything. */
+static struct question question_of_limit(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_train t = *train;
     t.r = 1;
-    return t;
+    return question_make(&t, compute);
 }
 
-enum dom_status dom_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
-                               struct dom_limit *error, enum dom_status *why)
+/* Calls a function of the kernel with the request and more arguments; the value is its status. */
+#define ASK(question, member, ...)                                                                           \
+    ((question).status != DOM_OK         ? (question).status                                                 \
+     : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \
+                                         : (question).kernel->member(&(question).request, __VA_ARGS__))
+
+/* The bounds where they are asked for. */
+#define BOUNDS(question, bounds) ((question).request.errors ? &(bounds) : NULL)
+
+enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
 {
-    struct dom_train t = without_r(train);
-    ASK(&t, limit_rmax, &t, limit, error, why);
+    struct dom_angles angles;
+    struct question q = question_make(train, compute);
+    return ASK(q, angles_find, &angles, NULL);
 }
 
-enum dom_status dom_limit_pair(const struct dom_train *train, struct dom_limit *limit,
-                               struct dom_limit *error)
+enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_angles *angles)
 {
-    struct dom_train t = without_r(train);
-    ASK(&t, limit_pair, &t, limit, error);
+    struct dom_angles_error bounds;
+    struct question q = question_make(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, angles_find, angles, BOUNDS(q, bounds));
+    angles->error = bounds;
+    return status;
 }
 
-enum dom_status dom_limit_best(const struct dom_train *train, struct dom_best *best, struct dom_best *error)
+enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, struct dom_contact *contact)
 {
-    struct dom_train t = without_r(train);
-    t.s = 1;
-    ASK(&t, limit_best, &t, best, error);
+    struct dom_contact_error bounds;
+    struct question q = question_make(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, contact_find, theta, contact, BOUNDS(q, bounds));
+    contact->error = bounds;
+    return status;
 }
 
-enum dom_status dom_row_run(const struct dom_row *row, bool times, dom_fall_visit *visit, void *context,
-                            struct dom_verdict *verdict)
+enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real theta, dom_visit *visit, void *context)
 {
-    if (row->precision > DOM_QUAD)
-        return DOM_BAD_PARAMETER;
-    return dom_arithmetic(row->precision)->bits
-               ? kernels[row->precision]->row_run(row, times, visit, context, verdict)
+    struct question q = question_make(train, compute);
+    return ASK(q, chain_walk, theta, visit, context);
+}
+
+enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_energy *energy)
+{
+    struct dom_energy_error bounds;
+    struct question q = question_make(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, energy_find, theta, energy, BOUNDS(q, bounds));
+    energy->error = bounds;
+    return status;
+}
+
+enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
+                              struct dom_fuels *fuels)
+{
+    struct dom_fuels_error bounds;
+    struct question q = question_make(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, fuel_find, fuels, BOUNDS(q, bounds));
+    fuels->error = bounds;
+    return status;
+}
+
+enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_launch *launch)
+{
+    struct dom_launch_error bounds;
+    struct question q = question_make(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, launch_find, launch, BOUNDS(q, bounds));
+    launch->error = bounds;
+    return status;
+}
+
+enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_barrier *barrier)
+{
+    struct dom_barrier_error bounds;
+    struct question q = question_make(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, barrier_find, barrier, BOUNDS(q, bounds));
+    barrier->error = bounds;
+    return status;
+}
+
+enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
+                                  dom_real theta, struct dom_value *omegasq)
+{
+    struct question q = question_make(train, compute);
+    omegasq->error = DOM_NAN;
+    omegasq->value = DOM_NAN;
+    return ASK(q, cycle_omegasq, theta, &omegasq->value, BOUNDS(q, omegasq->error));
+}
+
+enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_value *theta)
+{
+    struct question q = question_make(train, compute);
+    theta->error = DOM_NAN;
+    return ASK(q, cycle_stop, &theta->value, BOUNDS(q, theta->error));
+}
+
+enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
+                                   struct dom_value *duration)
+{
+    struct question q = question_make(train, compute);
+    duration->error = DOM_NAN;
+    return ASK(q, cycle_duration, &duration->value, BOUNDS(q, duration->error));
+}
+
+enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
+                                 struct dom_event *events, int *count)
+{
+    *count = 0;
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_events, events, count);
+}
+
+enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
+                                dom_real theta, struct dom_state *state)
+{
+    struct dom_state_error bounds;
+    struct question q = question_make(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, cycle_state, theta, state, BOUNDS(q, bounds));
+    state->error = bounds;
+    return status;
+}
+
+enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
+                               dom_real time, dom_real *theta)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_tilt, time, theta);
+}
+
+enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
+                               enum dom_spacing by, dom_state_visit *visit, void *context)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_walk, rows, by, visit, context);
+}
+
+enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
+                                 dom_real theta, dom_force_visit *visit, void *context)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_forces, theta, visit, context);
+}
+
+enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
+                                      struct dom_least_force *least)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_least_force, least);
+}
+
+enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_floor *floor)
+{
+    struct question q = question_make(train, compute);
+    return ASK(q, cycle_floor, floor);
+}
+
+enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit)
+{
+    struct dom_limit_error bounds;
+    struct question q = question_of_limit(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, limit_rmax, limit, BOUNDS(q, bounds));
+    limit->error = bounds;
+    return status;
+}
+
+enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_limit *limit)
+{
+    struct dom_limit_error bounds;
+    struct question q = question_of_limit(train, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, limit_pair, limit, BOUNDS(q, bounds));
+    limit->error = bounds;
+    return status;
+}
+
+enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_best *best)
+{
+    struct dom_train anywhere = *train;
+    anywhere.s = 1;
+    struct dom_best_error bounds;
+    struct question q = question_of_limit(&anywhere, compute);
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status = ASK(q, limit_best, best, BOUNDS(q, bounds));
+    best->error = bounds;
+    return status;
+}
+
+enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *asked, bool times,
+                            dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
+{
+    struct dom_compute compute = compute_or_default(asked);
+    struct row_request request = {.domino = row->domino,
+                                  .count = row->count,
+                                  .g = row->g,
+                                  .push = row->push,
+                                  .mu = row->mu,
+                                  .floor = row->floor,
+                                  .tol = compute.tol,
+                                  .precision = compute.precision,
+                                  .work = compute.work,
+                                  .interrupt = compute.interrupt};
+    if (compute.precision > DOM_QUAD)
+        return DOM_BAD_PRECISION;
+    return dom_arithmetic(compute.precision)->bits
+               ? kernels[compute.precision]->row_run(&request, times, visit, context, verdict)
                : DOM_NO_PRECISION;
 }
 
-enum dom_status dom_count_find(enum dom_precision precision, dom_real first, dom_real height, dom_real r,
-                               struct dom_count *count, struct dom_count *error)
+enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *asked,
+                               struct dom_count *count)
 {
-    if (precision > DOM_QUAD)
-        return DOM_BAD_PARAMETER;
-    return dom_arithmetic(precision)->bits ? kernels[precision]->count_find(first, height, r, count, error)
-                                           : DOM_NO_PRECISION;
+    struct dom_compute compute = compute_or_default(asked);
+    struct dom_count_error bounds;
+    if (compute.precision > DOM_QUAD)
+        return DOM_BAD_PRECISION;
+    if (dom_arithmetic(compute.precision)->bits == 0)
+        return DOM_NO_PRECISION;
+    no_bounds(&bounds, sizeof bounds);
+    enum dom_status status =
+        kernels[compute.precision]->count_find(first, height, r, count, compute.errors ? &bounds : NULL);
+    count->error = bounds;
+    return status;
+}
+
+/* ---- Simple API ---- */
+
+dom_real dom_rmax(dom_real s, dom_real d, dom_real q)
+{
+    struct dom_train train = dom_train_default();
+    struct dom_limit limit;
+    train.s = s;
+    train.d = d;
+    train.q = q;
+    return dom_limit_rmax(&train, NULL, &limit) == DOM_OK ? limit.r_max : DOM_NAN;
+}
+
+dom_real dom_dominoes(dom_real first, dom_real height, dom_real r)
+{
+    struct dom_count count;
+    return dom_count_find(first, height, r, NULL, &count) == DOM_OK ? count.dominoes : DOM_NAN;
+}
+
+dom_real dom_speed(dom_real h, dom_real s, dom_real d)
+{
+    struct dom_train train = dom_train_default();
+    struct dom_scale scale = dom_scale_default();
+    struct dom_value duration;
+    train.s = s;
+    train.d = d;
+    train.r = 1;
+    scale.h = h;
+    return h > 0 && dom_cycle_duration(&train, NULL, &duration) == DOM_OK
+               ? dom_scale_speed(&scale, &train, duration.value)
+               : DOM_NAN;
 }

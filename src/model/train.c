@@ -1,48 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is the same in every precision; its arithmetic is the widest. */
+/* Defaults, scales and rows: what is the same in every precision, in the arithmetic of dom_real. */
+#ifdef DOMQ
 #define REAL_QUAD
 #include "dynamics/list.h"
 #include "numerics/real.h"
-
-const char *dom_status_text(enum dom_status status)
-{
-    switch (status) {
-#define TEXT(name, text)                                                                                     \
-    case DOM_##name:                                                                                         \
-        return text;
-        DOM_STATUSES(TEXT)
-#undef TEXT
-    }
-    return "unknown status";
-}
 
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) .name = default_,
 
 struct dom_train dom_train_default(void)
 {
-    return (struct dom_train){DOM_TRAIN_PARAMETERS(DEFAULT).precision = DOM_DOUBLE, .fuel = DOM_FUEL_EXACT};
+    return (struct dom_train){DOM_TRAIN_PARAMETERS(DEFAULT).fuel = DOM_FUEL_EXACT};
+}
+
+struct dom_compute dom_compute_default(void)
+{
+    return (struct dom_compute){DOM_COMPUTE_PARAMETERS(DEFAULT).precision = DOM_DOUBLE};
 }
 
 struct dom_scale dom_scale_default(void)
 {
     return (struct dom_scale){DOM_SCALE_PARAMETERS(DEFAULT)};
-}
-
-const char *dom_end_text(enum dom_end end)
-{
-    static const char *const text[] = {
-        [DOM_END_NONE] = "none", [DOM_END_BARRIER] = "barrier", [DOM_END_REACH] = "reach"};
-    return text[end];
-}
-
-const char *dom_event_text(enum dom_event_kind kind)
-{
-    static const char *const text[] = {[DOM_EVENT_LAUNCH] = "launch",
-                                       [DOM_EVENT_FALL] = "fall",
-                                       [DOM_EVENT_TOP] = "top",
-                                       [DOM_EVENT_STOP] = "stop",
-                                       [DOM_EVENT_HIT] = "hit"};
-    return text[kind];
 }
 
 dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d)
@@ -67,7 +44,7 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
     static const struct dom_arithmetic table[] = {
         [DOM_FLOAT] = {"float", "float", FLT_MANT_DIG, (double)FLT_EPSILON, TENTH(1e5), TENTH(1e6), 5},
         [DOM_DOUBLE] = {"double", "double", DBL_MANT_DIG, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
-#if defined DOM_REAL_FLOAT128
+#if defined DOMQ_REAL_FLOAT128
         [DOM_QUAD] = {"quad", "__float128", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},
 #elif LDBL_MANT_DIG == 113
         [DOM_QUAD] = {"quad", "long double", 113, 0x1p-112, TENTH(1e15) / 1e15, TENTH(1e15) / 1e18, 30},
@@ -79,16 +56,6 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 #endif
     };
     return &table[precision];
-}
-
-const char *dom_row_end_text(enum dom_row_end end)
-{
-    static const char *const text[] = {
-#define END_TEXT(name, text) [DOM_ROW_##name] = text,
-        DOM_ROW_ENDS(END_TEXT)
-#undef END_TEXT
-    };
-    return text[end];
 }
 
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
@@ -104,6 +71,10 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
         };
     }
 }
+
+#define DECLARE(effect) extern const struct dom_effect effect_##effect;
+DOM_EFFECTS(DECLARE)
+#undef DECLARE
 
 const struct dom_effect *dom_effect(enum dom_effect_name name)
 {

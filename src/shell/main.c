@@ -84,7 +84,7 @@ static bool stopped(const struct session *session)
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
-    FILE *in = standard ? io_stdin(session->train.interrupt) : io_read(name, session->train.interrupt);
+    FILE *in = standard ? io_stdin(session->compute.interrupt) : io_read(name, session->compute.interrupt);
     if (!in) {
         session->source = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));

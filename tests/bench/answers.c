@@ -5,7 +5,7 @@
  * usage: answers         all of them
  *        answers NAME    this one alone; prints the passes and dominoes that it took
  */
-#include "domino.h"
+#include "../unit/ask.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,30 +13,30 @@
 enum { ROW = 20, ROWS = 60, POINTS = 12 };
 
 /* Zeros stand for the defaults. */
-struct asked {
+struct counted {
     const char *name;
-    enum dom_status (*ask)(const struct dom_train *train);
+    enum dom_status (*ask)(const struct asked *train);
     double s, r, q, mu;
     bool quad, single;
 };
 
-static enum dom_status ask_rmax(const struct dom_train *train)
+static enum dom_status ask_rmax(const struct asked *train)
 {
-    struct dom_limit limit;
-    return dom_limit_rmax(train, &limit, NULL, NULL);
+    struct domq_limit limit;
+    return ask_limit_rmax(train, &limit, NULL, NULL);
 }
 
-static enum dom_status ask_rmax_bound(const struct dom_train *train)
+static enum dom_status ask_rmax_bound(const struct asked *train)
 {
-    struct dom_limit limit, error;
-    return dom_limit_rmax(train, &limit, &error, NULL);
+    struct domq_limit limit, error;
+    return ask_limit_rmax(train, &limit, &error, NULL);
 }
 
 /* Of both q, as the benchmark does, from 0.02 to 0.9. */
-static enum dom_status ask_curve(const struct dom_train *train)
+static enum dom_status ask_curve(const struct asked *train)
 {
     enum dom_status status = DOM_OK;
-    struct dom_train at = *train;
+    struct asked at = *train;
     for (int i = 0; i < 2 * POINTS && status == DOM_OK; i++) {
         at.q = i < POINTS ? 3 : 4;
         at.s = 0.02 + 0.88 * (i % POINTS) / (POINTS - 1);
@@ -45,101 +45,101 @@ static enum dom_status ask_curve(const struct dom_train *train)
     return status;
 }
 
-static enum dom_status ask_pair(const struct dom_train *train)
+static enum dom_status ask_pair(const struct asked *train)
 {
-    struct dom_limit limit;
-    return dom_limit_pair(train, &limit, NULL);
+    struct domq_limit limit;
+    return ask_limit_pair(train, &limit, NULL);
 }
 
-static enum dom_status ask_best(const struct dom_train *train)
+static enum dom_status ask_best(const struct asked *train)
 {
-    struct dom_best best;
-    return dom_limit_best(train, &best, NULL);
+    struct domq_best best;
+    return ask_limit_best(train, &best, NULL);
 }
 
-static enum dom_status ask_barrier(const struct dom_train *train)
+static enum dom_status ask_barrier(const struct asked *train)
 {
-    struct dom_barrier barrier;
-    return dom_barrier_find(train, &barrier, NULL);
+    struct domq_barrier barrier;
+    return ask_barrier_find(train, &barrier, NULL);
 }
 
-static enum dom_status ask_duration(const struct dom_train *train)
+static enum dom_status ask_duration(const struct asked *train)
 {
-    dom_real duration;
-    return dom_cycle_duration(train, &duration, NULL);
+    domq_real duration;
+    return ask_cycle_duration(train, &duration, NULL);
 }
 
-static enum dom_status ask_events(const struct dom_train *train)
+static enum dom_status ask_events(const struct asked *train)
 {
-    struct dom_event events[DOM_EVENTS_MAX];
+    struct domq_event events[DOM_EVENTS_MAX];
     int count;
-    return dom_cycle_events(train, events, &count);
+    return ask_cycle_events(train, events, &count);
 }
 
-static enum dom_status ask_floor(const struct dom_train *train)
+static enum dom_status ask_floor(const struct asked *train)
 {
-    struct dom_floor floor;
-    return dom_cycle_floor(train, &floor);
+    struct domq_floor floor;
+    return ask_cycle_floor(train, &floor);
 }
 
-static bool visit_link(const struct dom_link *link, const struct dom_link *error, void *context)
+static bool visit_link(const struct domq_link *link, const struct domq_link *error, void *context)
 {
     (void)link, (void)error, (void)context;
     return true;
 }
 
-static enum dom_status ask_chain(const struct dom_train *train)
+static enum dom_status ask_chain(const struct asked *train)
 {
-    return dom_chain_walk(train, 0.1, true, visit_link, NULL);
+    return ask_chain_walk(train, 0.1, true, visit_link, NULL);
 }
 
-static enum dom_status ask_count(const struct dom_train *train)
+static enum dom_status ask_count(const struct asked *train)
 {
-    struct dom_count count;
-    return dom_count_find(train->precision, 0.048, 112, train->r, &count, NULL);
+    struct domq_count count;
+    return ask_count_find(train->precision, 0.048, 112, train->r, &count, NULL);
 }
 
-static struct dom_row row_of(const struct dom_train *train, struct dom_domino *domino)
+static struct asked_row row_of(const struct asked *train, struct domq_domino *domino)
 {
-    struct dom_scale scale = dom_scale_default();
-    dom_row_of_train(train, &scale, 1, domino, ROW);
-    return (struct dom_row){.domino = domino,
-                            .count = ROW,
-                            .g = scale.g,
-                            .push = 6,
-                            .mu = train->mu,
-                            .tol = train->tol,
-                            .precision = train->precision,
-                            .work = train->work};
+    struct domq_scale scale = domq_scale_default();
+    ask_row_of_train(train, &scale, 1, domino, ROW);
+    return (struct asked_row){.domino = domino,
+                              .count = ROW,
+                              .g = scale.g,
+                              .push = 6,
+                              .mu = train->mu,
+                              .tol = train->tol,
+                              .precision = train->precision,
+                              .work = train->work};
 }
 
-static enum dom_status ask_verdict(const struct dom_train *train)
+static enum dom_status ask_verdict(const struct asked *train)
 {
-    struct dom_domino domino[ROW];
-    struct dom_verdict verdict;
-    struct dom_row row = row_of(train, domino);
-    return dom_row_run(&row, false, NULL, NULL, &verdict);
+    struct domq_domino domino[ROW];
+    struct domq_verdict verdict;
+    struct asked_row row = row_of(train, domino);
+    return ask_row_run(&row, false, NULL, NULL, &verdict);
 }
 
-static enum dom_status ask_row(const struct dom_train *train)
+static enum dom_status ask_row(const struct asked *train)
 {
-    struct dom_domino domino[ROW];
-    struct dom_verdict verdict;
-    struct dom_row row = row_of(train, domino);
-    return dom_row_run(&row, true, NULL, NULL, &verdict);
+    struct domq_domino domino[ROW];
+    struct domq_verdict verdict;
+    struct asked_row row = row_of(train, domino);
+    return ask_row_run(&row, true, NULL, NULL, &verdict);
 }
 
-static enum dom_status ask_study(const struct dom_train *train)
+static enum dom_status ask_study(const struct asked *train)
 {
     struct dom_domino domino[ROW];
     struct dom_study study;
     struct dom_row row = row_of(train, domino);
     struct dom_placement placement = {.sigma = 1e-3, .seed = 1, .rows = ROWS};
     row.work = NULL;
-    return dom_placement_study(&row, &placement, &study, NULL);
+    return ask_placement_study(&row, &placement, &study, NULL);
 }
 
-static const struct asked table[] = {
+static const struct counted table[] = {
     {.name = "rmax 0.05 hollow", .ask = ask_rmax, .s = 0.05, .q = 3},
     {.name = "rmax 0.2 hollow", .ask = ask_rmax, .s = 0.2, .q = 3},
     {.name = "rmax 0.5 hollow", .ask = ask_rmax, .s = 0.5, .q = 3},
@@ -169,37 +169,37 @@ static const struct asked table[] = {
 };
 
 /* The function that callgrind looks for: it must keep its name and be called. */
-__attribute__((noinline)) enum dom_status answer(const struct asked *asked, const struct dom_train *train);
+__attribute__((noinline)) enum dom_status answer(const struct counted *counted, const struct asked *train);
 
-enum dom_status answer(const struct asked *asked, const struct dom_train *train)
+enum dom_status answer(const struct counted *counted, const struct asked *train)
 {
-    return asked->ask(train);
+    return counted->ask(train);
 }
 
 int main(int argc, char **argv)
 {
     struct dom_work work = {.passes = 0};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
-        const struct asked *asked = &table[i];
-        struct dom_train train = dom_train_default();
-        if (argc > 1 && strcmp(argv[1], asked->name) != 0)
+        const struct counted *counted = &table[i];
+        struct asked train = asked_default();
+        if (argc > 1 && strcmp(argv[1], counted->name) != 0)
             continue;
-        train.s = asked->s > 0 ? asked->s : train.s;
-        train.r = asked->r > 0 ? asked->r : train.r;
-        train.q = asked->q > 0 ? asked->q : train.q;
-        train.precision = asked->quad ? DOM_QUAD : asked->single ? DOM_FLOAT : DOM_DOUBLE;
-        train.tol = dom_arithmetic(train.precision)->tol_default;
-        train.mu = asked->mu;
+        train.s = counted->s > 0 ? counted->s : train.s;
+        train.r = counted->r > 0 ? counted->r : train.r;
+        train.q = counted->q > 0 ? counted->q : train.q;
+        train.precision = counted->quad ? DOM_QUAD : counted->single ? DOM_FLOAT : DOM_DOUBLE;
+        train.tol = domq_arithmetic(train.precision)->tol_default;
+        train.mu = counted->mu;
         train.work = argc > 1 ? &work : NULL;
-        enum dom_status status = answer(asked, &train);
+        enum dom_status status = answer(counted, &train);
         if (status != DOM_OK) {
-            fprintf(stderr, "answers: %s: %s\n", asked->name, dom_status_text(status));
+            fprintf(stderr, "answers: %s: %s\n", counted->name, dom_status_text(status));
             return EXIT_FAILURE;
         }
         if (argc > 1)
             printf("%zu %zu\n", work.passes, work.dominoes);
         else
-            puts(asked->name);
+            puts(counted->name);
     }
     return EXIT_SUCCESS;
 }

@@ -82,7 +82,7 @@ static void truth_print(void)
     char line[256], fuel[16];
     int rows = 0;
     while (table && fgets(line, sizeof line, table)) {
-        struct question question = {.task = RMAX, .train = dom_train_default()};
+        struct question question = {.task = RMAX, .train = asked_default()};
         if (sscanf(line, "%lf,%lf,%lf,%15[^,],%lf", &s, &q, &d, fuel, &r_max) != 5)
             continue;
         question.train.s = s;
@@ -107,12 +107,12 @@ static size_t duration_questions(struct question *question)
     size_t n = 0;
     for (int q = 3; q <= 4; q++)
         for (size_t i = 0; i < sizeof separations / sizeof *separations; i++, n++) {
-            struct dom_limit limit = {.r_max = 1};
-            struct dom_train train = dom_train_default();
+            struct domq_limit limit = {.r_max = 1};
+            struct asked train = asked_default();
             train.q = q;
             train.s = separations[i];
-            dom_limit_rmax(&train, &limit, NULL, NULL);
-            train.r = (double)(1 + (dom_real)0.8 * (limit.r_max - 1));
+            ask_limit_rmax(&train, &limit, NULL, NULL);
+            train.r = (double)(1 + (domq_real)0.8 * (limit.r_max - 1));
             question[n] = (struct question){.task = DURATION, .train = train};
         }
     return n;
@@ -123,7 +123,7 @@ static size_t row_questions(struct question *question)
     static const double growths[] = {1, 1.05, 1.1};
     size_t n = 0;
     for (; n < sizeof growths / sizeof *growths; n++) {
-        struct dom_train train = dom_train_default();
+        struct asked train = asked_default();
         train.r = growths[n];
         question[n] = (struct question){.task = ROW, .train = train, .dominoes = 20, .push = 6};
     }
@@ -186,7 +186,7 @@ static struct curve_goals curve_print(const char *domino)
            "which give %.2f times one when they do nothing but multiply (efficiency is the share of that)\n",
            POINTS, threads[1], at[1].given);
     printf("  %-46s %12s %12s %12s\n", "", "one, ms", "all, ms", "efficiency");
-    printf("  %-46s %12.1f %12.1f", "a loop over dom_limit_rmax", 1e3 * at[0].seconds, 1e3 * at[1].seconds);
+    printf("  %-46s %12.1f %12.1f", "a loop over ask_limit_rmax", 1e3 * at[0].seconds, 1e3 * at[1].seconds);
     number_print(11, 0, goals.efficiency);
     puts(isnan(goals.efficiency) ? "" : "%");
     printf("  %-46s %12.1f", "domino -e 'set output csv; curve 0.02 0.9 ...'", 1e3 * one.seconds);

@@ -7,7 +7,7 @@
 #ifndef BENCH_H
 #define BENCH_H
 
-#include "domino.h"
+#include "../unit/ask.h"
 #include <stdio.h>
 #include <sys/types.h>
 
@@ -48,9 +48,9 @@ enum task { RMAX, DURATION, ROW };
 
 struct question {
     enum task task;
-    struct dom_train train; /* of ROW the ratios */
-    size_t dominoes;        /* of ROW */
-    double push;            /* of ROW, rad/s */
+    struct asked train; /* of ROW the ratios */
+    size_t dominoes;    /* of ROW */
+    double push;        /* of ROW, rad/s */
 };
 
 enum who { OURS, GSL, PAPER, NEWTON, OCTAVE, SCIPY, CONTENDERS };
@@ -78,8 +78,8 @@ void compare(const char *title, const struct question *question, size_t n, doubl
              double scale, struct result result[CONTENDERS]);
 
 /* One answer of ours; NaN if there is none. */
-dom_real ask_ours(const struct question *question, double tol, enum dom_precision precision,
-                  struct dom_work *work);
+domq_real ask_ours(const struct question *question, double tol, enum dom_precision precision,
+                   struct dom_work *work);
 
 /* Separations lo ... hi for q = 3 and, after them, q = 4; n in all, an even number. */
 void rmax_questions(struct question *question, size_t n, double lo, double hi);

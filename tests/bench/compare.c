@@ -30,29 +30,29 @@ static struct coprocess coprocess[CONTENDERS];
 static double ask_row(const struct question *q, double tol, enum dom_precision precision,
                       struct dom_work *work)
 {
-    struct dom_domino domino[DOMINOES_MAX];
-    struct dom_scale scale = dom_scale_default();
-    struct dom_verdict verdict;
-    dom_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
-    struct dom_row row = {.domino = domino,
-                          .count = q->dominoes,
-                          .g = scale.g,
-                          .push = q->push,
-                          .tol = tol,
-                          .precision = precision,
-                          .work = work};
-    bool falls = dom_row_run(&row, true, NULL, NULL, &verdict) == DOM_OK && verdict.end == DOM_ROW_FALLS;
+    struct domq_domino domino[DOMINOES_MAX];
+    struct domq_scale scale = domq_scale_default();
+    struct domq_verdict verdict;
+    ask_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
+    struct asked_row row = {.domino = domino,
+                            .count = q->dominoes,
+                            .g = scale.g,
+                            .push = q->push,
+                            .tol = tol,
+                            .precision = precision,
+                            .work = work};
+    bool falls = ask_row_run(&row, true, NULL, NULL, &verdict) == DOM_OK && verdict.end == DOM_ROW_FALLS;
     return falls ? (double)verdict.seconds : NONE;
 }
 
 static double ask_newton(const struct question *q)
 {
-    struct dom_domino domino[DOMINOES_MAX];
-    struct dom_scale scale = dom_scale_default();
+    struct domq_domino domino[DOMINOES_MAX];
+    struct domq_scale scale = domq_scale_default();
     double height[DOMINOES_MAX], thickness[DOMINOES_MAX], gap[DOMINOES_MAX], mass[DOMINOES_MAX];
     struct direct_hit hits[DOMINOES_MAX];
     struct direct_result result;
-    dom_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
+    ask_row_of_train(&q->train, &scale, 1, domino, q->dominoes);
     for (size_t i = 0; i < q->dominoes; i++) {
         height[i] = (double)domino[i].height;
         thickness[i] = (double)domino[i].thickness;
@@ -69,18 +69,18 @@ static double ask_newton(const struct question *q)
     return !direct_run(&row, hits, &result) && result.all_fall ? result.end_time : NONE;
 }
 
-static dom_real ask_train(const struct question *q, const struct dom_train *train)
+static domq_real ask_train(const struct question *q, const struct asked *train)
 {
-    struct dom_limit limit = {.r_max = DOM_NAN};
-    dom_real duration = DOM_NAN;
+    struct domq_limit limit = {.r_max = DOMQ_NAN};
+    domq_real duration = DOMQ_NAN;
     if (q->task == DURATION)
-        return dom_cycle_duration(train, &duration, NULL) == DOM_OK ? duration : DOM_NAN;
-    return dom_limit_rmax(train, &limit, NULL, NULL) == DOM_OK ? limit.r_max : DOM_NAN;
+        return ask_cycle_duration(train, &duration, NULL) == DOM_OK ? duration : DOMQ_NAN;
+    return ask_limit_rmax(train, &limit, NULL, NULL) == DOM_OK ? limit.r_max : DOMQ_NAN;
 }
 
-dom_real ask_ours(const struct question *q, double tol, enum dom_precision precision, struct dom_work *work)
+domq_real ask_ours(const struct question *q, double tol, enum dom_precision precision, struct dom_work *work)
 {
-    struct dom_train train = q->train;
+    struct asked train = q->train;
     if (q->task == ROW)
         return ask_row(q, tol, precision, work);
     train.tol = tol;
@@ -92,8 +92,8 @@ dom_real ask_ours(const struct question *q, double tol, enum dom_precision preci
 static bool ask_program(enum who who, const struct question *q, double tol, double *seconds, double *value)
 {
     static const char *const name[] = {[RMAX] = "rmax", [DURATION] = "duration", [ROW] = "row"};
-    const struct dom_train *t = &q->train;
-    struct dom_scale scale = dom_scale_default();
+    const struct asked *t = &q->train;
+    struct domq_scale scale = domq_scale_default();
     char line[256];
     if (q->task == ROW)
         snprintf(line, sizeof line, "row %.17g %zu %.17g %.17g %.17g %.17g %.17g %.17g", tol, q->dominoes,
@@ -120,7 +120,7 @@ static double sweep(enum who who, const struct question *q, size_t n, double tol
         } else if (q[i].task == ROW) {
             value[i] = ask_row(&q[i], tol, DOM_DOUBLE, NULL);
         } else {
-            struct dom_train train = q[i].train;
+            struct asked train = q[i].train;
             train.tol = tol;
             train.method = method[who];
             value[i] = (double)ask_train(&q[i], &train);
@@ -155,7 +155,7 @@ static void calibrate(enum who who, const struct question *q, size_t n, double t
                       struct result *result)
 {
     double value[QUESTIONS_MAX];
-    double finest = (double)dom_arithmetic(DOM_DOUBLE)->tol_floor;
+    double finest = (double)domq_arithmetic(DOM_DOUBLE)->tol_floor;
     double loosest = fmin((q->task == RMAX ? 1e2 : 1e6) * target, 1e-2);
     if (who == NEWTON) /* its own, which cannot be set */
         loosest = 1e-13;
@@ -195,7 +195,7 @@ void compare(const char *title, const struct question *question, size_t n, doubl
              double scale, struct result result[CONTENDERS])
 {
     double truth[QUESTIONS_MAX], value[QUESTIONS_MAX];
-    enum dom_precision finest = dom_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
+    enum dom_precision finest = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
     for (size_t i = 0; i < n; i++)
         truth[i] = (double)ask_ours(&question[i], finest == DOM_QUAD ? 1e-18 : 1e-15, finest, NULL);
     for (enum who w = OURS; w < CONTENDERS; w++) {
@@ -223,7 +223,7 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi)
 {
     size_t half = n / 2;
     for (size_t i = 0; i < n; i++) {
-        struct dom_train train = dom_train_default();
+        struct asked train = asked_default();
         train.q = i < half ? 3 : 4;
         train.s = lo + (hi - lo) * (double)(i % half) / (double)(half - 1);
         question[i] = (struct question){.task = RMAX, .train = train};
@@ -234,7 +234,7 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi)
 
 void contenders_start(void)
 {
-    const struct question first = {.task = RMAX, .train = dom_train_default()};
+    const struct question first = {.task = RMAX, .train = asked_default()};
     double seconds, value;
     for (size_t i = 0; i < sizeof programs / sizeof *programs; i++) {
         enum who who = programs[i].who;

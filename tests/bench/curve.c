@@ -16,13 +16,13 @@ struct curve {
 static void *curve_run(void *context)
 {
     struct curve *curve = context;
-    struct dom_train train = dom_train_default();
-    struct dom_limit limit;
+    struct asked train = asked_default();
+    struct domq_limit limit;
     size_t first;
     while ((first = atomic_fetch_add(&curve->next, AT_ONCE)) < curve->points)
         for (size_t i = first; i < first + AT_ONCE && i < curve->points; i++) {
             train.s = 0.02 + 0.88 * (double)i / (double)(curve->points - 1);
-            if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK)
+            if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK)
                 curve->failed = true;
         }
     return NULL;

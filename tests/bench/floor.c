@@ -23,7 +23,7 @@ static inline struct point next(struct point p, double r, double L, double d)
 
 static double lanes_measure(size_t lanes)
 {
-    const struct dom_train train = dom_train_default();
+    const struct asked train = asked_default();
     volatile double sink;
     double r = 1, d = (double)train.d, L = (double)train.s + d, least = INFINITY;
     for (int k = 0; k < REPEATS; k++) {
@@ -57,12 +57,12 @@ struct recurrence recurrence_measure(void)
 static double dominoes_at_answer(const struct question *question, size_t n)
 {
     struct dom_work work = {.passes = 0};
-    struct dom_fuels fuels;
+    struct domq_fuels fuels;
     for (size_t i = 0; i < n; i++) {
-        struct dom_train train = question[i].train;
+        struct asked train = question[i].train;
         train.r = ask_ours(&question[i], 1e-12, DOM_DOUBLE, NULL);
         train.work = &work;
-        dom_fuel_find(&train, &fuels, NULL);
+        ask_fuel_find(&train, &fuels, NULL);
     }
     return (double)work.dominoes / (double)n;
 }

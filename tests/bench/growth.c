@@ -29,8 +29,8 @@ static double time_of(const struct question *q, enum dom_method method, enum dom
 
 static double energy_seconds(double s, double r, struct dom_work *work)
 {
-    struct dom_train train = dom_train_default();
-    struct dom_fuels fuels;
+    struct asked train = asked_default();
+    struct domq_fuels fuels;
     double least = INFINITY;
     train.s = s;
     train.r = r;
@@ -38,12 +38,12 @@ static double energy_seconds(double s, double r, struct dom_work *work)
         int batch = 1 + (int)(LEAST_SECONDS / 1e-8 / (1 + (double)work->longest)) / 10;
         double begun = seconds_now();
         for (int i = 0; i < batch; i++)
-            if (dom_fuel_find(&train, &fuels, NULL) != DOM_OK)
+            if (ask_fuel_find(&train, &fuels, NULL) != DOM_OK)
                 return NAN;
         least = fmin(least, (seconds_now() - begun) / batch);
         *work = (struct dom_work){.passes = 0};
         train.work = work;
-        if (dom_fuel_find(&train, &fuels, NULL) != DOM_OK)
+        if (ask_fuel_find(&train, &fuels, NULL) != DOM_OK)
             return NAN;
         train.work = NULL;
     }
@@ -64,7 +64,7 @@ static void with_dominoes(FILE *data)
         struct dom_work work = {.longest = 0}, of_thin = {.longest = 0};
         double seconds = energy_seconds(s, 1, &work);
         for (int thin = 0; thin < 2; thin++) {
-            struct question q = {.task = RMAX, .train = dom_train_default()};
+            struct question q = {.task = RMAX, .train = asked_default()};
             q.train.s = s;
             if (thin) {
                 q.train.d = 0.005;
@@ -86,7 +86,7 @@ static void with_digits(FILE *data)
 {
     static const double tolerances[] = {1e-3,  1e-6,  1e-9,  1e-12, 1e-15, 1e-18,
                                         1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
-    struct question q = {.task = RMAX, .train = dom_train_default()};
+    struct question q = {.task = RMAX, .train = asked_default()};
     puts("\nTime against digits: r_max at s = 0.4, massive, us; '-': no such arithmetic, or too slow to wait "
          "for");
     printf("  %-8s %12s %12s %12s %12s %12s\n", "tol", "float", "double", "quad", "GSL, nested",

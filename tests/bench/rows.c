@@ -8,10 +8,10 @@ enum { DOMINOES = 20, ROWS = 2000, REPEATS = 3 };
 /* Rows a second; 0 if it fails. */
 static double rows_a_second(double growth, double mu, unsigned threads)
 {
-    struct dom_train train = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    struct dom_domino domino[DOMINOES];
-    struct dom_study study;
+    struct asked train = asked_default();
+    struct domq_scale scale = domq_scale_default();
+    struct domq_domino domino[DOMINOES];
+    struct domq_study study;
     train.r = growth;
     dom_row_of_train(&train, &scale, 1, domino, DOMINOES);
     struct dom_row row = {.domino = domino,
@@ -24,7 +24,7 @@ static double rows_a_second(double growth, double mu, unsigned threads)
     struct dom_placement placement = {
         .sigma = 1e-4, .seed = 1, .rows = ROWS, .parallel = threads_tasks, .pool = &threads};
     double begun = seconds_now();
-    if (dom_placement_study(&row, &placement, &study, NULL) != DOM_OK || study.fall != study.rows)
+    if (ask_placement_study(&row, &placement, &study, NULL) != DOM_OK || study.fall != study.rows)
         return 0; /* one that stops early is cheaper than one that falls */
     return ROWS / (seconds_now() - begun);
 }

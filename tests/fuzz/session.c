@@ -76,7 +76,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
     command_registry(all_commands);
     session_init(&session, to);
     session.safe = safe;
-    session.train.interrupt = &enough;
+    session.compute.interrupt = &enough;
     enough = 0;
     setitimer(ITIMER_VIRTUAL, &limit, NULL);
     line_stream(&session, in, "fuzz");

@@ -148,7 +148,7 @@ double ref_double(struct ref *ref, enum ref_quantity quantity)
     return mpfr_get_d(ref_value(ref, quantity), N);
 }
 
-double ref_error(struct ref *ref, enum ref_quantity quantity, dom_real got)
+double ref_error(struct ref *ref, enum ref_quantity quantity, domq_real got)
 {
     mpfr_t x;
     mpfr_init2(x, ref->bits > 192 ? ref->bits : 192);

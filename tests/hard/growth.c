@@ -2,7 +2,7 @@
 #include "growth.h"
 #include "sketch.h"
 
-static struct ref *open_at(const struct ref_input *input, bool pair, int digits2, dom_real r)
+static struct ref *open_at(const struct ref_input *input, bool pair, int digits2, domq_real r)
 {
     struct ref_input at = *input;
     at.r = r;
@@ -10,7 +10,7 @@ static struct ref *open_at(const struct ref_input *input, bool pair, int digits2
     return pair ? ref_open_pair(&at, digits2) : ref_open_for(&at, digits2);
 }
 
-double growth_margin(const struct ref_input *input, bool pair, int digits2, dom_real r)
+double growth_margin(const struct ref_input *input, bool pair, int digits2, domq_real r)
 {
     struct ref *ref = open_at(input, pair, digits2, r);
     double margin = ref_double(ref, REF_MARGIN);
@@ -23,7 +23,7 @@ double growth_margin(const struct ref_input *input, bool pair, int digits2, dom_
  * dr = M / (dM/dr).  The reference changes u = 1 - r s by the fraction `part` of its own that s has, and
  * r at constant r s; here it is s at constant r, and r at constant s.
  */
-double growth_error(const struct ref_input *input, bool pair, int digits2, dom_real r, double *scale)
+double growth_error(const struct ref_input *input, bool pair, int digits2, domq_real r, double *scale)
 {
     struct ref *ref = open_at(input, pair, digits2, r);
     double u = mpfr_get_d(ref->u, MPFR_RNDN), part = fmin(1, u / (1 - u)), r_ = (double)r;
@@ -38,25 +38,25 @@ double growth_error(const struct ref_input *input, bool pair, int digits2, dom_r
 }
 
 /* Beyond the reach no train goes on. */
-static bool margin_is_good(const struct ref_input *input, bool pair, int digits2, dom_real r)
+static bool margin_is_good(const struct ref_input *input, bool pair, int digits2, domq_real r)
 {
     return r * input->s < 1 && growth_margin(input, pair, digits2, r) >= 0;
 }
 
-double growth_distance(const struct ref_input *input, bool pair, int digits2, dom_real r, double delta)
+double growth_distance(const struct ref_input *input, bool pair, int digits2, domq_real r, double delta)
 {
-    dom_real lo = r, hi = r;
+    domq_real lo = r, hi = r;
     for (; delta < (double)r - 1; delta *= 4) {
-        lo = r - (dom_real)delta;
-        hi = r + (dom_real)delta;
+        lo = r - (domq_real)delta;
+        hi = r + (domq_real)delta;
         if (margin_is_good(input, pair, digits2, lo) && !margin_is_good(input, pair, digits2, hi))
             break;
     }
     for (int k = 0; k < 10; k++) {
-        dom_real middle = lo + (hi - lo) / 2;
+        domq_real middle = lo + (hi - lo) / 2;
         *(margin_is_good(input, pair, digits2, middle) ? &lo : &hi) = middle;
     }
-    dom_real error = r - (lo + (hi - lo) / 2);
+    domq_real error = r - (lo + (hi - lo) / 2);
     return (double)(error < 0 ? -error : error);
 }
 
@@ -111,7 +111,7 @@ struct growth growth_find(const struct ref_input *input, bool pair, int digits2)
     ref_close(ref);
     long double lo, hi;
     bool bracketed = bracket_growth(&train, pair, &lo, &hi, &found.grows);
-    found.r_max = DOM_NAN;
+    found.r_max = DOMQ_NAN;
     if (!found.grows)
         return found;
     if (!bracketed) {
@@ -124,8 +124,8 @@ struct growth growth_find(const struct ref_input *input, bool pair, int digits2)
         long double middle = (lo + hi) / 2;
         *(goes_on(&train, middle) ? &lo : &hi) = middle;
     }
-    found.r_max = (dom_real)lo;
+    found.r_max = (domq_real)lo;
     for (int newton = 0; newton < 4; newton++)
-        found.r_max -= (dom_real)growth_error(input, pair, digits2, found.r_max, &found.scale);
+        found.r_max -= (domq_real)growth_error(input, pair, digits2, found.r_max, &found.scale);
     return found;
 }

@@ -8,7 +8,7 @@
 struct growth {
     bool grows;    /* false where r = 1 does not go on */
     bool by_reach; /* r_max = 1/s */
-    dom_real r_max;
+    domq_real r_max;
     double scale; /* see reference.h: for the inputs s, d and q, and the terms of the margin */
 };
 
@@ -19,15 +19,15 @@ struct growth growth_find(const struct ref_input *input, bool pair, int digits2)
  * A claim that the margin is 0 at r: by how much r is wrong (with sign, to first order), and the scale.
  * NaN where there is no margin.
  */
-double growth_error(const struct ref_input *input, bool pair, int digits2, dom_real r, double *scale);
+double growth_error(const struct ref_input *input, bool pair, int digits2, domq_real r, double *scale);
 
 /*
  * |error| where the margin is so curved that first order is far off: bracketed in steps of 4 from delta on,
  * then bisected.
  */
-double growth_distance(const struct ref_input *input, bool pair, int digits2, dom_real r, double delta);
+double growth_distance(const struct ref_input *input, bool pair, int digits2, domq_real r, double delta);
 
 /* The margin over K + B: a sign with a size; NaN without fuel. */
-double growth_margin(const struct ref_input *input, bool pair, int digits2, dom_real r);
+double growth_margin(const struct ref_input *input, bool pair, int digits2, domq_real r);
 
 #endif

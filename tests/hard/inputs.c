@@ -10,11 +10,11 @@
 static const double nearness = 0x1p-60;
 
 /* In doubles: not every MPFR knows __float128, nor does every compiler. */
-void ref_set_real(mpfr_t z, dom_real x)
+void ref_set_real(mpfr_t z, domq_real x)
 {
     mpfr_set_d(z, (double)x, N);
     for (int part = 0; part < 3 && mpfr_number_p(z); part++) {
-        x -= (dom_real)(double)x;
+        x -= (domq_real)(double)x;
         mpfr_add_d(z, z, (double)x, N);
     }
 }
@@ -162,7 +162,7 @@ static void forget_tilt(struct ref *ref)
     ref->known[REF_OMEGASQ] = false;
 }
 
-void ref_tilt(struct ref *ref, dom_real tilt)
+void ref_tilt(struct ref *ref, domq_real tilt)
 {
     ref_set_real(ref->in[REF_TILT], tilt);
     forget_tilt(ref);

@@ -3,36 +3,36 @@
 
 #include "../unit/support.h"
 
-dom_real point_rounded(dom_real x, enum dom_precision precision)
+domq_real point_rounded(domq_real x, enum dom_precision precision)
 {
-    return precision == DOM_FLOAT ? (dom_real)(float)x : precision == DOM_DOUBLE ? (dom_real)(double)x : x;
+    return precision == DOM_FLOAT ? (domq_real)(float)x : precision == DOM_DOUBLE ? (domq_real)(double)x : x;
 }
 
 /* With bits to the end of the precision. */
-static dom_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
+static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
 {
     double x = random_log(seed, lo, hi);
-    return point_rounded((dom_real)x * (1 + (dom_real)(random_unit(seed) * 0x1p-52)), precision);
+    return point_rounded((domq_real)x * (1 + (domq_real)(random_unit(seed) * 0x1p-52)), precision);
 }
 
 /*
  * Close to the reach 1 - r s is small; where it is about d^2, followers slow down just where a thin head
  * has its barrier.
  */
-static dom_real random_growth(uint64_t *seed, dom_real s, dom_real d, enum dom_precision precision)
+static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum dom_precision precision)
 {
     const double finest = precision == DOM_FLOAT ? 1e-7 : precision == DOM_DOUBLE ? 1e-15 : 1e-30;
     const double reach = 1 / (double)s, kind = random_unit(seed);
     if (kind < 0.06) {
         double u = (double)(d * d) * random_log(seed, 1e-5, 1e3);
-        return point_rounded((1 - (dom_real)fmin(fmax(u, finest / 20), 0.5)) / s, precision);
+        return point_rounded((1 - (domq_real)fmin(fmax(u, finest / 20), 0.5)) / s, precision);
     }
     if (kind < 0.3)
         return point_rounded((1 - random_real(seed, finest, 0.5, precision)) / s, precision);
     if (kind < 0.55)
         return 1 + random_real(seed, 1e-12, fmax(1e-11, reach - 1), precision);
     if (kind < 0.9)
-        return point_rounded((dom_real)pow(reach, random_unit(seed)), precision);
+        return point_rounded((domq_real)pow(reach, random_unit(seed)), precision);
     return kind < 0.95 ? 1 : point_rounded(1 / s, precision);
 }
 
@@ -50,10 +50,10 @@ static struct ref_input random_input(uint64_t *seed, enum dom_precision precisio
     return input;
 }
 
-dom_real point_tilt(uint64_t *seed, dom_real theta_c, enum dom_precision precision)
+domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum dom_precision precision)
 {
     const double kind = random_unit(seed);
-    dom_real tilt;
+    domq_real tilt;
     if (kind < 0.06)
         return kind < 0.03 ? 0 : theta_c;
     if (kind < 0.3)
@@ -61,7 +61,7 @@ dom_real point_tilt(uint64_t *seed, dom_real theta_c, enum dom_precision precisi
     else if (kind < 0.5)
         tilt = theta_c * (1 - random_real(seed, 1e-16, 1, precision));
     else
-        tilt = theta_c * (dom_real)random_unit(seed);
+        tilt = theta_c * (domq_real)random_unit(seed);
     tilt = point_rounded(tilt, precision);
     return tilt > theta_c ? theta_c : tilt;
 }

@@ -16,7 +16,7 @@
 #ifndef HARD_REFERENCE_H
 #define HARD_REFERENCE_H
 
-#include "domino.h"
+#include "../unit/ask.h"
 #include <mpfr.h>
 
 #define REF_QUANTITIES(X)                                                                                    \
@@ -62,7 +62,7 @@ enum ref_quantity {
 const char *ref_name(enum ref_quantity quantity);
 
 struct ref_input {
-    dom_real s, r, d, q, tilt;
+    domq_real s, r, d, q, tilt;
     bool paper; /* whose fuel */
 };
 
@@ -106,7 +106,7 @@ struct ref *ref_open_for(const struct ref_input *input, int digits2);
 struct ref *ref_open_pair(const struct ref_input *input, int digits2);
 void ref_close(struct ref *ref);
 /* For another tilt of the same train: cheaper than a new one. */
-void ref_tilt(struct ref *ref, dom_real tilt);
+void ref_tilt(struct ref *ref, domq_real tilt);
 /* Likewise LINK_... of another domino. */
 void ref_link(struct ref *ref, size_t link);
 
@@ -114,7 +114,7 @@ void ref_link(struct ref *ref, size_t link);
 mpfr_srcptr ref_value(struct ref *ref, enum ref_quantity quantity);
 double ref_double(struct ref *ref, enum ref_quantity quantity);
 /* |got - value| */
-double ref_error(struct ref *ref, enum ref_quantity quantity, dom_real got);
+double ref_error(struct ref *ref, enum ref_quantity quantity, domq_real got);
 /* See above. */
 double ref_scale(struct ref *ref, enum ref_quantity quantity);
 /* The same, or something smaller that is still enough: every input costs one more reference. */
@@ -128,7 +128,7 @@ void ref_sums_init(struct ref_sums *sums, mpfr_prec_t bits);
 void ref_sums_clear(struct ref_sums *sums);
 void ref_walk(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums);
 void ref_walk_at_tilt(struct ref *ref); /* finds REF_THETA_1 to REF_J */
-void ref_set_real(mpfr_t z, dom_real x);
+void ref_set_real(mpfr_t z, domq_real x);
 void ref_find_barrier(struct ref *ref);
 void ref_find_stop(struct ref *ref);
 void ref_find_duration(struct ref *ref);

@@ -15,7 +15,7 @@ struct point {
     struct ref_input input;
     struct ref *ref;
     struct tally *tally;
-    struct dom_train train;
+    struct asked train;
     bool sharp;
 };
 
@@ -39,7 +39,7 @@ static struct comparison comparison_of(const struct point *point, enum ref_quant
                                .got = answers->value[quantity],
                                .bound = answers->error[quantity],
                                .tol = (double)point->train.tol,
-                               .unit = ask_unit(point->sweep->precision),
+                               .unit = library_unit(point->sweep->precision),
                                .sharp = point->sharp};
 }
 
@@ -70,7 +70,7 @@ static void compare_all(struct point *point, enum ref_quantity first, enum ref_q
  */
 static bool vanishes(const struct point *point, enum ref_quantity quantity, double size)
 {
-    const double allowed = (double)point->train.tol + 16 * ask_unit(point->sweep->precision);
+    const double allowed = (double)point->train.tol + 16 * library_unit(point->sweep->precision);
     const double value = fabs(ref_double(point->ref, quantity));
     return value <= allowed * size * 1e6 * (double)point->ref->n &&
            value <= allowed * ref_scale_up_to(point->ref, quantity, value / allowed);
@@ -104,7 +104,7 @@ static void compare_arms(struct point *point, enum ref_quantity a, struct answer
     if (isnan(own) != isnan((double)answers->value[a])) {
         double size = isnan(own) ? fabs((double)answers->value[a]) : fabs(own);
         if (size >
-            100 * ((double)point->train.tol + ask_unit(point->sweep->precision)) * (double)point->input.s)
+            100 * ((double)point->train.tol + library_unit(point->sweep->precision)) * (double)point->input.s)
             mistake(point, a, answers, isnan(own) ? "arms of a follower that has left" : "no arms");
         return;
     }
@@ -113,20 +113,20 @@ static void compare_arms(struct point *point, enum ref_quantity a, struct answer
 
 static void check_train(struct point *point, struct answers *answers)
 {
-    ask(&point->train, 0, REF_THETA_C, answers);
+    library_ask(&point->train, 0, REF_THETA_C, answers);
     /* At the edge of (A17) both formulas give the same theta_f. */
     if (answers->detaches != point->ref->detaches) {
         double rr = 1 / (double)(point->input.r * point->input.r);
         double room = (double)(point->input.s * (point->input.s + 2 * point->input.d));
-        if (!(fabs(rr / room - 1) <= 32 * ask_unit(point->sweep->precision)))
+        if (!(fabs(rr / room - 1) <= 32 * library_unit(point->sweep->precision)))
             mistake(point, REF_THETA_LEAVE, answers, "falls_off");
         compare_all(point, REF_THETA_C, REF_THETA_F, answers);
     } else {
         compare_all(point, REF_THETA_C, REF_THETA_LEAVE, answers);
     }
-    ask(&point->train, 0, REF_FUEL_EXACT, answers);
+    library_ask(&point->train, 0, REF_FUEL_EXACT, answers);
     compare_all(point, REF_FUEL_EXACT, REF_FUEL_PAPER, answers);
-    ask(&point->train, 0, REF_LAUNCH_OMEGASQ, answers);
+    library_ask(&point->train, 0, REF_LAUNCH_OMEGASQ, answers);
     enum dom_status status = answers->status[REF_LAUNCH_OMEGASQ];
     enum ref_quantity fuel = fuel_of(point);
     if (!fuel_vanishes(point)) {
@@ -140,7 +140,7 @@ static void check_train(struct point *point, struct answers *answers)
 /* STOPS is right only if the head stops before this tilt. */
 static void check_omegasq(struct point *point, bool look_closer, struct answers *answers)
 {
-    ask(&point->train, point->input.tilt, REF_OMEGASQ, answers);
+    library_ask(&point->train, point->input.tilt, REF_OMEGASQ, answers);
     enum dom_status status = answers->status[REF_OMEGASQ];
     if (fuel_vanishes(point))
         return;
@@ -160,14 +160,14 @@ static void check_omegasq(struct point *point, bool look_closer, struct answers 
 
 static void check_tilt(struct point *point, bool look_closer, struct answers *answers)
 {
-    ask(&point->train, point->input.tilt, REF_THETA_1, answers);
+    library_ask(&point->train, point->input.tilt, REF_THETA_1, answers);
     compare_all(point, REF_THETA_1, REF_SLOPE, answers);
     compare_arms(point, REF_ARM_A, answers);
-    ask(&point->train, point->input.tilt, REF_DH, answers);
+    library_ask(&point->train, point->input.tilt, REF_DH, answers);
     compare_all(point, REF_DH, REF_J0, answers);
     check_omegasq(point, look_closer, answers);
     /* Some domino down the train, the last that matters or one before. */
-    ask_link(&point->train, point->input.tilt, (size_t)random_log(&point->seed, 1, 400), answers);
+    library_link(&point->train, point->input.tilt, (size_t)random_log(&point->seed, 1, 400), answers);
     if (point->ref->link != answers->link)
         ref_link(point->ref, answers->link);
     compare_all(point, REF_LINK_THETA, REF_LINK_SLOPE, answers);
@@ -176,13 +176,13 @@ static void check_tilt(struct point *point, bool look_closer, struct answers *an
 }
 
 /* Of two maxima equally high either is theta_m. */
-static bool as_high(struct point *point, dom_real theta)
+static bool as_high(struct point *point, domq_real theta)
 {
     struct ref_input there = point->input;
     there.tilt = theta;
     struct ref *ref = ref_open(&there, point->ref->bits, point->ref->cut);
     double lower = ref_double(point->ref, REF_BARRIER) - ref_double(ref, REF_DH);
-    double allowed = (double)point->train.tol + 16 * ask_unit(point->sweep->precision);
+    double allowed = (double)point->train.tol + 16 * library_unit(point->sweep->precision);
     bool far = fabs((double)theta - ref_double(point->ref, REF_THETA_M)) > 1e-3 * (double)theta;
     ref_close(ref);
     return far && lower <= allowed * ref_scale(point->ref, REF_BARRIER);
@@ -190,7 +190,7 @@ static bool as_high(struct point *point, dom_real theta)
 
 static void check_barrier(struct point *point, struct answers *answers)
 {
-    ask(&point->train, 0, REF_BARRIER, answers);
+    library_ask(&point->train, 0, REF_BARRIER, answers);
     enum dom_status status = answers->status[REF_BARRIER];
     if (!as_high(point, answers->value[REF_THETA_M]))
         compare(point, REF_THETA_M, answers);
@@ -209,7 +209,7 @@ static void check_stop(struct point *point, struct answers *answers)
 {
     if (fuel_vanishes(point) || !positive(point, fuel_of(point)) || margin_vanishes(point))
         return;
-    ask(&point->train, 0, REF_STOP, answers);
+    library_ask(&point->train, 0, REF_STOP, answers);
     /* The kinetic energy, and with it this angle, may be so small that it needs bits of its own. */
     struct ref *ref = point->ref;
     struct ref_input there = point->input;
@@ -228,7 +228,7 @@ static void check_duration(struct point *point, struct answers *answers)
 {
     if (fuel_vanishes(point) || margin_vanishes(point) || !positive(point, REF_MARGIN))
         return;
-    ask(&point->train, 0, REF_DURATION, answers);
+    library_ask(&point->train, 0, REF_DURATION, answers);
     if (answers->status[REF_DURATION] == DOM_OK)
         compare(point, REF_DURATION, answers);
     else
@@ -238,7 +238,7 @@ static void check_duration(struct point *point, struct answers *answers)
 /* ---- Limits of growth ---- */
 
 /* Does every smaller r go on (after the first that does, for a pair)? */
-static bool is_first(const struct point *point, bool pair, dom_real r_max)
+static bool is_first(const struct point *point, bool pair, domq_real r_max)
 {
     struct ref *ref = pair ? ref_open_pair(&point->input, 53) : ref_open_for(&point->input, 53);
     const struct sketch train = sketch_of(ref);
@@ -260,7 +260,7 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
     const bool pair = quantity == REF_PAIR;
     const int digits2 = digits_of(point->sweep);
     struct comparison c = comparison_of(point, quantity, answers);
-    ask(&point->train, 0, quantity, answers);
+    library_ask(&point->train, 0, quantity, answers);
     c.ref = NULL;
     c.got = answers->value[quantity];
     c.bound = answers->error[quantity];
@@ -272,18 +272,18 @@ static void check_growth(struct point *point, enum ref_quantity quantity, struct
         if (!pair && growth_margin(&point->input, false, digits2, 1) > 1e-6)
             tally_mistake(&point->tally[quantity], &c, "equal dominoes do go on");
     } else if (answers->ends == DOM_END_BARRIER) {
-        const double delta = (double)c.got * ask_unit(point->sweep->precision);
+        const double delta = (double)c.got * library_unit(point->sweep->precision);
         c.error = growth_error(&point->input, pair, digits2, c.got, &c.scale);
         if (!(fabs(c.error) <= TALLY_UNITS * delta))
             c.error = growth_distance(&point->input, pair, digits2, c.got, delta);
         c.want -= c.error;
         tally_compare(&point->tally[quantity], &c);
     } else {
-        dom_real reach = 1 / point->input.s;
+        domq_real reach = 1 / point->input.s;
         c.error = (double)(c.got - reach);
         c.want = (double)reach;
         tally_compare(&point->tally[quantity], &c);
-        if (growth_margin(&point->input, pair, digits2, reach * (1 - (dom_real)1e-6)) < 0)
+        if (growth_margin(&point->input, pair, digits2, reach * (1 - (domq_real)1e-6)) < 0)
             tally_mistake(&point->tally[quantity], &c, "it stops before the reach");
     }
     if (answers->ends != DOM_END_NONE && point->sharp && !is_first(point, pair, c.got))
@@ -299,7 +299,7 @@ struct choice {
 static void check_at_tolerance(struct point *point, const struct choice *choice)
 {
     struct answers answers;
-    ask_nothing(&answers);
+    library_nothing(&answers);
     check_train(point, &answers);
     check_tilt(point, choice->barrier, &answers);
     if (choice->barrier) {
@@ -328,15 +328,15 @@ static bool check_reach(struct point *point, const struct answers *answers)
 static void check_point(struct point *point)
 {
     const struct sweep *sweep = point->sweep;
-    const double floor = ask_floor(sweep->precision);
+    const double floor = library_floor(sweep->precision);
     struct answers answers;
     struct choice choice = {
         one_in(point, sweep->barriers), one_in(point, sweep->durations),
         one_in(point, sweep->growths) && point_can_grow(&point->input, false, sweep->precision),
         one_in(point, sweep->pairs) && point_can_grow(&point->input, true, sweep->precision)};
-    ask_nothing(&answers);
-    point->train = ask_train(&point->input, sweep->precision);
-    ask(&point->train, 0, REF_THETA_C, &answers);
+    library_nothing(&answers);
+    point->train = library_train(&point->input, sweep->precision);
+    library_ask(&point->train, 0, REF_THETA_C, &answers);
     if (answers.status[REF_THETA_C] == DOM_OK)
         point->input.tilt = point_tilt(&point->seed, answers.value[REF_THETA_C], sweep->precision);
     point->ref = ref_open_for(&point->input, digits_of(sweep));
@@ -344,7 +344,7 @@ static void check_point(struct point *point)
         point->sharp = true;
         check_at_tolerance(point, &choice);
         point->sharp = false;
-        point->train.tol = (dom_real)random_log(&point->seed, floor * 1.0001, fmax(1e-3, 10 * floor));
+        point->train.tol = (domq_real)random_log(&point->seed, floor * 1.0001, fmax(1e-3, 10 * floor));
         check_at_tolerance(point, &choice);
     }
     ref_close(point->ref);

@@ -125,15 +125,15 @@ double tally_median(const struct tally *tally)
 }
 
 /* A double, or a sum of them in hex, the way one would write it in C. */
-static void print_real(const char *name, dom_real x)
+static void print_real(const char *name, domq_real x)
 {
     double part = (double)x;
-    if ((dom_real)part == x) {
+    if ((domq_real)part == x) {
         fprintf(stderr, " %s=%.17g", name, part);
         return;
     }
     fprintf(stderr, " %s=%a", name, part);
-    while ((x -= (dom_real)part) != 0)
+    while ((x -= (domq_real)part) != 0)
         fprintf(stderr, "%+a", part = (double)x);
 }
 

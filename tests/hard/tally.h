@@ -3,7 +3,7 @@
 #ifndef HARD_TALLY_H
 #define HARD_TALLY_H
 
-#include "ask.h"
+#include "library.h"
 
 /* Errors of fewer units are not told apart: finding the scale costs five more references. */
 enum { TALLY_UNITS = 2, TALLY_BINS = 2048 };
@@ -34,7 +34,7 @@ struct comparison {
     double want, error, scale;
     const struct ref_input *input;
     enum ref_quantity quantity;
-    dom_real got, bound;
+    domq_real got, bound;
     double tol, unit;
     bool sharp; /* tol is the precision's floor: units count */
 };

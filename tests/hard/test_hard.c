@@ -5,9 +5,9 @@
  * the naive code is a fair opponent, and the reference right, is tested first.
  */
 #include "../unit/support.h"
-#include "ask.h"
 #include "cases.h"
 #include "growth.h"
+#include "library.h"
 #include "naive.h"
 #include "workers.h"
 
@@ -21,9 +21,9 @@ static void none_fails(long failures)
 
 /* ---- The reference against digits that were computed elsewhere ---- */
 
-static dom_real csv_real(const struct csv *csv, const char *name)
+static domq_real csv_real(const struct csv *csv, const char *name)
 {
-    return (dom_real)csv_number(csv, name);
+    return (domq_real)csv_number(csv, name);
 }
 
 /* |value / text - 1| <= bound */
@@ -128,7 +128,7 @@ static void reference_of_growth(void **state)
         struct csv *csv = csv_open(tables[pair]);
         for (; csv_next(csv) && rows < GROWTHS; rows++) {
             struct ref_input input = {
-                .s = csv_real(csv, "s"), .q = csv_real(csv, "q"), .d = (dom_real)(7.0 / 48)};
+                .s = csv_real(csv, "s"), .q = csv_real(csv, "q"), .d = (domq_real)(7.0 / 48)};
             if (!pair) {
                 input.d = csv_real(csv, "d");
                 input.paper = strcmp(csv_text(csv, "fuel"), "paper") == 0;
@@ -146,19 +146,20 @@ static void reference_of_growth(void **state)
 /* The input of a case, with the tilt that the library calls theta_c. */
 static struct ref_input input_of(const struct hard_case *c, enum dom_precision precision)
 {
-    struct ref_input input = {(dom_real)c->s, (dom_real)c->r, (dom_real)c->d, (dom_real)c->q, 0, c->paper};
+    struct ref_input input = {(domq_real)c->s, (domq_real)c->r, (domq_real)c->d, (domq_real)c->q, 0,
+                              c->paper};
     if (c->r == 1 / c->s) /* the reach of this precision */
-        input.r = precision == DOM_QUAD ? 1 / input.s : (dom_real)c->r;
+        input.r = precision == DOM_QUAD ? 1 / input.s : (domq_real)c->r;
     if (c->tilt >= 0) {
-        input.tilt = (dom_real)c->tilt;
+        input.tilt = (domq_real)c->tilt;
     } else {
         struct answers answers;
-        ask_nothing(&answers);
-        struct dom_train train = ask_train(&input, precision);
-        ask(&train, 0, REF_THETA_C, &answers);
-        input.tilt = -(dom_real)c->tilt * answers.value[REF_THETA_C];
+        library_nothing(&answers);
+        struct asked train = library_train(&input, precision);
+        library_ask(&train, 0, REF_THETA_C, &answers);
+        input.tilt = -(domq_real)c->tilt * answers.value[REF_THETA_C];
         if (precision == DOM_DOUBLE)
-            input.tilt = (dom_real)(double)input.tilt;
+            input.tilt = (domq_real)(double)input.tilt;
     }
     return input;
 }
@@ -169,26 +170,26 @@ struct verdict {
 };
 
 static struct verdict judge_growth(const struct ref_input *input, enum ref_quantity quantity, int digits2,
-                                   dom_real got, double naive)
+                                   domq_real got, double naive)
 {
     struct growth found = growth_find(input, quantity == REF_PAIR, digits2);
     return (struct verdict){(double)found.r_max, found.scale, fabs((double)(got - found.r_max)),
-                            fabs((double)((dom_real)naive - found.r_max))};
+                            fabs((double)((domq_real)naive - found.r_max))};
 }
 
 static struct verdict judge(const struct hard_case *c, struct ref *ref, enum ref_quantity quantity,
-                            dom_real got, double naive)
+                            domq_real got, double naive)
 {
     struct verdict v = {.want = ref_double(ref, quantity),
                         .got_error = ref_error(ref, quantity, got),
-                        .naive_error = ref_error(ref, quantity, (dom_real)naive)};
+                        .naive_error = ref_error(ref, quantity, (domq_real)naive)};
     /* The scale of a lengthy train takes minutes: there the bound of the case is for |F| alone. */
     v.scale = c->lengthy ? fabs(v.want) : ref_scale(ref, quantity);
     return v;
 }
 
 static struct verdict judge_stop(const struct hard_case *c, const struct ref_input *input, int digits2,
-                                 dom_real got, double naive)
+                                 domq_real got, double naive)
 {
     struct ref_input at = *input;
     at.tilt = got; /* so that there are bits enough */
@@ -200,16 +201,16 @@ static struct verdict judge_stop(const struct hard_case *c, const struct ref_inp
 
 /* Is the library right, and the naive code wrong?  If not, one line on stderr. */
 static bool fair(const struct hard_case *c, enum ref_quantity quantity, enum dom_precision precision,
-                 dom_real got, const struct verdict *v)
+                 domq_real got, const struct verdict *v)
 {
     const double allowed = c->units > 0 ? c->units : 16;
-    const double units = v->got_error / (v->scale * ask_unit(precision));
+    const double units = v->got_error / (v->scale * library_unit(precision));
     /* The naive code has nothing but doubles. */
-    const bool hard = !(v->naive_error <= allowed * v->scale * ask_unit(DOM_DOUBLE));
-    const bool good = v->got_error <= allowed * v->scale * ask_unit(precision);
+    const bool hard = !(v->naive_error <= allowed * v->scale * library_unit(DOM_DOUBLE));
+    const bool good = v->got_error <= allowed * v->scale * library_unit(precision);
     if (!good || !hard)
         fprintf(stderr, "# %s (%s), %s, %s: got %.17g, wanted %.17g: %.3g units of %.3g allowed%s\n", c->name,
-                c->trap, dom_arithmetic(precision)->name, ref_name(quantity), (double)got, v->want, units,
+                c->trap, domq_arithmetic(precision)->name, ref_name(quantity), (double)got, v->want, units,
                 allowed, hard ? "" : "; it is not hard, the naive code is right");
     return good && hard;
 }
@@ -222,16 +223,16 @@ static long check_case(int number, void *context)
     if (c->lengthy && precision != DOM_DOUBLE)
         return 0;
     const struct ref_input input = input_of(c, precision);
-    const struct dom_train train = ask_train(&input, precision);
+    const struct asked train = library_train(&input, precision);
     const int digits2 = precision == DOM_QUAD ? 120 : 60;
     struct ref *ref = ref_open_for(&input, digits2);
     struct answers answers;
     long failures = 0;
-    ask_nothing(&answers);
+    library_nothing(&answers);
     for (int k = 0; k < CASE_CHECKS && c->check[k] != REF_COUNT; k++) {
         const enum ref_quantity quantity = c->check[k];
-        ask(&train, input.tilt, quantity, &answers);
-        const dom_real got = answers.value[quantity];
+        library_ask(&train, input.tilt, quantity, &answers);
+        const domq_real got = answers.value[quantity];
         const double naive = naive_value(&input, quantity);
         struct verdict v = quantity == REF_R_MAX || quantity == REF_PAIR
                                ? judge_growth(&input, quantity, digits2, got, naive)
@@ -258,7 +259,7 @@ static void hard_cases_in_double(void **state)
 static void hard_cases_in_quad(void **state)
 {
     (void)state;
-    if (dom_arithmetic(DOM_QUAD)->bits == 0)
+    if (domq_arithmetic(DOM_QUAD)->bits == 0)
         skip();
     check_cases(DOM_QUAD);
 }
@@ -275,8 +276,8 @@ static void naive_code_is_right_on_friendly_trains(void **state)
             const enum ref_quantity quantity = c->check[j];
             double naive = naive_value(&input, quantity);
             struct verdict v = quantity == REF_R_MAX || quantity == REF_PAIR
-                                   ? judge_growth(&input, quantity, 60, (dom_real)naive, naive)
-                                   : judge(c, ref, quantity, (dom_real)naive, naive);
+                                   ? judge_growth(&input, quantity, 60, (domq_real)naive, naive)
+                                   : judge(c, ref, quantity, (domq_real)naive, naive);
             if (!(v.naive_error <= 1e-13 * v.scale))
                 fail_msg("%s, %s: the naive code has %.17g, wanted %.17g", c->name, ref_name(quantity), naive,
                          v.want);
@@ -289,20 +290,20 @@ static void naive_code_is_right_on_friendly_trains(void **state)
 static void a_slow_cycle_in_float_has_a_duration(void **state)
 {
     (void)state;
-    const struct ref_input input = {(dom_real)0x1.7656b2p-15f,
-                                    (dom_real)0x1.5e2492p+14f,
-                                    (dom_real)0x1.e54866p-23f,
-                                    (dom_real)0x1.c0a998p-1f,
+    const struct ref_input input = {(domq_real)0x1.7656b2p-15f,
+                                    (domq_real)0x1.5e2492p+14f,
+                                    (domq_real)0x1.e54866p-23f,
+                                    (domq_real)0x1.c0a998p-1f,
                                     0,
                                     false};
-    struct dom_train train = ask_train(&input, DOM_FLOAT);
+    struct asked train = library_train(&input, DOM_FLOAT);
     struct answers answers;
-    ask_nothing(&answers);
-    ask(&train, 0, REF_DURATION, &answers);
+    library_nothing(&answers);
+    library_ask(&train, 0, REF_DURATION, &answers);
     struct ref *ref = ref_open_for(&input, 44);
     const double want = ref_double(ref, REF_DURATION);
     const double units = ref_error(ref, REF_DURATION, answers.value[REF_DURATION]) /
-                         (ref_scale(ref, REF_DURATION) * ask_unit(DOM_FLOAT));
+                         (ref_scale(ref, REF_DURATION) * library_unit(DOM_FLOAT));
     ref_close(ref);
     if (answers.status[REF_DURATION] != DOM_OK || !(units <= 16))
         fail_msg("%s: %.9g, wanted %.9g", dom_status_text(answers.status[REF_DURATION]),
@@ -317,14 +318,14 @@ static void refusals_have_their_reasons(void **state)
     for (int k = 0; k < refusals_number; k++) {
         const struct refusal *c = &refusals[k];
         const struct hard_case as_case = {.s = c->s, .r = c->r, .d = c->d, .q = c->q, .tilt = c->tilt};
-        struct ref_input input = {(dom_real)c->s, (dom_real)c->r,    (dom_real)c->d,
-                                  (dom_real)c->q, (dom_real)c->tilt, false};
+        struct ref_input input = {(domq_real)c->s, (domq_real)c->r,    (domq_real)c->d,
+                                  (domq_real)c->q, (domq_real)c->tilt, false};
         if (c->status == DOM_BAD_TILT && c->tilt < -0.5 && c->tilt != -1)
             input = input_of(&as_case, DOM_DOUBLE);
-        struct dom_train train = ask_train(&input, DOM_DOUBLE);
+        struct asked train = library_train(&input, DOM_DOUBLE);
         struct answers answers;
-        ask_nothing(&answers);
-        ask(&train, input.tilt, c->asked, &answers);
+        library_nothing(&answers);
+        library_ask(&train, input.tilt, c->asked, &answers);
         if (answers.status[c->asked] != c->status || !isnan((double)answers.value[c->asked]))
             fail_msg("%s: \"%s\" and %.17g, wanted \"%s\" and nothing", c->name,
                      dom_status_text(answers.status[c->asked]), (double)answers.value[c->asked],
@@ -336,17 +337,17 @@ static void tolerances_have_a_floor(void **state)
 {
     (void)state;
     for (enum dom_precision precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
-        const struct dom_arithmetic *arithmetic = dom_arithmetic(precision);
-        struct dom_train train = dom_train_default();
+        const struct domq_arithmetic *arithmetic = domq_arithmetic(precision);
+        struct asked train = asked_default();
         train.precision = precision;
         if (arithmetic->bits == 0)
             continue;
         train.tol = arithmetic->tol_floor;
-        assert_status(dom_train_check(&train), DOM_OK);
-        train.tol = arithmetic->tol_floor * (dom_real)0.999;
-        assert_status(dom_train_check(&train), DOM_BAD_PARAMETER);
-        train.tol = DOM_NAN;
-        assert_status(dom_train_check(&train), DOM_BAD_PARAMETER);
+        assert_status(ask_train_check(&train), DOM_OK);
+        train.tol = arithmetic->tol_floor * (domq_real)0.999;
+        assert_status(ask_train_check(&train), DOM_BAD_TOL);
+        train.tol = DOMQ_NAN;
+        assert_status(ask_train_check(&train), DOM_BAD_TOL);
     }
 }
 

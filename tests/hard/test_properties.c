@@ -4,17 +4,17 @@
  * that need no sweep.  Where two answers are compared, the library's own bounds say how close they are.
  */
 #include "../unit/support.h"
-#include "ask.h"
 #include "growth.h"
+#include "library.h"
 
 static const enum dom_precision precisions[] = {DOM_FLOAT, DOM_DOUBLE, DOM_QUAD};
 #define FOR_PRECISIONS(p)                                                                                    \
     for (const enum dom_precision *p = precisions; p < precisions + 3; p++)                                  \
-        if (dom_arithmetic(*p)->bits > 0)
+        if (domq_arithmetic(*p)->bits > 0)
 
-static dom_real rounded(double x, enum dom_precision precision)
+static domq_real rounded(double x, enum dom_precision precision)
 {
-    return precision == DOM_FLOAT ? (dom_real)(float)x : (dom_real)x;
+    return precision == DOM_FLOAT ? (domq_real)(float)x : (domq_real)x;
 }
 
 /* Anywhere but at the edges: those are for the sweeps. */
@@ -29,15 +29,15 @@ static struct ref_input random_input(uint64_t *seed, enum dom_precision precisio
     return input;
 }
 
-static dom_real magnitude(dom_real x)
+static domq_real magnitude(domq_real x)
 {
     return x < 0 ? -x : x;
 }
 
 #define assert_close(what, input, got, want, bound) close_(what, input, got, want, bound, __FILE__, __LINE__)
 
-static void close_(const char *what, const struct ref_input *in, dom_real got, dom_real want, dom_real bound,
-                   const char *file, int line)
+static void close_(const char *what, const struct ref_input *in, domq_real got, domq_real want,
+                   domq_real bound, const char *file, int line)
 {
     if (magnitude(got - want) <= bound)
         return;
@@ -60,18 +60,18 @@ static void energy_is_conserved(void **state)
         int cycles = 0;
         for (int k = 0; k < 400; k++) {
             struct ref_input input = random_input(&seed, *p);
-            struct dom_train train = ask_train(&input, *p);
+            struct asked train = library_train(&input, *p);
             struct answers a;
-            ask_nothing(&a);
-            ask(&train, 0, REF_THETA_C, &a);
+            library_nothing(&a);
+            library_ask(&train, 0, REF_THETA_C, &a);
             input.tilt = rounded((double)a.value[REF_THETA_C] * random_unit(&seed), *p);
-            ask(&train, input.tilt, REF_OMEGASQ, &a);
+            library_ask(&train, input.tilt, REF_OMEGASQ, &a);
             if (a.status[REF_OMEGASQ] != DOM_OK)
                 continue;
-            ask(&train, input.tilt, REF_DH, &a);
-            ask(&train, 0, REF_KINETIC, &a);
-            dom_real J = a.value[REF_J], w = a.value[REF_OMEGASQ];
-            dom_real bound =
+            library_ask(&train, input.tilt, REF_DH, &a);
+            library_ask(&train, 0, REF_KINETIC, &a);
+            domq_real J = a.value[REF_J], w = a.value[REF_OMEGASQ];
+            domq_real bound =
                 J * a.error[REF_OMEGASQ] + w * a.error[REF_J] + a.error[REF_DH] + a.error[REF_KINETIC];
             assert_close("J w + dH and K", &input, J * w + a.value[REF_DH], a.value[REF_KINETIC], bound);
             cycles++;
@@ -89,44 +89,44 @@ static void cycles_are_similar(void **state)
     for (int k = 0; k < 400; k++) {
         struct ref_input input = random_input(&seed, DOM_DOUBLE);
         input.paper = false; /* that fuel does not balance */
-        struct dom_train train = ask_train(&input, DOM_DOUBLE);
+        struct asked train = library_train(&input, DOM_DOUBLE);
         struct answers a;
-        ask_nothing(&a);
-        ask(&train, 0, REF_THETA_C, &a);
+        library_nothing(&a);
+        library_ask(&train, 0, REF_THETA_C, &a);
         input.tilt = a.value[REF_THETA_C];
-        ask(&train, input.tilt, REF_J, &a);
+        library_ask(&train, input.tilt, REF_J, &a);
         const double J = (double)a.value[REF_J], J0 = (double)a.value[REF_J0], r = (double)input.r;
         const double T = pow(r, -(double)input.q - 1) * J;
-        assert_close("J(0) and 1 + r^-(q+1) J(theta_c)", &input, a.value[REF_J0], (dom_real)(1 + T),
-                     (dom_real)(1e-13 * J0));
-        ask(&train, input.tilt, REF_OMEGASQ, &a);
-        ask(&train, 0, REF_LAUNCH_OMEGASQ, &a);
+        assert_close("J(0) and 1 + r^-(q+1) J(theta_c)", &input, a.value[REF_J0], (domq_real)(1 + T),
+                     (domq_real)(1e-13 * J0));
+        library_ask(&train, input.tilt, REF_OMEGASQ, &a);
+        library_ask(&train, 0, REF_LAUNCH_OMEGASQ, &a);
         if (a.status[REF_OMEGASQ] != DOM_OK)
             continue;
-        dom_real before = (dom_real)(T * T * r) * a.value[REF_OMEGASQ];
-        dom_real after = (dom_real)(J0 * J0) * a.value[REF_LAUNCH_OMEGASQ];
+        domq_real before = (domq_real)(T * T * r) * a.value[REF_OMEGASQ];
+        domq_real after = (domq_real)(J0 * J0) * a.value[REF_LAUNCH_OMEGASQ];
         assert_close("(T omega_1(theta_c))^2 and (J(0) omega(0))^2", &input, before, after,
-                     (dom_real)1e-11 * after);
+                     (domq_real)1e-11 * after);
         cycles++;
     }
     assert_true(cycles > 50);
 }
 
 struct walk {
-    struct dom_link before;
-    dom_real theta_f;
+    struct domq_link before;
+    domq_real theta_f;
     size_t links;
     bool ordered;
 };
 
-static bool in_order(const struct dom_link *link, const struct dom_link *error, void *context)
+static bool in_order(const struct domq_link *link, const struct domq_link *error, void *context)
 {
     struct walk *walk = context;
     (void)error;
     if (walk->links++ > 0)
         walk->ordered &= link->theta >= walk->before.theta && link->slope <= walk->before.slope &&
                          link->slope >= 0 && link->weight <= walk->before.weight &&
-                         link->theta <= walk->theta_f * (1 + (dom_real)1e-15);
+                         link->theta <= walk->theta_f * (1 + (domq_real)1e-15);
     walk->before = *link;
     return true;
 }
@@ -139,14 +139,14 @@ static void dominoes_are_in_order(void **state)
     size_t links = 0;
     for (int k = 0; k < 400; k++) {
         struct ref_input input = random_input(&seed, DOM_DOUBLE);
-        struct dom_train train = ask_train(&input, DOM_DOUBLE);
+        struct asked train = library_train(&input, DOM_DOUBLE);
         struct answers a;
-        ask_nothing(&a);
-        ask(&train, 0, REF_THETA_C, &a);
-        input.tilt = (dom_real)((double)a.value[REF_THETA_C] * random_unit(&seed));
+        library_nothing(&a);
+        library_ask(&train, 0, REF_THETA_C, &a);
+        input.tilt = (domq_real)((double)a.value[REF_THETA_C] * random_unit(&seed));
         struct walk walk = {.ordered = true, .theta_f = a.value[REF_THETA_F]};
         /* A head beyond theta_f's leader has none that leans further. */
-        assert_status(dom_chain_walk(&train, input.tilt, false, in_order, &walk), DOM_OK);
+        assert_status(ask_chain_walk(&train, input.tilt, false, in_order, &walk), DOM_OK);
         assert_close("order", &input, walk.ordered, 1, 0);
         links += walk.links;
     }
@@ -165,10 +165,10 @@ static void fuels_are_equal_for_equal_dominoes(void **state)
         for (int k = 0; k < 200; k++) {
             struct ref_input input = random_input(&seed, *p);
             input.r = 1;
-            struct dom_train train = ask_train(&input, *p);
+            struct asked train = library_train(&input, *p);
             struct answers a;
-            ask_nothing(&a);
-            ask(&train, 0, REF_FUEL_EXACT, &a);
+            library_nothing(&a);
+            library_ask(&train, 0, REF_FUEL_EXACT, &a);
             assert_close("fuels", &input, a.value[REF_FUEL_EXACT], a.value[REF_FUEL_PAPER],
                          a.error[REF_FUEL_EXACT] + a.error[REF_FUEL_PAPER]);
         }
@@ -177,12 +177,12 @@ static void fuels_are_equal_for_equal_dominoes(void **state)
 
 /* ---- Limits of growth ---- */
 
-static dom_real growth_of(double s, double q, double d, enum ref_quantity quantity, struct answers *a)
+static domq_real growth_of(double s, double q, double d, enum ref_quantity quantity, struct answers *a)
 {
-    struct ref_input input = {.s = (dom_real)s, .r = 1, .d = (dom_real)d, .q = (dom_real)q};
-    struct dom_train train = ask_train(&input, DOM_DOUBLE);
-    ask_nothing(a);
-    ask(&train, 0, quantity, a);
+    struct ref_input input = {.s = (domq_real)s, .r = 1, .d = (domq_real)d, .q = (domq_real)q};
+    struct asked train = library_train(&input, DOM_DOUBLE);
+    library_nothing(a);
+    library_ask(&train, 0, quantity, a);
     assert_status(a->status[quantity], DOM_OK);
     return a->value[quantity];
 }
@@ -199,14 +199,14 @@ static void pairs_are_trains_where_only_two_touch(void **state)
         for (double s = 0.45; s < 0.7; s += 0.005) {
             const double d = 0.12;
             struct answers train, pair, angles;
-            struct ref_input input = {.s = (dom_real)s, .d = (dom_real)d, .q = (dom_real)q};
+            struct ref_input input = {.s = (domq_real)s, .d = (domq_real)d, .q = (domq_real)q};
             input.r = growth_of(s, q, d, REF_R_MAX, &train);
             growth_of(s, q, d, REF_PAIR, &pair);
             if (train.ends != DOM_END_BARRIER)
                 continue;
-            struct dom_train at = ask_train(&input, DOM_DOUBLE);
-            ask_nothing(&angles);
-            ask(&at, 0, REF_THETA_C, &angles);
+            struct asked at = library_train(&input, DOM_DOUBLE);
+            library_nothing(&angles);
+            library_ask(&at, 0, REF_THETA_C, &angles);
             if (!(angles.value[REF_THETA_LEAVE] < angles.value[REF_THETA_U]))
                 continue;
             assert_close("r_max of train and pair", &input, train.value[REF_R_MAX], pair.value[REF_PAIR],
@@ -229,15 +229,15 @@ static void growth_is_continuous_and_falls_with_d_and_q(void **state)
         for (double q = 2.5; q < 6; q += 0.7)
             for (double d = 0.06; d < 0.3; d += 0.06) {
                 struct answers a;
-                struct ref_input input = {.s = (dom_real)s, .r = 1, .d = (dom_real)d, .q = (dom_real)q};
-                dom_real r = growth_of(s, q, d, REF_R_MAX, &a);
+                struct ref_input input = {.s = (domq_real)s, .r = 1, .d = (domq_real)d, .q = (domq_real)q};
+                domq_real r = growth_of(s, q, d, REF_R_MAX, &a);
                 if (a.ends == DOM_END_NONE)
                     continue;
-                const dom_real near = (dom_real)(20 * h) * r, equal = 4 * (dom_real)0x1p-53 * r;
+                const domq_real near = (domq_real)(20 * h) * r, equal = 4 * (domq_real)0x1p-53 * r;
                 assert_close("by s", &input, growth_of(s * (1 + h), q, d, REF_R_MAX, &a), r, near);
-                dom_real by_q = growth_of(s, q * (1 + h), d, REF_R_MAX, &a);
+                domq_real by_q = growth_of(s, q * (1 + h), d, REF_R_MAX, &a);
                 assert_close("by q", &input, by_q, r, near);
-                dom_real by_d = growth_of(s, q, d * (1 + h), REF_R_MAX, &a);
+                domq_real by_d = growth_of(s, q, d * (1 + h), REF_R_MAX, &a);
                 assert_close("by d", &input, by_d, r, near);
                 assert_true(by_q <= r + equal && by_d <= r + equal);
                 compared++;
@@ -253,7 +253,7 @@ static double difference(const struct ref_input *best, double step, const int we
     mpfr_set_zero(sum, 1);
     for (int k = 0; k < 3; k++) {
         struct ref_input input = *best;
-        input.s += (dom_real)((k - 1) * step);
+        input.s += (domq_real)((k - 1) * step);
         struct ref *ref = ref_open(&input, 640, 300);
         mpfr_mul_si(term, ref_value(ref, REF_MARGIN), weight[k], MPFR_RNDN);
         mpfr_add(sum, sum, term, MPFR_RNDN);
@@ -286,31 +286,31 @@ static void best_separations(void **state)
     };
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         for (int p = 0; p < known[k].precisions; p++) {
-            if (dom_arithmetic(precisions[p])->bits == 0)
+            if (domq_arithmetic(precisions[p])->bits == 0)
                 continue;
-            struct ref_input input = {.s = (dom_real)0.4,
+            struct ref_input input = {.s = (domq_real)0.4,
                                       .r = 1,
                                       .d = rounded(known[k].d, precisions[p]),
                                       .q = rounded(known[k].q, precisions[p]),
                                       .paper = known[k].paper};
-            struct dom_train train = ask_train(&input, precisions[p]);
+            struct asked train = library_train(&input, precisions[p]);
             struct answers a;
             double scale;
-            ask_nothing(&a);
-            ask(&train, 0, REF_BEST_S, &a);
+            library_nothing(&a);
+            library_ask(&train, 0, REF_BEST_S, &a);
             assert_status(a.status[REF_BEST_S], DOM_OK);
             input.s = a.value[REF_BEST_S];
             input.r = a.value[REF_BEST_R];
             const double error_of_r = growth_error(&input, false, 110, input.r, &scale);
             const double error_of_s = distance_from_top(&input);
-            assert_close("best r_max", &input, (dom_real)error_of_r, 0, a.error[REF_BEST_R]);
-            assert_close("best s", &input, (dom_real)error_of_s, 0, a.error[REF_BEST_S]);
+            assert_close("best r_max", &input, (domq_real)error_of_r, 0, a.error[REF_BEST_R]);
+            assert_close("best s", &input, (domq_real)error_of_s, 0, a.error[REF_BEST_S]);
             /* The top is flat: half of the digits fix s well enough for r_max, but the library has them all.
              */
-            assert_close("best r_max", &input, (dom_real)error_of_r, 0,
-                         (dom_real)(64 * scale * ask_unit(precisions[p])));
-            assert_close("best s", &input, (dom_real)error_of_s, 0,
-                         (dom_real)(1e4 * (double)input.s * ask_unit(precisions[p])));
+            assert_close("best r_max", &input, (domq_real)error_of_r, 0,
+                         (domq_real)(64 * scale * library_unit(precisions[p])));
+            assert_close("best s", &input, (domq_real)error_of_s, 0,
+                         (domq_real)(1e4 * (double)input.s * library_unit(precisions[p])));
         }
 }
 
@@ -323,19 +323,19 @@ static void counts(void **state)
     {
         uint64_t seed = 15;
         for (int k = 0; k < 300; k++) {
-            const dom_real first = rounded(random_log(&seed, 1e-3, 1), *p);
-            const dom_real height = rounded(random_log(&seed, 1, 1e3), *p);
-            const dom_real r = 1 + rounded(random_log(&seed, 1e-3, 3), *p);
-            struct dom_count count, error;
+            const domq_real first = rounded(random_log(&seed, 1e-3, 1), *p);
+            const domq_real height = rounded(random_log(&seed, 1, 1e3), *p);
+            const domq_real r = 1 + rounded(random_log(&seed, 1e-3, 3), *p);
+            struct domq_count count, error;
             mpfr_t a, b;
             mpfr_inits2(400, a, b, (mpfr_ptr)0);
-            assert_status(dom_count_find(*p, first, height, r, &count, &error), DOM_OK);
+            assert_status(ask_count_find(*p, first, height, r, &count, &error), DOM_OK);
             ref_set_real(a, height);
             ref_set_real(b, first);
             mpfr_div(a, a, b, MPFR_RNDN);
             mpfr_log(a, a, MPFR_RNDN);
-            ref_set_real(b, *p == DOM_FLOAT    ? (dom_real)(float)r
-                            : *p == DOM_DOUBLE ? (dom_real)(double)r
+            ref_set_real(b, *p == DOM_FLOAT    ? (domq_real)(float)r
+                            : *p == DOM_DOUBLE ? (domq_real)(double)r
                                                : r);
             mpfr_log(b, b, MPFR_RNDN);
             mpfr_div(a, a, b, MPFR_RNDN);

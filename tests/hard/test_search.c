@@ -5,16 +5,16 @@
  * first band, is a miss.
  */
 #include "../unit/support.h"
-#include "ask.h"
 #include "growth.h"
+#include "library.h"
 
 /* A dip, or a band, that is narrower than this in r may be missed (scan.h: 1e-6; here with room for
  * rounding). */
 #define RESOLVED 1e-5
 
-static struct dom_train any_train(uint64_t *seed, double mu)
+static struct asked any_train(uint64_t *seed, double mu)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.d = random_log(seed, 1e-3, 0.75);
     train.s = random_log(seed, 0.01, 1);
     train.q = random_log(seed, 0.4, 4);
@@ -24,13 +24,13 @@ static struct dom_train any_train(uint64_t *seed, double mu)
 }
 
 /* Its margin over what it is a difference of: -1 where it cannot start. */
-static double share(const struct dom_train *train, double r)
+static double share(const struct asked *train, double r)
 {
-    struct dom_barrier b;
-    struct dom_train at = *train;
+    struct domq_barrier b;
+    struct asked at = *train;
     at.r = r;
     at.tol = 1e-6;
-    enum dom_status status = dom_barrier_find(&at, &b, NULL);
+    enum dom_status status = ask_barrier_find(&at, &b, NULL);
     if (status != DOM_OK && status != DOM_STOPS)
         return -1;
     return (double)(b.margin / (b.kinetic + b.barrier));
@@ -38,7 +38,7 @@ static double share(const struct dom_train *train, double r)
 
 /* The first of n growths up to r_max at which the train stops, in steps of one size in ln r, then towards the
  * end. */
-static double first_stop(const struct dom_train *train, double r_max, int n)
+static double first_stop(const struct asked *train, double r_max, int n)
 {
     double ln_r = log(r_max);
     for (int k = 0; k < 2 * n; k++) {
@@ -56,9 +56,9 @@ static void no_train_stops_below_r_max(void **state)
     uint64_t seed = 4711;
     int limits = 0, reached = 0, missed = 0;
     for (int i = 0; i < 1000; i++) {
-        struct dom_train train = any_train(&seed, 0);
-        struct dom_limit limit;
-        if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+        struct asked train = any_train(&seed, 0);
+        struct domq_limit limit;
+        if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
         limits++;
         reached += limit.ends == DOM_END_REACH;
@@ -81,9 +81,9 @@ static void few_trains_with_friction_stop_below_r_max(void **state)
     uint64_t seed = 815;
     int limits = 0, missed = 0;
     for (int i = 0; i < 100; i++) {
-        struct dom_train train = any_train(&seed, 0.4);
-        struct dom_limit limit;
-        if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+        struct asked train = any_train(&seed, 0.4);
+        struct domq_limit limit;
+        if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
         limits++;
         missed += first_stop(&train, (double)limit.r_max, 30) > 0;
@@ -117,11 +117,11 @@ static void pairs_succeed_in_their_first_band(void **state)
     uint64_t seed = 99;
     int bands = 0, missed = 0;
     for (int i = 0; i < 4000; i++) {
-        struct dom_train train = any_train(&seed, 0);
-        struct dom_limit limit;
+        struct asked train = any_train(&seed, 0);
+        struct domq_limit limit;
         double s = (double)train.s, d = (double)train.d, q = (double)train.q;
         train.fuel = DOM_FUEL_EXACT;
-        assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
         double end = limit.ends == DOM_END_NONE ? 0 : (double)limit.r_max, first = 0, last = 0;
         for (int k = 0; k <= 100 && last == 0; k++) {
             double r = pow(s, -k / 100.0), left = pair_share(s, d, q, r);
@@ -146,10 +146,10 @@ static void no_separation_allows_more(void **state)
     uint64_t seed = 31;
     int missed = 0, found = 0, refused = 0;
     for (int i = 0; i < 40; i++) {
-        struct dom_train train = any_train(&seed, 0);
-        struct dom_best best;
-        struct dom_limit limit;
-        enum dom_status status = dom_limit_best(&train, &best, NULL);
+        struct asked train = any_train(&seed, 0);
+        struct domq_best best;
+        struct domq_limit limit;
+        enum dom_status status = ask_limit_best(&train, &best, NULL);
         if (status == DOM_TOO_LONG && ++refused) /* thin, q < 1: its proof takes too much work */
             continue;
         if (status != DOM_OK && status != DOM_NO_GROWTH)
@@ -162,7 +162,7 @@ static void no_separation_allows_more(void **state)
                              : (double)best.s * (0.98 + 0.04 * random_unit(&seed));
             if (train.s > 1 || (status != DOM_OK && k >= 60))
                 continue;
-            assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
             if (limit.ends != DOM_END_NONE && (double)limit.r_max > most * (1 + 1e-5) && ++missed)
                 print_error("d %.17g q %.17g fuel %d: %.12g at s %.12g, best %.12g at %.12g\n",
                             (double)train.d, (double)train.q, train.fuel, (double)limit.r_max,

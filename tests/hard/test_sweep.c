@@ -51,14 +51,14 @@ static bool size_taken(void)
 
 static const char *label(const struct swept *swept)
 {
-    return dom_arithmetic(swept->sweep.precision)->name;
+    return domq_arithmetic(swept->sweep.precision)->name;
 }
 
 /* Skips a precision that this machine does not have. */
 static struct swept *look_at(void **state)
 {
     struct swept *swept = *state;
-    if (dom_arithmetic(swept->sweep.precision)->bits == 0)
+    if (domq_arithmetic(swept->sweep.precision)->bits == 0)
         skip();
     return swept;
 }

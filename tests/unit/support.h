@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "domino.h"
+#include "ask.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -27,6 +27,20 @@ static inline void near_(const char *what, double value, double expected, double
         return;
     fprintf(stderr, "%s:%d: %s = %.17g, expected %.17g: relative error %.2g > %.2g\n", file, line, what,
             value, expected, error, bound);
+    _fail(file, line);
+}
+
+/* The number of one public header is that of the other, to a relative difference; both may be NaN. */
+#define assert_in_both(what, value, wide, bound) same_(what, value, wide, bound, __FILE__, __LINE__)
+
+static inline void same_(const char *what, double value, domq_real wide, double bound, const char *file,
+                         int line)
+{
+    if (value == (double)wide || (isnan(value) && isnan((double)wide)) ||
+        fabs(value - (double)wide) <= bound * fabs(value))
+        return;
+    fprintf(stderr, "%s:%d: %s = %.17g, but %.17g in <domino_quad.h>\n", file, line, what, value,
+            (double)wide);
     _fail(file, line);
 }
 
@@ -85,12 +99,12 @@ static inline const char *csv_text(const struct csv *csv, const char *name)
 static inline double csv_number(const struct csv *csv, const char *name)
 {
     const char *text = csv_text(csv, name);
-    return *text ? strtod(text, NULL) : DOM_NAN;
+    return *text ? strtod(text, NULL) : DOMQ_NAN;
 }
 
-static inline struct dom_train csv_train(const struct csv *csv)
+static inline struct asked csv_train(const struct csv *csv)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.s = csv_number(csv, "s");
     train.q = csv_number(csv, "q");
     return train;
@@ -111,9 +125,9 @@ static inline double random_log(uint64_t *seed, double lo, double hi)
 }
 
 /* A train anywhere in the parameter space where r s <= 1, close to the reach one time in four. */
-static inline struct dom_train random_train(uint64_t *seed)
+static inline struct asked random_train(uint64_t *seed)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.tol = 1e-15;
     train.s = random_log(seed, 3e-3, 1);
     train.d = random_log(seed, 1e-4, 2);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The barrier is the global maximum: against brute force, and in the cases that trap a simpler search. */
-#include "precision/kernel.inc"
+#include "request.h"
 #include "support.h"
 #include <float.h>
 
@@ -53,7 +53,7 @@ static void no_tilt_is_higher(void **state)
     double highest = 0, lowest = 0;
     int hills = 0;
     for (int i = 0; i < 500; i++) {
-        struct dom_train train = random_train(&seed);
+        struct asked train = random_train(&seed);
         struct geometry geometry;
         struct barrier barrier;
         assert_status(dynamics_make(&train, &geometry), DOM_OK);
@@ -81,21 +81,21 @@ static void no_tilt_is_higher(void **state)
 static void barrier_behind_a_valley(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_barrier barrier;
-    struct dom_energy energy;
+    struct asked train = asked_default();
+    struct domq_barrier barrier;
+    struct domq_energy energy;
     train.s = 0.54;
     train.q = 3;
     train.r = 1.8318;
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
     assert_true(barrier.barrier == 0 && barrier.theta_m == 0);
     train.r = 1 / train.s;
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
     assert_near("barrier", barrier.barrier, 0.0106, 0.5e-4 / 0.0106);
     assert_true(barrier.theta_m > 0);
     train.r = 1.85;
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
-    assert_status(dom_energy_find(&train, 0.003, &energy, NULL), DOM_OK);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
+    assert_status(ask_energy_find(&train, 0.003, &energy, NULL), DOM_OK);
     assert_true(energy.dH < 0 && barrier.barrier > 0.006 && barrier.theta_m > 0.14);
 }
 
@@ -103,15 +103,15 @@ static void barrier_behind_a_valley(void **state)
 static void barrier_at_the_end(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_barrier barrier;
-    struct dom_angles angles;
+    struct asked train = asked_default();
+    struct domq_barrier barrier;
+    struct domq_angles angles;
     train.s = 1e-4;
     train.r = 1.5;
     train.q = 3;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_NO_FUEL);
-    assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_NO_FUEL);
+    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
     assert_near("theta_m", barrier.theta_m, angles.theta_c, 1e-15);
 }
 
@@ -120,13 +120,13 @@ static void barrier_of_one_domino(void **state)
 {
     (void)state;
     for (double d = 1e-8; d < 1; d *= 10) {
-        struct dom_train train = dom_train_default();
-        struct dom_barrier barrier;
+        struct asked train = asked_default();
+        struct domq_barrier barrier;
         train.s = 0.5;
         train.r = 2;
         train.d = d;
         train.tol = 1e-15;
-        enum dom_status status = dom_barrier_find(&train, &barrier, NULL);
+        enum dom_status status = ask_barrier_find(&train, &barrier, NULL);
         assert_status(status, barrier.margin >= 0 ? DOM_OK : DOM_STOPS);
         assert_near("barrier", barrier.barrier, d * d / (1 + hypot(1, d)), 1e-15);
         assert_near("theta_m", barrier.theta_m, atan(d), 1e-14);

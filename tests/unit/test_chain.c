@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What makes passes short: the far tail in closed form, chains that share a pass, and where one top is
  * enough. */
-#include "precision/kernel.inc"
+#include "request.h"
 #include "support.h"
 
 enum { TRAINS = 400 };
@@ -11,7 +11,7 @@ static const struct tilt upright = {0, 1, 0};
 /* A random endless train, and a tilt of its head before theta_c. */
 static struct geometry random_geometry(uint64_t *seed, double tol, struct tilt *head)
 {
-    struct dom_train train = random_train(seed);
+    struct asked train = random_train(seed);
     struct geometry geometry;
     train.tol = tol;
     assert_status(dynamics_make(&train, &geometry), DOM_OK);
@@ -85,7 +85,7 @@ static void the_far_tail_has_its_order(void **state)
     (void)state;
     for (int q = 3; q <= 4; q++)
         for (double s = 0.02; s < 0.3; s *= 1.7) {
-            struct dom_train train = dom_train_default();
+            struct asked train = asked_default();
             struct geometry geometry;
             struct sums coarse, fine;
             train.s = s;
@@ -198,12 +198,12 @@ static void limits_take_few_passes(void **state)
     struct dom_work work = {.passes = 0};
     size_t limits = 0, most = 0;
     for (int k = 2; k <= 90; k += 2, limits++) {
-        struct dom_train train = dom_train_default();
-        struct dom_limit limit;
+        struct asked train = asked_default();
+        struct domq_limit limit;
         size_t before = work.passes;
-        train.s = (dom_real)k / 100;
+        train.s = (domq_real)k / 100;
         train.work = &work;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         most = work.passes - before > most ? work.passes - before : most;
     }
     print_message("# passes of r_max for s from 0.02 to 0.9: %zu on average, at most %zu\n",

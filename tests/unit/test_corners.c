@@ -7,9 +7,9 @@
 
 /* ---- The first r counts, though larger ones go on again ---- */
 
-static struct dom_train train_of(double s, double d, double q, enum dom_fuel fuel)
+static struct asked train_of(double s, double d, double q, enum dom_fuel fuel)
 {
-    struct dom_train t = dom_train_default();
+    struct asked t = asked_default();
     t.s = s;
     t.d = d;
     t.q = q;
@@ -17,11 +17,11 @@ static struct dom_train train_of(double s, double d, double q, enum dom_fuel fue
     return t;
 }
 
-static double margin_at(struct dom_train t, double r)
+static double margin_at(struct asked t, double r)
 {
-    struct dom_barrier b;
+    struct domq_barrier b;
     t.r = r;
-    enum dom_status status = dom_barrier_find(&t, &b, NULL);
+    enum dom_status status = ask_barrier_find(&t, &b, NULL);
     assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
     return status == DOM_NO_FUEL ? -1 : (double)b.margin;
 }
@@ -45,9 +45,9 @@ static void dips_of_the_margin(void **state)
                 {0.50140717804106072, 0.50829806206800721, 0.47287566425845079, DOM_FUEL_EXACT}};
     enum { SAMPLES = 20000 };
     for (size_t i = 0; i < sizeof dips / sizeof *dips; i++) {
-        struct dom_train t = train_of(dips[i].s, dips[i].d, dips[i].q, dips[i].fuel);
-        struct dom_limit limit;
-        assert_status(dom_limit_rmax(&t, &limit, NULL, NULL), DOM_OK);
+        struct asked t = train_of(dips[i].s, dips[i].d, dips[i].q, dips[i].fuel);
+        struct domq_limit limit;
+        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         double r_max = limit.r_max, reach = 1 / dips[i].s;
         for (int k = 0; k < SAMPLES; k++)
@@ -70,15 +70,15 @@ static void bounds_of_a_stop(void **state)
     uint64_t seed = 26;
     int stops = 0, sharp = 0, balanced = 0;
     for (int i = 0; i < 2000; i++) {
-        struct dom_train t = random_train(&seed), exact = t;
-        dom_real theta, error, finer;
-        enum dom_status status = dom_cycle_stop(&t, &theta, &error);
+        struct asked t = random_train(&seed), exact = t;
+        domq_real theta, error, finer;
+        enum dom_status status = ask_cycle_stop(&t, &theta, &error);
         assert_status(status, status == DOM_OK ? DOM_OK : DOM_NO_FUEL);
         if (status != DOM_OK || isnan((double)theta))
             continue;
         exact.precision = DOM_QUAD;
         exact.tol = 1e-30;
-        assert_status(dom_cycle_stop(&exact, &finer, NULL), DOM_OK);
+        assert_status(ask_cycle_stop(&exact, &finer, NULL), DOM_OK);
         if (isnan((double)finer)) {
             balanced++; /* a margin of 0 to rounding */
             continue;
@@ -97,23 +97,23 @@ static void bounds_of_a_stop(void **state)
 static void no_bounds_with_friction(void **state)
 {
     (void)state;
-    struct dom_train t = dom_train_default();
-    struct dom_launch launch, launch_error;
-    struct dom_barrier barrier, barrier_error;
-    struct dom_state at, at_error;
-    dom_real value, error = 0;
+    struct asked t = asked_default();
+    struct domq_launch launch, launch_error;
+    struct domq_barrier barrier, barrier_error;
+    struct domq_state at, at_error;
+    domq_real value, error = 0;
     t.mu = 0.2;
-    assert_status(dom_launch_find(&t, &launch, &launch_error), DOM_OK);
+    assert_status(ask_launch_find(&t, &launch, &launch_error), DOM_OK);
     assert_true(isnan((double)launch_error.kinetic) && launch.kinetic > 0);
-    assert_status(dom_barrier_find(&t, &barrier, &barrier_error), DOM_OK);
+    assert_status(ask_barrier_find(&t, &barrier, &barrier_error), DOM_OK);
     assert_true(isnan((double)barrier_error.margin) && barrier.margin > 0);
-    assert_status(dom_cycle_state(&t, 0.1, &at, &at_error), DOM_OK);
+    assert_status(ask_cycle_state(&t, 0.1, &at, &at_error), DOM_OK);
     assert_true(isnan((double)at_error.kinetic) && at.kinetic > 0);
-    assert_status(dom_cycle_omegasq(&t, 0.1, &value, &error), DOM_OK);
+    assert_status(ask_cycle_omegasq(&t, 0.1, &value, &error), DOM_OK);
     assert_true(isnan((double)error) && value > 0);
     t.r = 1.62; /* it stops */
     error = 0;
-    assert_status(dom_cycle_stop(&t, &value, &error), DOM_OK);
+    assert_status(ask_cycle_stop(&t, &value, &error), DOM_OK);
     assert_true(isnan((double)error) && value > 0);
 }
 
@@ -125,22 +125,22 @@ static void methods_refuse(void **state)
     (void)state;
     static const enum dom_method methods[] = {DOM_METHOD_GSL, DOM_METHOD_PAPER};
     for (size_t i = 0; i < 2; i++) {
-        struct dom_train t = dom_train_default();
-        struct dom_barrier barrier, barrier_error;
-        struct dom_limit limit, limit_error;
-        struct dom_best best;
-        dom_real duration, error;
+        struct asked t = asked_default();
+        struct domq_barrier barrier, barrier_error;
+        struct domq_limit limit, limit_error;
+        struct domq_best best;
+        domq_real duration, error;
         t.method = methods[i];
         t.tol = 1e-3;
-        assert_status(dom_barrier_find(&t, &barrier, &barrier_error), DOM_NO_METHOD);
-        assert_status(dom_limit_rmax(&t, &limit, &limit_error, NULL), DOM_NO_METHOD);
-        assert_status(dom_cycle_duration(&t, &duration, &error), DOM_NO_METHOD);
-        assert_status(dom_limit_best(&t, &best, NULL), DOM_NO_METHOD);
+        assert_status(ask_barrier_find(&t, &barrier, &barrier_error), DOM_NO_METHOD);
+        assert_status(ask_limit_rmax(&t, &limit, &limit_error, NULL), DOM_NO_METHOD);
+        assert_status(ask_cycle_duration(&t, &duration, &error), DOM_NO_METHOD);
+        assert_status(ask_limit_best(&t, &best, NULL), DOM_NO_METHOD);
         t.r = 1.7;
-        assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_STOPS);
-        assert_status(dom_cycle_duration(&t, &duration, NULL), DOM_STOPS);
+        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
+        assert_status(ask_cycle_duration(&t, &duration, NULL), DOM_STOPS);
         t.mu = 0.1;
-        assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_NO_METHOD);
+        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_NO_METHOD);
     }
 }
 
@@ -148,68 +148,68 @@ static void methods_refuse(void **state)
 static void methods_at_the_ends(void **state)
 {
     (void)state;
-    struct dom_train t = dom_train_default();
-    struct dom_limit limit;
+    struct asked t = asked_default();
+    struct domq_limit limit;
     enum dom_status why = DOM_OK;
     t.method = DOM_METHOD_GSL;
     t.d = 0.8;
     t.s = 0.9;
-    struct dom_train ours = t;
+    struct asked ours = t;
     ours.method = DOM_METHOD_OURS;
-    assert_status(dom_limit_rmax(&ours, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&ours, &limit, NULL, &why), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
     enum dom_status expected = why;
     why = DOM_OK;
-    assert_status(dom_limit_rmax(&t, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&t, &limit, NULL, &why), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
     assert_status(why, expected);
-    struct dom_barrier barrier;
+    struct domq_barrier barrier;
     t.r = 1;
-    assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_NO_FUEL);
+    assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_NO_FUEL);
     assert_true(isnan((double)barrier.kinetic) && barrier.barrier > 0);
-    t = dom_train_default();
+    t = asked_default();
     t.s = 0.95;
     t.tol = 1e-4;
     for (int method = DOM_METHOD_OURS; method <= DOM_METHOD_PAPER; method++) {
         t.method = (enum dom_method)method;
-        assert_status(dom_limit_rmax(&t, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_REACH);
         assert_near("r_max", (double)limit.r_max, 1 / 0.95, 1e-15);
     }
     /* The paper's plain sums have no end at r = 1. */
     t.r = 1;
     t.s = 0.4;
-    assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_TOO_LONG);
+    assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_TOO_LONG);
 }
 
 static void no_such_precision(void **state)
 {
     (void)state;
-    struct dom_train t = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    struct dom_domino domino[3];
-    struct dom_row row = {.domino = domino, .count = 3, .g = 9.81, .push = 5, .tol = 1e-9};
-    struct dom_verdict verdict;
-    struct dom_count count;
-    struct dom_angles angles;
-    dom_row_of_train(&t, &scale, 1, domino, 3);
+    struct asked t = asked_default();
+    struct domq_scale scale = domq_scale_default();
+    struct domq_domino domino[3];
+    struct asked_row row = {.domino = domino, .count = 3, .g = 9.81, .push = 5, .tol = 1e-9};
+    struct domq_verdict verdict;
+    struct domq_count count;
+    struct domq_angles angles;
+    ask_row_of_train(&t, &scale, 1, domino, 3);
     row.precision = t.precision = (enum dom_precision)(DOM_QUAD + 1);
-    assert_status(dom_angles_find(&t, &angles, NULL), DOM_BAD_PARAMETER);
-    assert_status(dom_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_PARAMETER);
-    assert_status(dom_count_find(row.precision, 1, 2, 1.5, &count, NULL), DOM_BAD_PARAMETER);
-    t = dom_train_default();
+    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_PRECISION);
+    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_PRECISION);
+    assert_status(ask_count_find(row.precision, 1, 2, 1.5, &count, NULL), DOM_BAD_PRECISION);
+    t = asked_default();
     t.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
-    assert_status(dom_angles_find(&t, &angles, NULL), DOM_BAD_PARAMETER);
+    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_METHOD);
     assert_string_equal(dom_status_text((enum dom_status)(DOM_INTERRUPTED + 1)), "unknown status");
 }
 
 static void counts_of_equal_dominoes(void **state)
 {
     (void)state;
-    struct dom_count count, error = {1, 1, 1};
-    assert_status(dom_count_find(DOM_DOUBLE, 1, 1, 1, &count, &error), DOM_OK);
+    struct domq_count count, error = {.dominoes = 1, .exact = 1, .last = 1};
+    assert_status(ask_count_find(DOM_DOUBLE, 1, 1, 1, &count, &error), DOM_OK);
     assert_true(count.dominoes == 0 && count.last == 1 && error.dominoes == 0 && error.last == 0);
-    assert_status(dom_count_find(DOM_DOUBLE, 1, 2, 1, &count, &error), DOM_OK);
+    assert_status(ask_count_find(DOM_DOUBLE, 1, 2, 1, &count, &error), DOM_OK);
     assert_true(isinf((double)count.dominoes) && isnan((double)count.last));
 }
 
@@ -231,18 +231,18 @@ static void interrupted(void **state)
     struct dom_study study = {.low = -1};
     struct dom_budget budget = {.sigma = -1};
     row.precision = DOM_DOUBLE;
-    dom_row_of_train(&t, &scale, 1, domino, 5);
+    ask_row_of_train(&t, &scale, 1, domino, 5);
     t.interrupt = row.interrupt = &now;
     t.tol = 1e-6;
     for (int method = DOM_METHOD_OURS; method <= DOM_METHOD_PAPER; method++) {
         t.method = (enum dom_method)method;
-        assert_status(dom_limit_rmax(&t, &limit, NULL, NULL), DOM_INTERRUPTED);
+        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_INTERRUPTED);
     }
     t.method = DOM_METHOD_OURS;
-    assert_status(dom_limit_pair(&t, &limit, NULL), DOM_INTERRUPTED);
+    assert_status(ask_limit_pair(&t, &limit, NULL), DOM_INTERRUPTED);
     for (t.mu = 0; t.mu < 0.3; t.mu += 0.2) {
-        assert_status(dom_limit_rmax(&t, &limit, NULL, NULL), DOM_INTERRUPTED);
-        assert_status(dom_limit_best(&t, &best, NULL), DOM_INTERRUPTED);
+        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_INTERRUPTED);
+        assert_status(ask_limit_best(&t, &best, NULL), DOM_INTERRUPTED);
         row.mu = t.mu;
         assert_status(dom_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);
         assert_status(dom_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
@@ -302,16 +302,16 @@ static void memory_runs_out(void **state)
     struct dom_budget budget;
     size_t stops[5];
     row.precision = DOM_DOUBLE;
-    dom_row_of_train(&t, &scale, 1, domino, 5);
+    ask_row_of_train(&t, &scale, 1, domino, 5);
     enum { RUN, STUDY, BUDGET, QUESTIONS };
     for (int question = RUN; question < QUESTIONS; question++) {
         long failed = 0;
         no_threads = question == STUDY; /* so that what fails is the same each time */
         for (enum dom_status status = DOM_NO_MEMORY; status != DOM_OK; failed++) {
             calls_left = failed;
-            status = question == RUN     ? dom_row_run(&row, true, NULL, NULL, &verdict)
-                     : question == STUDY ? dom_placement_study(&row, &p, &study, stops)
-                                         : dom_placement_budget(&row, &p, 0.9, &budget);
+            status = question == RUN     ? ask_row_run(&row, true, NULL, NULL, &verdict)
+                     : question == STUDY ? ask_placement_study(&row, &p, &study, stops)
+                                         : ask_placement_budget(&row, &p, 0.9, &budget);
             calls_left = -1;
             assert_status(status, failed < 2000 && status != DOM_OK ? DOM_NO_MEMORY : DOM_OK);
             if (question == BUDGET && failed > 8)

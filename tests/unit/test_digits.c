@@ -93,17 +93,17 @@ static void hard_numbers(void **state)
     }
 }
 
-#if defined DOM_REAL_FLOAT128
-extern int strfromf128(char *restrict text, size_t size, const char *restrict format, dom_real value);
+#if defined DOMQ_REAL_FLOAT128
+extern int strfromf128(char *restrict text, size_t size, const char *restrict format, domq_real value);
 
-static void print_quad(char *text, size_t size, int digits, dom_real value)
+static void print_quad(char *text, size_t size, int digits, domq_real value)
 {
     char format[16];
     snprintf(format, sizeof format, "%%.%dg", digits);
     strfromf128(text, size, format, value);
 }
 #else
-static void print_quad(char *text, size_t size, int digits, dom_real value)
+static void print_quad(char *text, size_t size, int digits, domq_real value)
 {
     snprintf(text, size, "%.*Lg", digits, value);
 }
@@ -115,13 +115,13 @@ static void quad_numbers(void **state)
     (void)state;
     char text[WIDE_TEXT], printed[64];
     for (int k = 0; k < 100000; k++) {
-        dom_real value = (dom_real)random_double(k);
+        domq_real value = (domq_real)random_double(k);
         if (k % 3 == 0)
-            value += value * (dom_real)random_double(k + 1) * (dom_real)1e-17;
+            value += value * (domq_real)random_double(k + 1) * (domq_real)1e-17;
         else if (k % 3 == 1)
             value /= 3;
         else
-            value = (dom_real)(double)((float)(k % 1000) + 0.5F) + (k % 2 ? 1 : -1) * (dom_real)1e-25;
+            value = (domq_real)(double)((float)(k % 1000) + 0.5F) + (k % 2 ? 1 : -1) * (domq_real)1e-25;
         for (int digits = 1; digits <= 20; digits++) {
             print_quad(printed, sizeof printed, digits, value);
             assert_string_equal(quad_text(value, digits, text), printed);

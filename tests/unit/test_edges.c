@@ -3,9 +3,9 @@
 #include "run.h"
 #include "support.h"
 
-static struct dom_train train_of(double s, double r, double d, double q, double tol)
+static struct asked train_of(double s, double r, double d, double q, double tol)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.s = s;
     train.r = r;
     train.d = d;
@@ -14,9 +14,9 @@ static struct dom_train train_of(double s, double r, double d, double q, double 
     return train;
 }
 
-static struct dom_train rubbing(double s, double r, double d, double q, double mu)
+static struct asked rubbing(double s, double r, double d, double q, double mu)
 {
-    struct dom_train t = train_of(s, r, d, q, (double)dom_train_default().tol);
+    struct asked t = train_of(s, r, d, q, (double)asked_default().tol);
     t.mu = mu;
     return t;
 }
@@ -29,12 +29,12 @@ static void thin_dominoes_rub(void **state)
 {
     (void)state;
     for (double d = 1e-8; d < 1e-4; d *= 10) {
-        struct dom_train t = rubbing(0.01, 1, d, 4, 0.2);
-        struct dom_limit here, finer;
-        assert_status(dom_limit_rmax(&t, &here, NULL, NULL), DOM_OK);
+        struct asked t = rubbing(0.01, 1, d, 4, 0.2);
+        struct domq_limit here, finer;
+        assert_status(ask_limit_rmax(&t, &here, NULL, NULL), DOM_OK);
         t.precision = DOM_QUAD;
         t.tol = 1e-18;
-        assert_status(dom_limit_rmax(&t, &finer, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&t, &finer, NULL, NULL), DOM_OK);
         assert_near("r_max", here.r_max, (double)finer.r_max, 1e-10);
     }
     static const struct {
@@ -43,30 +43,29 @@ static void thin_dominoes_rub(void **state)
                  {1e-8, 18.099999466532033, 17.8721020258},
                  {1e-5, 8.9623097869442692, 13.3383189996}};
     for (size_t i = 0; i < sizeof lasts / sizeof *lasts; i++) {
-        struct dom_train t = rubbing(0.05, lasts[i].r, lasts[i].d, 4, 0.2);
-        dom_real duration;
-        assert_status(dom_cycle_duration(&t, &duration, NULL), DOM_OK);
+        struct asked t = rubbing(0.05, lasts[i].r, lasts[i].d, 4, 0.2);
+        domq_real duration;
+        assert_status(ask_cycle_duration(&t, &duration, NULL), DOM_OK);
         assert_near("duration", duration, lasts[i].duration, 1e-10);
     }
     /* Next to nothing of friction changes no verdict. */
-    struct dom_train t =
-        rubbing(0.0037017997688205753, 220.24133472332022, 3.0897702704938297e-09, 4, 1e-300);
-    struct dom_barrier barrier;
-    assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_STOPS);
+    struct asked t = rubbing(0.0037017997688205753, 220.24133472332022, 3.0897702704938297e-09, 4, 1e-300);
+    struct domq_barrier barrier;
+    assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
 }
 
 /* Where a follower that has hardly any motion still rubs, and where little is left of C: every tolerance. */
 static void small_tolerances(void **state)
 {
     (void)state;
-    struct dom_train t =
+    struct asked t =
         rubbing(0.67106465029064566, 1.0144483424738877, 0.40982392700389025, 3, 0.081970815071836109);
-    struct dom_barrier finest, barrier;
+    struct domq_barrier finest, barrier;
     t.tol = 1e-15;
-    assert_status(dom_barrier_find(&t, &finest, NULL), DOM_OK);
+    assert_status(ask_barrier_find(&t, &finest, NULL), DOM_OK);
     for (double tol = 1e-14; tol < 0.01; tol *= 10) {
         t.tol = tol;
-        assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_OK);
+        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_OK);
         assert_near("margin", barrier.margin, (double)finest.margin, fmax(tol, 1e-13));
     }
 }
@@ -77,8 +76,8 @@ static void alike(struct run *seen, size_t count)
 {
     for (size_t k = 0; k < count; k++)
         seen->domino[k] =
-            (struct dom_domino){.height = 0.048, .thickness = 0.007, .gap = 0.013, .mass = 0.01};
-    seen->row = (struct dom_row){
+            (struct domq_domino){.height = 0.048, .thickness = 0.007, .gap = 0.013, .mass = 0.01};
+    seen->row = (struct asked_row){
         .domino = seen->domino, .count = count, .g = 9.81, .push = 5, .tol = 1e-12, .precision = DOM_DOUBLE};
 }
 
@@ -113,7 +112,7 @@ static void touching(void **state)
     for (int mu = 0; mu < 2; mu++) {
         alike(&at, 8);
         alike(&near, 8);
-        at.row.mu = near.row.mu = (dom_real)mu / 5;
+        at.row.mu = near.row.mu = (domq_real)mu / 5;
         at.domino[4].gap = 0;
         near.domino[4].gap = 1e-12;
         assert_status(run_row(&at), DOM_OK);
@@ -172,7 +171,7 @@ static void falls_behind_a_fall(void **state)
         gap[3] = 0.224 + 5e-5 * i;
         for (int k = 0; k < N; k++) {
             mass[k] = height[k] * height[k] * thickness[k];
-            seen.domino[k] = (struct dom_domino){height[k], thickness[k], gap[k], mass[k]};
+            seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k]};
         }
         seen.row = (struct dom_row){.domino = seen.domino,
                                     .count = N,
@@ -206,13 +205,13 @@ static void ends(void **state)
     assert_true(seen.verdict.seconds == seen.fall[3].time);
     /* Without a push the first falls from its edge, and needs the floor from there on. */
     alike(&seen, 2);
-    seen.row.push = DOM_NAN;
+    seen.row.push = DOMQ_NAN;
     seen.row.floor = true;
     seen.domino[1].gap = 0.02;
     assert_status(run_row(&seen), DOM_OK);
     assert_true((double)seen.fall[0].floor_motion > 0 && (double)seen.fall[1].floor_hit > 0);
     alike(&seen, 1);
-    seen.row.push = DOM_NAN;
+    seen.row.push = DOMQ_NAN;
     seen.row.floor = true;
     assert_status(run_row(&seen), DOM_OK);
     assert_true((double)seen.fall[0].floor_motion > 1); /* a rod needs any at cos theta = 1/3 */
@@ -230,9 +229,9 @@ static void ends(void **state)
 static void floor_at_the_reach(void **state)
 {
     (void)state;
-    struct dom_train t = rubbing(0.5, 2, 0.1, 3, 0);
-    struct dom_floor floor;
-    assert_status(dom_cycle_floor(&t, &floor), DOM_OK);
+    struct asked t = rubbing(0.5, 2, 0.1, 3, 0);
+    struct domq_floor floor;
+    assert_status(ask_cycle_floor(&t, &floor), DOM_OK);
     assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
 }
 
@@ -244,27 +243,27 @@ static void budgets(void **state)
     struct dom_budget budget;
     struct dom_placement p = {.seed = 3, .rows = 200};
     alike(&seen, 10);
-    assert_status(dom_placement_budget(&seen.row, &p, 0.9999, &budget), DOM_OK);
+    assert_status(ask_placement_budget(&seen.row, &p, 0.9999, &budget), DOM_OK);
     assert_true(budget.low == 0 && budget.sigma < budget.high);
-    assert_status(dom_placement_budget(&seen.row, &p, 0.8, &budget), DOM_OK);
+    assert_status(ask_placement_budget(&seen.row, &p, 0.8, &budget), DOM_OK);
     assert_true(0 < budget.low && budget.low < budget.sigma && budget.sigma < budget.high);
     /* The same rows at that sigma. */
-    struct dom_study study;
+    struct domq_study study;
     p.sigma = budget.sigma;
-    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_true(study.fall >= 160 && study.fall <= 161);
     /* Of 200 rows of which 19 in 20 fall, at most 183 or at least 197 do so in less than 2.5 % of all cases.
      */
-    assert_status(dom_placement_budget(&seen.row, &p, 0.95, &budget), DOM_OK);
+    assert_status(ask_placement_budget(&seen.row, &p, 0.95, &budget), DOM_OK);
     p.sigma = budget.low;
-    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_in_range(study.fall, 197, 198);
     p.sigma = budget.high;
-    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_in_range(study.fall, 183, 184);
-    assert_status(dom_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PARAMETER);
+    assert_status(ask_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PROBABILITY);
     seen.row.push = 2; /* not over its edge */
-    assert_status(dom_placement_budget(&seen.row, &p, 0.5, &budget), DOM_STOPS);
+    assert_status(ask_placement_budget(&seen.row, &p, 0.5, &budget), DOM_STOPS);
 }
 
 /* Gaps are normal with the sigma that was asked for: rows of which a gap is just so wide are a known share.
@@ -279,7 +278,7 @@ static void errors_are_normal(void **state)
     /* It falls short where the gap is more than the height: one standard deviation away. */
     seen.domino[1].gap = 0.047;
     seen.row.push = 12;
-    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     double share = (double)study.fall / 20000, expected = 0.5 * erfc(-1 / sqrt(2));
     /* Four standard deviations of the share. */
     assert_true(fabs(share - expected) < 4 * sqrt(expected * (1 - expected) / 20000));
@@ -292,27 +291,27 @@ static void errors_are_normal(void **state)
 static void nearly_no_fuel(void **state)
 {
     (void)state;
-    struct dom_train train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);
-    struct dom_barrier barrier;
-    struct dom_limit limit;
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_STOPS);
+    struct asked train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);
+    struct domq_barrier barrier;
+    struct domq_limit limit;
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_STOPS);
     assert_near("kinetic", barrier.kinetic, 2.08e-8, 2e-2);
     train = train_of(0.0012625496548142601, 1, 0.085573654891847373, 4, 0.1);
-    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
 static void rubbing_limits_keep_their_tolerance(void **state)
 {
     (void)state;
-    struct dom_train train = train_of(0.019955912492509168, 1, 0.081093509197390626, 0.084354154235885, 1e-6);
-    struct dom_limit limit;
+    struct asked train = train_of(0.019955912492509168, 1, 0.081093509197390626, 0.084354154235885, 1e-6);
+    struct domq_limit limit;
     train.mu = 0.19177475568455454;
-    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     assert_near("r_max, mu 0.19", limit.r_max, 31.211167857490278, 1e-6);
     train = train_of(0.85285114301754439, 1, 0.084052372155600644, 4, 1e-12);
     train.mu = 0.12244818425305021;
-    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     assert_near("r_max, mu 0.12", limit.r_max, 1.1718802774146955, 1e-12);
 }
 
@@ -320,14 +319,14 @@ static void rubbing_limits_keep_their_tolerance(void **state)
 static void durations_of_thin_dominoes(void **state)
 {
     (void)state;
-    struct dom_train train =
+    struct asked train =
         train_of(0.02072704061889355, 11.027200294736572, 1.1351813090041499e-10, 4, 0.00781374);
-    dom_real duration = DOM_NAN, error = DOM_NAN;
+    domq_real duration = DOMQ_NAN, error = DOMQ_NAN;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(dom_cycle_duration(&train, &duration, &error), DOM_OK);
+    assert_status(ask_cycle_duration(&train, &duration, &error), DOM_OK);
     assert_true(fabs((double)duration - 13.0849188) <= (double)error + 1e-6 && error < 0.1);
     train.tol = 1e-12;
-    assert_status(dom_cycle_duration(&train, &duration, &error), DOM_OK);
+    assert_status(ask_cycle_duration(&train, &duration, &error), DOM_OK);
     assert_near("duration", duration, 13.0849188, 1e-8);
 }
 
@@ -336,12 +335,12 @@ static void times_of_short_ways(void **state)
 {
     (void)state;
     for (double theta = 1e-3; theta > 1e-18; theta /= 10) {
-        struct dom_train train =
+        struct asked train =
             train_of(0.060450113348942083, 1.309076436736778, 0.071010571508516099, 3, 1e-12);
-        struct dom_state at;
-        struct dom_launch launch;
-        assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
-        assert_status(dom_cycle_state(&train, theta, &at, NULL), DOM_OK);
+        struct domq_state at;
+        struct domq_launch launch;
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta, &at, NULL), DOM_OK);
         double omega = sqrt((double)launch.omegasq);
         assert_near("time", at.time * omega / theta, 1, 1e-11 + 100 * theta);
     }
@@ -350,9 +349,9 @@ static void times_of_short_ways(void **state)
 static void the_reason_is_the_first(void **state)
 {
     (void)state;
-    struct dom_train train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
-    struct dom_best best;
-    assert_status(dom_limit_best(&train, &best, NULL), DOM_TOO_LONG);
+    struct asked train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
+    struct domq_best best;
+    assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }
 
 /* A dom_parallel that begins with the last task, and leaves out as many as it is told. */
@@ -393,13 +392,13 @@ static void studies_add_up(void **state)
     static struct run seen;
     struct dom_study whole, part[2];
     size_t stops[10], stops_part[2][10], stopped = 0;
-    struct dom_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 500};
+    struct domq_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 500};
     alike(&seen, 10);
-    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     for (int k = 0; k < 2; k++) {
         p.first = k == 0 ? 0 : 200;
         p.rows = k == 0 ? 200 : 300;
-        assert_status(dom_placement_study(&seen.row, &p, &part[k], stops_part[k]), DOM_OK);
+        assert_status(ask_placement_study(&seen.row, &p, &part[k], stops_part[k]), DOM_OK);
     }
     assert_true(whole.fall == part[0].fall + part[1].fall && whole.fall > 0 && whole.fall < 500);
     assert_int_equal(whole.unknown, part[0].unknown + part[1].unknown);
@@ -409,14 +408,14 @@ static void studies_add_up(void **state)
     }
     assert_int_equal(stopped + whole.fall + whole.unknown, 500);
     p.seed = 6;
-    assert_status(dom_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
     assert_true(part[0].fall != part[1].fall);
     /* Without errors every row is the row itself: here the third cannot reach the next. */
-    p = (struct dom_placement){.rows = 50};
+    p = (struct domq_placement){.rows = 50};
     seen.domino[3].gap = 0.05;
     assert_status(run_row(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_MISSES);
-    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
     assert_near("Clopper and Pearson", whole.high, 1 - pow(0.025, 1.0 / 50), 1e-10);
     /* And here its tip passes above the next. */
@@ -424,10 +423,10 @@ static void studies_add_up(void **state)
     seen.domino[3].height *= 0.8;
     assert_status(run_row(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_PASSES);
-    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(whole.unknown == 50 && stops[2] == 0 && whole.low == 0 && whole.high == 1);
     alike(&seen, 10);
-    assert_status(dom_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(whole.fall == 50 && whole.high == 1);
     assert_near("Clopper and Pearson", whole.low, pow(0.025, 1.0 / 50), 1e-10);
 }
@@ -442,9 +441,9 @@ static void heights_are_normal(void **state)
     struct dom_placement p = {.heights = 0.01, .seed = 9, .rows = ROWS};
     alike(&seen, 2);
     /* It falls short where the first is lower than the gap: one standard deviation away. */
-    seen.domino[1].gap = seen.domino[0].height * (dom_real)0.99;
+    seen.domino[1].gap = seen.domino[0].height * (domq_real)0.99;
     seen.row.push = 12;
-    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     double share = (double)study.fall / ROWS, expected = 0.5 * erfc(-1 / sqrt(2));
     assert_true(fabs(share - expected) < 4 * sqrt(expected * (1 - expected) / ROWS));
     /* The same rows by normals of another kind (Box and Muller), where the push suffices for about half. */
@@ -453,7 +452,7 @@ static void heights_are_normal(void **state)
     p.heights = 0.6;
     alike(&seen, 2);
     seen.row.push = 6;
-    assert_status(dom_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     for (int i = 0; i < ROWS; i++) {
         alike(&seen, 2);
         seen.row.push = 6;

@@ -37,9 +37,9 @@ static double most_needed(double h, double d, double push, double end, int *tops
     return most;
 }
 
-static bool fall_seen(const struct dom_fall *fall, void *context)
+static bool fall_seen(const struct domq_fall *fall, void *context)
 {
-    *(struct dom_fall *)context = *fall;
+    *(struct domq_fall *)context = *fall;
     return false;
 }
 
@@ -56,22 +56,22 @@ static void two_tops(void **state)
         double h = 0.05, d = h * random_log(&seed, 0.02, 0.9), gap = h * (0.02 + 0.97 * random_unit(&seed));
         double edge = sqrt(3 * g * (hypot(h, d) - h) / (h * h + d * d));
         double push = edge * (i % 3 ? random_log(&seed, 1.0001, 1.1) : random_log(&seed, 1.1, 5));
-        struct dom_domino domino[] = {{h, d, 0, 1}, {2 * h, d, gap, 1}};
-        struct dom_row row = {.domino = domino,
-                              .count = 2,
-                              .g = g,
-                              .push = push,
-                              .floor = true,
-                              .tol = 1e-12,
-                              .precision = DOM_DOUBLE};
-        struct dom_fall fall;
-        struct dom_verdict verdict;
+        struct domq_domino domino[] = {{h, d, 0, 1}, {2 * h, d, gap, 1}};
+        struct asked_row row = {.domino = domino,
+                                .count = 2,
+                                .g = g,
+                                .push = push,
+                                .floor = true,
+                                .tol = 1e-12,
+                                .precision = DOM_DOUBLE};
+        struct domq_fall fall;
+        struct domq_verdict verdict;
         int tops;
         if (i % 4 == 0) {
             row.precision = i % 40 == 0 ? DOM_QUAD : DOM_FLOAT;
             row.tol = i % 40 == 0 ? 1e-12 : 1e-5;
         }
-        assert_status(dom_row_run(&row, false, fall_seen, &fall, &verdict), DOM_OK);
+        assert_status(ask_row_run(&row, false, fall_seen, &fall, &verdict), DOM_OK);
         if (fall.margin < 0)
             continue;
         double most = most_needed(h, d, push, asin(gap / h), &tops),

@@ -3,9 +3,9 @@
 #include "support.h"
 #include <float.h>
 
-static struct dom_train rubbing_train(double s, double r, double mu)
+static struct asked rubbing_train(double s, double r, double mu)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.s = s;
     train.r = r;
     train.mu = mu;
@@ -13,17 +13,17 @@ static struct dom_train rubbing_train(double s, double r, double mu)
 }
 
 /* Anywhere where a train with friction may go; r s <= 1. */
-static struct dom_train random_rubbing(uint64_t *seed, double s_least, double mu_most)
+static struct asked random_rubbing(uint64_t *seed, double s_least, double mu_most)
 {
     double s = random_log(seed, s_least, 1);
-    struct dom_train train = rubbing_train(s, 1 + (fmin(3, 1 / s) - 1) * random_unit(seed), 0);
+    struct asked train = rubbing_train(s, 1 + (fmin(3, 1 / s) - 1) * random_unit(seed), 0);
     train.d = random_log(seed, 0.01, 0.5);
     train.q = 1 + 4 * random_unit(seed);
     train.mu = random_log(seed, 1e-6, mu_most);
     return train;
 }
 
-static _Noreturn void fail_train(const char *what, const struct dom_train *t, double got, double expected)
+static _Noreturn void fail_train(const char *what, const struct asked *t, double got, double expected)
 {
     fail_msg("%s: %.17g, expected %.17g at s %.17g r %.17g d %.17g q %.17g mu %.17g", what, got, expected,
              (double)t->s, (double)t->r, (double)t->d, (double)t->q, (double)t->mu);
@@ -50,24 +50,24 @@ static void digits(void **state)
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/friction.csv");
     for (; csv_next(csv); rows++) {
-        struct dom_train train = csv_train(csv);
-        struct dom_limit limit;
-        struct dom_launch launch;
-        dom_real w, duration;
+        struct asked train = csv_train(csv);
+        struct domq_limit limit;
+        struct domq_launch launch;
+        domq_real w, duration;
         train.d = csv_number(csv, "d");
         train.mu = csv_number(csv, "mu");
         train.tol = 1e-13;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         assert_near("r_max", limit.r_max, csv_number(csv, "r_max"), 1e-11);
         train.r = csv_number(csv, "r");
-        assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
         assert_near("omegasq_0", launch.omegasq, csv_number(csv, "omegasq_0"), 1e-12);
-        assert_status(dom_cycle_omegasq(&train, csv_number(csv, "theta_1"), &w, NULL), DOM_OK);
+        assert_status(ask_cycle_omegasq(&train, csv_number(csv, "theta_1"), &w, NULL), DOM_OK);
         assert_near("omegasq_1", w, csv_number(csv, "omegasq_1"), 1e-11);
-        assert_status(dom_cycle_omegasq(&train, csv_number(csv, "theta_2"), &w, NULL), DOM_OK);
+        assert_status(ask_cycle_omegasq(&train, csv_number(csv, "theta_2"), &w, NULL), DOM_OK);
         assert_near("omegasq_2", w, csv_number(csv, "omegasq_2"), 1e-11);
-        assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
         assert_near("duration", duration, csv_number(csv, "duration"), 1e-11);
     }
     assert_int_equal(rows, 26);
@@ -79,12 +79,12 @@ static void front_speeds(void **state)
     (void)state;
     static const double speed[][2] = {{0, 1.28427}, {0.1, 1.11545}, {0.2, 0.98392}, {0.5, 0.71678}};
     for (size_t i = 0; i < 4; i++) {
-        struct dom_train train = rubbing_train(13.0 / 48, 1, speed[i][0]);
-        struct dom_scale scale = dom_scale_default();
-        dom_real duration;
+        struct asked train = rubbing_train(13.0 / 48, 1, speed[i][0]);
+        struct domq_scale scale = domq_scale_default();
+        domq_real duration;
         train.d = 7.0 / 48;
-        assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
-        double v = dom_scale_speed(&scale, &train, duration);
+        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
+        double v = ask_scale_speed(&scale, &train, duration);
         if (!(fabs(v - speed[i][1]) <= 0.5e-5))
             fail_train("speed", &train, v, speed[i][1]);
     }
@@ -94,17 +94,17 @@ static void front_speeds(void **state)
 
 enum { ANSWERS = 6 };
 
-static void answers_of(const struct dom_train *train, double theta, bool limit_too, dom_real *x)
+static void answers_of(const struct asked *train, double theta, bool limit_too, domq_real *x)
 {
-    struct dom_launch launch = {0};
-    struct dom_barrier barrier = {0};
-    struct dom_limit limit = {.r_max = 1};
-    assert_status(dom_launch_find(train, &launch, NULL), DOM_OK);
-    assert_status(dom_barrier_find(train, &barrier, NULL), DOM_OK);
-    assert_status(dom_cycle_duration(train, &x[2], NULL), DOM_OK);
-    assert_status(dom_cycle_omegasq(train, theta, &x[3], NULL), DOM_OK);
+    struct domq_launch launch = {0};
+    struct domq_barrier barrier = {0};
+    struct domq_limit limit = {.r_max = 1};
+    assert_status(ask_launch_find(train, &launch, NULL), DOM_OK);
+    assert_status(ask_barrier_find(train, &barrier, NULL), DOM_OK);
+    assert_status(ask_cycle_duration(train, &x[2], NULL), DOM_OK);
+    assert_status(ask_cycle_omegasq(train, theta, &x[3], NULL), DOM_OK);
     if (limit_too)
-        assert_status(dom_limit_rmax(train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(train, &limit, NULL, NULL), DOM_OK);
     x[0] = launch.omegasq;
     x[1] = launch.fuel;
     x[4] = barrier.margin;
@@ -127,20 +127,20 @@ static const double some_trains[][4] = {
 static void no_friction_is_the_limit(void **state)
 {
     (void)state;
-    if (dom_arithmetic(DOM_QUAD)->bits < 100)
+    if (domq_arithmetic(DOM_QUAD)->bits < 100)
         skip();
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
         bool limits = i == 0;
-        struct dom_train train = rubbing_train(some_trains[i][0], some_trains[i][1], 0);
+        struct asked train = rubbing_train(some_trains[i][0], some_trains[i][1], 0);
         train.q = some_trains[i][2];
         train.d = some_trains[i][3];
         train.precision = DOM_QUAD;
-        train.tol = (dom_real)1e-12 * (dom_real)1e-12;
-        dom_real free[ANSWERS], x[ANSWERS], slope[8][ANSWERS];
+        train.tol = (domq_real)1e-12 * (domq_real)1e-12;
+        domq_real free[ANSWERS], x[ANSWERS], slope[8][ANSWERS];
         double noise = 1e-22;
         answers_of(&train, 0.09, limits, free);
         for (int k = 0; k < 7; k++) {
-            train.mu = 1 / (dom_real)pow(10, k + 2);
+            train.mu = 1 / (domq_real)pow(10, k + 2);
             answers_of(&train, 0.09, limits && k < 4, x);
             for (int j = 0; j < ANSWERS; j++) {
                 slope[k][j] = (x[j] - free[j]) / train.mu;
@@ -164,9 +164,9 @@ static void no_friction_is_never_entered(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
-        struct dom_train plain = rubbing_train(some_trains[i][0], some_trains[i][1], 0), train;
+        struct asked plain = rubbing_train(some_trains[i][0], some_trains[i][1], 0), train;
         struct dom_work work = {0};
-        dom_real before[ANSWERS], after[ANSWERS];
+        domq_real before[ANSWERS], after[ANSWERS];
         plain.q = some_trains[i][2];
         plain.d = some_trains[i][3];
         answers_of(&plain, 0.09, true, before);
@@ -195,7 +195,7 @@ struct chain {
     double theta[CHAIN_MOST], slope[CHAIN_MOST], weight[CHAIN_MOST], force[CHAIN_MOST], impulse[CHAIN_MOST];
 };
 
-static bool link_seen(const struct dom_link *link, const struct dom_link *error, void *context)
+static bool link_seen(const struct domq_link *link, const struct domq_link *error, void *context)
 {
     struct chain *c = context;
     (void)error;
@@ -205,7 +205,7 @@ static bool link_seen(const struct dom_link *link, const struct dom_link *error,
     return (c->n = link->i + 1) < CHAIN_MOST;
 }
 
-static bool force_seen(const struct dom_force *force, void *context)
+static bool force_seen(const struct domq_force *force, void *context)
 {
     struct chain *c = context;
     c->force[force->i] = force->force;
@@ -213,10 +213,10 @@ static bool force_seen(const struct dom_force *force, void *context)
     return (c->forces = force->i + 1) < CHAIN_MOST;
 }
 
-static void chain_at(const struct dom_train *train, double theta, struct chain *c)
+static void chain_at(const struct asked *train, double theta, struct chain *c)
 {
-    assert_status(dom_chain_walk(train, theta, false, link_seen, c), DOM_OK);
-    assert_status(dom_cycle_forces(train, theta, force_seen, c), DOM_OK);
+    assert_status(ask_chain_walk(train, theta, false, link_seen, c), DOM_OK);
+    assert_status(ask_cycle_forces(train, theta, force_seen, c), DOM_OK);
 }
 
 /*
@@ -224,7 +224,7 @@ static void chain_at(const struct dom_train *train, double theta, struct chain *
  * tip moves on the leader's face, where it is p = h_follower cos(theta' - theta) - L_leader sin theta from
  * the hinge.
  */
-static double rubbing_at(const struct dom_train *train, double theta)
+static double rubbing_at(const struct asked *train, double theta)
 {
     static struct chain c;
     double sum = 0, size = 1, r = train->r, L = (double)train->s + (double)train->d;
@@ -238,7 +238,7 @@ static double rubbing_at(const struct dom_train *train, double theta)
 }
 
 /* Gauss's ten points on `parts` equal parts. */
-static double integral(const struct dom_train *train, double lo, double hi, int parts)
+static double integral(const struct asked *train, double lo, double hi, int parts)
 {
     static const double place[] = {0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
                                    0.86506336668898451, 0.97390652851717172},
@@ -263,19 +263,19 @@ static void ledger_closes(void **state)
     uint64_t seed = 51;
     int checked = 0, falls = 0;
     for (int i = 0; i < 150; i++) {
-        struct dom_train train = random_rubbing(&seed, 0.1, 2);
-        struct dom_event events[DOM_EVENTS_MAX];
-        struct dom_state s;
+        struct asked train = random_rubbing(&seed, 0.1, 2);
+        struct domq_event events[DOM_EVENTS_MAX];
+        struct domq_state s;
         int n;
         train.mu = fmax(train.mu, 0.01);
         train.r = fmax(fmin(train.r, 0.95 / (double)train.s), 1);
-        enum dom_status status = dom_cycle_events(&train, events, &n);
+        enum dom_status status = ask_cycle_events(&train, events, &n);
         if (status != DOM_OK && status != DOM_STOPS)
             continue;
         double friction_work = 0;
         for (int k = 0; k < n; k++) {
             double theta = events[k].theta;
-            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
             double size = (double)s.before + fabs((double)s.climbed);
             double open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
             if (!(fabs(open) <= 1e-12 * size))
@@ -300,12 +300,12 @@ static void acceleration_is_the_slope_of_omega(void **state)
     uint64_t seed = 52;
     int checked = 0;
     for (int i = 0; i < 200; i++) {
-        struct dom_train train = random_rubbing(&seed, 0.05, 3);
-        struct dom_event events[DOM_EVENTS_MAX];
-        struct dom_state s;
-        dom_real below, above;
+        struct asked train = random_rubbing(&seed, 0.05, 3);
+        struct domq_event events[DOM_EVENTS_MAX];
+        struct domq_state s;
+        domq_real below, above;
         int n;
-        enum dom_status status = dom_cycle_events(&train, events, &n);
+        enum dom_status status = ask_cycle_events(&train, events, &n);
         if (status != DOM_OK && status != DOM_STOPS)
             continue;
         double end = events[n - 1].theta, theta = (0.1 + 0.8 * random_unit(&seed)) * end, h = 1e-4 * end;
@@ -314,9 +314,9 @@ static void acceleration_is_the_slope_of_omega(void **state)
             near_fall |= fabs((double)events[k].theta - theta) < 20 * h;
         if (near_fall)
             continue;
-        assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
-        assert_status(dom_cycle_omegasq(&train, theta - h, &below, NULL), DOM_OK);
-        assert_status(dom_cycle_omegasq(&train, theta + h, &above, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
+        assert_status(ask_cycle_omegasq(&train, theta - h, &below, NULL), DOM_OK);
+        assert_status(ask_cycle_omegasq(&train, theta + h, &above, NULL), DOM_OK);
         double slope = (above - below) / (4 * h);
         if (!(fabs(slope - (double)s.acceleration) <=
               1e-5 * (fabs((double)s.acceleration) + (double)s.omegasq / end)))
@@ -338,9 +338,9 @@ static void precisions_agree(void **state)
     uint64_t seed = 53;
     int met = 0;
     for (int i = 0; i < 8; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_limit limit[3];
-        struct dom_launch launch[3];
+        struct asked train = asked_default();
+        struct domq_limit limit[3];
+        struct domq_launch launch[3];
         train.s = (float)(0.1 + 0.3 * random_unit(&seed)); /* what a float has exactly */
         train.d = (float)(0.05 + 0.1 * random_unit(&seed));
         train.q = (float)(3 + random_unit(&seed));
@@ -348,9 +348,9 @@ static void precisions_agree(void **state)
         train.r = 1.125;
         for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
             train.precision = (enum dom_precision)p;
-            train.tol = p == DOM_QUAD ? (dom_real)1e-16 : dom_arithmetic(train.precision)->tol_default;
-            assert_status(dom_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
-            assert_status(dom_launch_find(&train, &launch[p], NULL), DOM_OK);
+            train.tol = p == DOM_QUAD ? (domq_real)1e-16 : domq_arithmetic(train.precision)->tol_default;
+            assert_status(ask_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+            assert_status(ask_launch_find(&train, &launch[p], NULL), DOM_OK);
         }
         assert_true(limit[0].ends == limit[2].ends && limit[1].ends == limit[2].ends);
         assert_near("float kinetic", launch[0].kinetic, launch[2].kinetic, 1e-3);
@@ -368,18 +368,18 @@ static void precisions_agree(void **state)
 static void float_near_the_reach(void **state)
 {
     (void)state;
-    struct dom_train train = rubbing_train((double)0.54788214F, 1, (double)0.0312876888F);
-    struct dom_limit limit;
-    struct dom_launch launch;
+    struct asked train = rubbing_train((double)0.54788214F, 1, (double)0.0312876888F);
+    struct domq_limit limit;
+    struct domq_launch launch;
     train.d = 0.0992909595F;
     train.q = 3.49999905F;
     train.precision = DOM_FLOAT;
-    train.tol = dom_arithmetic(DOM_FLOAT)->tol_default;
+    train.tol = domq_arithmetic(DOM_FLOAT)->tol_default;
     for (int k = 0; k <= 40; k++) {
         train.r = (1 - pow(10, -1 - k / 20.0)) / (double)train.s;
-        assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
     }
-    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
 }
 
 /* Ten times the tolerance covers what launch and margin make of an error in the flow. */
@@ -390,13 +390,13 @@ static void tolerance_is_kept(void **state)
     uint64_t seed = 54;
     int checked = 0;
     for (int i = 0; i < 150; i++) {
-        struct dom_train train = random_rubbing(&seed, 0.02, 2);
-        struct dom_launch exact, rough;
-        if (dom_launch_find(&train, &exact, NULL) != DOM_OK)
+        struct asked train = random_rubbing(&seed, 0.02, 2);
+        struct domq_launch exact, rough;
+        if (ask_launch_find(&train, &exact, NULL) != DOM_OK)
             continue;
         for (int k = 0; k < 4; k++) {
             train.tol = tols[k];
-            assert_status(dom_launch_find(&train, &rough, NULL), DOM_OK);
+            assert_status(ask_launch_find(&train, &rough, NULL), DOM_OK);
             /* An error of G counts by how much of a cycle's energy carries over to the next. */
             double errs = fabs((double)(rough.kinetic / exact.kinetic) - 1);
             if (!(errs <= 10 * tols[k] * (double)train.r))
@@ -411,11 +411,11 @@ static void tolerance_is_kept(void **state)
 static void smallest_tolerance(void **state)
 {
     (void)state;
-    struct dom_train train = rubbing_train(0.4, 1.3, 0.1);
-    struct dom_launch launch, finest;
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
-    train.tol = dom_arithmetic(DOM_DOUBLE)->tol_floor;
-    assert_status(dom_launch_find(&train, &finest, NULL), DOM_OK);
+    struct asked train = rubbing_train(0.4, 1.3, 0.1);
+    struct domq_launch launch, finest;
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
+    train.tol = domq_arithmetic(DOM_DOUBLE)->tol_floor;
+    assert_status(ask_launch_find(&train, &finest, NULL), DOM_OK);
     assert_near("kinetic", finest.kinetic, launch.kinetic, 1e-12);
 }
 
@@ -425,20 +425,20 @@ static void inertia_is_whole(void **state)
     (void)state;
     uint64_t seed = 55;
     for (int i = 0; i < 200; i++) {
-        struct dom_train train = random_rubbing(&seed, 5e-3, 3);
-        struct dom_launch launch;
-        struct dom_energy energy;
+        struct asked train = random_rubbing(&seed, 5e-3, 3);
+        struct domq_launch launch;
+        struct domq_energy energy;
         if (i == 0)
-            train = (struct dom_train){.s = 0.0047592330111727848,
-                                       .r = 1,
-                                       .d = 0.027113735159934968,
-                                       .q = 1.225919849330257,
-                                       .mu = 2.6927332462871445,
-                                       .tol = 1e-12,
-                                       .precision = DOM_DOUBLE};
-        if (dom_launch_find(&train, &launch, NULL) != DOM_OK)
+            train = (struct asked){.s = 0.0047592330111727848,
+                                   .r = 1,
+                                   .d = 0.027113735159934968,
+                                   .q = 1.225919849330257,
+                                   .mu = 2.6927332462871445,
+                                   .tol = 1e-12,
+                                   .precision = DOM_DOUBLE};
+        if (ask_launch_find(&train, &launch, NULL) != DOM_OK)
             continue;
-        assert_status(dom_energy_find(&train, 0, &energy, NULL), DOM_OK);
+        assert_status(ask_energy_find(&train, 0, &energy, NULL), DOM_OK);
         if (!(fabs((double)(launch.J0 / energy.J0) - 1) <= 2e-12))
             fail_train("J(0)", &train, launch.J0, energy.J0);
     }
@@ -449,66 +449,66 @@ static void inertia_is_whole(void **state)
 static void refusals(void **state)
 {
     (void)state;
-    struct dom_train train = rubbing_train(0.4, 1.3, 0.1);
-    struct dom_launch launch;
-    struct dom_barrier barrier;
-    struct dom_limit limit;
+    struct asked train = rubbing_train(0.4, 1.3, 0.1);
+    struct domq_launch launch;
+    struct domq_barrier barrier;
+    struct domq_limit limit;
     enum dom_status why = DOM_OK;
     static const double wrong[] = {-1e-9, -1, NAN, 100.001, INFINITY, -INFINITY};
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_NO_METHOD);
-    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
     train.fuel = DOM_FUEL_EXACT;
     for (int method = DOM_METHOD_GSL; method <= DOM_METHOD_PAPER; method++) {
         train.method = (enum dom_method)method;
-        assert_status(dom_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
     }
     train.method = DOM_METHOD_OURS;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         train.mu = wrong[i];
-        assert_status(dom_train_check(&train), DOM_BAD_PARAMETER);
-        assert_status(dom_launch_find(&train, &launch, NULL), DOM_BAD_PARAMETER);
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_BAD_PARAMETER);
+        assert_status(ask_train_check(&train), DOM_BAD_MU);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_BAD_MU);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_BAD_MU);
     }
     /* It locks, also where the sums behind such a hit would have no end. */
     train = rubbing_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);
     train.d = 0.61451534241036898;
     train.q = 2.9636499594514638;
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_LOCKS);
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_LOCKS);
     /* The struck domino is hit at Y / r, and dragged down at mu d: it locks where they meet. */
     train = rubbing_train(0.5, 1, 1);
     train.d = 0.1;
     double edge = sqrt(1 / (0.01 + 0.25)); /* sqrt(1 - r^2 s^2) / r = mu d */
     train.r = edge * (1 - 1e-6);
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
     assert_true(launch.velocity_ratio > 0 && launch.velocity_ratio < 1e-4);
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_STOPS);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_STOPS);
     train.r = edge * (1 + 1e-6);
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_LOCKS);
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_LOCKS);
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_LOCKS);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_LOCKS);
     /* Equal dominoes that lock have no growth. */
     train = rubbing_train(0.25, 1, 100);
     train.d = 0.0167772;
-    assert_status(dom_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
     assert_true(limit.ends == DOM_END_NONE && isnan((double)limit.r_max));
     assert_status(why, DOM_LOCKS);
 }
 
-/* Friction takes all fuel at a small separation: dom_limit_rmax says so, too. */
+/* Friction takes all fuel at a small separation: ask_limit_rmax says so, too. */
 static void friction_takes_the_fuel(void **state)
 {
     (void)state;
-    struct dom_train train = rubbing_train(0.01, 1, 1);
-    struct dom_launch launch;
-    struct dom_barrier barrier;
-    struct dom_limit limit;
+    struct asked train = rubbing_train(0.01, 1, 1);
+    struct domq_launch launch;
+    struct domq_barrier barrier;
+    struct domq_limit limit;
     enum dom_status why = DOM_OK;
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_NO_FUEL);
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_FUEL);
     assert_true(isnan((double)launch.omegasq) && !(launch.fuel > 0));
-    assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_NO_FUEL);
-    assert_status(dom_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_NO_FUEL);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
     assert_status(why, DOM_NO_FUEL);
 }
@@ -523,11 +523,11 @@ static void anywhere(void **state)
     uint64_t seed = 56;
     int met[64] = {0}, lost = 0;
     for (int i = 0; i < 2000; i++) {
-        struct dom_train train = random_rubbing(&seed, i % 10 ? 1e-2 : 1e-3, 3);
-        struct dom_launch launch;
-        struct dom_barrier b;
-        enum dom_status begins = dom_launch_find(&train, &launch, NULL);
-        enum dom_status status = dom_barrier_find(&train, &b, NULL);
+        struct asked train = random_rubbing(&seed, i % 10 ? 1e-2 : 1e-3, 3);
+        struct domq_launch launch;
+        struct domq_barrier b;
+        enum dom_status begins = ask_launch_find(&train, &launch, NULL);
+        enum dom_status status = ask_barrier_find(&train, &b, NULL);
         met[status]++;
         if (status == DOM_NOT_CONVERGED) {
             lost++;
@@ -557,13 +557,13 @@ static void growth_falls_with_friction(void **state)
     uint64_t seed = 57;
     int met = 0, none = 0;
     for (int i = 0; i < 60; i++) {
-        struct dom_train train = random_rubbing(&seed, 0.02, 3);
+        struct asked train = random_rubbing(&seed, 0.02, 3);
         double before = INFINITY, mu = train.mu;
         for (int k = 0; k < 3; k++) {
-            struct dom_limit limit;
-            struct dom_barrier barrier;
+            struct domq_limit limit;
+            struct domq_barrier barrier;
             train.mu = mu * (k == 0 ? 1 : k == 1 ? 1.01 : 2);
-            assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
             assert_true(limit.ends == DOM_END_NONE || limit.ends == DOM_END_BARRIER);
             double r_max = limit.ends == DOM_END_NONE ? 0 : (double)limit.r_max;
             if (!(r_max < before || (r_max == 0 && before == 0)))
@@ -573,9 +573,9 @@ static void growth_falls_with_friction(void **state)
             if (r_max == 0 || r_max * (1 - 1e-6) < 1)
                 continue;
             train.r = r_max * (1 - 1e-6);
-            assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
+            assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
             train.r = fmin(r_max * (1 + 1e-6), 1 / (double)train.s);
-            enum dom_status above = dom_barrier_find(&train, &barrier, NULL);
+            enum dom_status above = ask_barrier_find(&train, &barrier, NULL);
             assert_true(above == DOM_STOPS || above == DOM_LOCKS);
             met++;
         }
@@ -588,14 +588,14 @@ static void verdicts_at_the_limit(void **state)
 {
     (void)state;
     for (int i = 0; i < 4; i++) {
-        struct dom_train train = rubbing_train(0.2 + 0.1 * i, 1, 0.1 * i);
-        struct dom_limit limit;
-        struct dom_barrier barrier;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
-        train.r = limit.r_max * (1 - (dom_real)1e-9);
-        assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
-        train.r = limit.r_max * (1 + (dom_real)1e-9);
-        assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_STOPS);
+        struct asked train = rubbing_train(0.2 + 0.1 * i, 1, 0.1 * i);
+        struct domq_limit limit;
+        struct domq_barrier barrier;
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        train.r = limit.r_max * (1 - (domq_real)1e-9);
+        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
+        train.r = limit.r_max * (1 + (domq_real)1e-9);
+        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_STOPS);
     }
 }
 
@@ -607,7 +607,7 @@ static double needed(double x, double z)
 }
 
 /* Newton's law for the middle of block i: mass times what `motion` gives it, less contacts and weight. */
-static double hinge_needs(const struct dom_train *train, const struct chain *c, size_t i, const double *push,
+static double hinge_needs(const struct asked *train, const struct chain *c, size_t i, const double *push,
                           double x, double z, double weight)
 {
     double size = pow(train->r, -(double)i), mass = c->weight[i] / size, d = train->d, mu = train->mu,
@@ -624,22 +624,22 @@ static double hinge_needs(const struct dom_train *train, const struct chain *c, 
     return needed(X, Z);
 }
 
-static double centre(const struct dom_train *train, const struct chain *c, size_t i, bool up)
+static double centre(const struct asked *train, const struct chain *c, size_t i, bool up)
 {
     double size = pow(train->r, -(double)i), d = train->d, x = sin(c->theta[i]), y = cos(c->theta[i]);
     return size * (up ? y + d * x : x - d * y) / 2;
 }
 
 /* The most that a hinge needs at a tilt: accelerations of the middles by differences of their places. */
-static double floor_at(const struct dom_train *train, double theta, double h)
+static double floor_at(const struct asked *train, double theta, double h)
 {
     static struct chain at, below, above;
-    struct dom_state s;
+    struct domq_state s;
     double most = 0;
     chain_at(train, theta, &at);
     chain_at(train, theta - h, &below);
     chain_at(train, theta + h, &above);
-    assert_status(dom_cycle_state(train, theta, &s, NULL), DOM_OK);
+    assert_status(ask_cycle_state(train, theta, &s, NULL), DOM_OK);
     for (size_t i = 0; i < at.n && i < below.n && i < above.n && i < at.forces && at.slope[i] > 1e-5; i++) {
         double of[2];
         for (int up = 0; up < 2; up++) {
@@ -654,15 +654,15 @@ static double floor_at(const struct dom_train *train, double theta, double h)
 }
 
 /* The same of impulses, from the angular velocities of all dominoes before and after. */
-static double floor_hit(const struct dom_train *train, double theta_c)
+static double floor_hit(const struct asked *train, double theta_c)
 {
     static struct chain at, old;
-    dom_real w_0, w_c;
+    domq_real w_0, w_c;
     double most = 0;
     chain_at(train, 0, &at);
     chain_at(train, theta_c, &old);
-    assert_status(dom_cycle_omegasq(train, 0, &w_0, NULL), DOM_OK);
-    assert_status(dom_cycle_omegasq(train, theta_c, &w_c, NULL), DOM_OK);
+    assert_status(ask_cycle_omegasq(train, 0, &w_0, NULL), DOM_OK);
+    assert_status(ask_cycle_omegasq(train, theta_c, &w_c, NULL), DOM_OK);
     /* The model ends with the first that has less than a thousandth of the head's motion. */
     for (size_t i = 0; i < at.n && i < at.forces && i <= old.n && (i == 0 || at.slope[i - 1] > 1e-3); i++) {
         double change = at.slope[i] * sqrt((double)w_0) -
@@ -680,17 +680,17 @@ static void floor_holds(void **state)
     uint64_t seed = 58;
     int checked = 0, lifted = 0, by_head = 0;
     for (int i = 0; i < 60; i++) {
-        struct dom_train train = random_rubbing(&seed, 0.1, 1);
-        struct dom_floor floor;
-        struct dom_barrier barrier;
-        struct dom_angles angles;
+        struct asked train = random_rubbing(&seed, 0.1, 1);
+        struct domq_floor floor;
+        struct domq_barrier barrier;
+        struct domq_angles angles;
         train.r = fmin(train.r, 1.8);
         if (i % 3 == 0)
             train.mu = 0;
-        if (dom_barrier_find(&train, &barrier, NULL) != DOM_OK)
+        if (ask_barrier_find(&train, &barrier, NULL) != DOM_OK)
             continue;
-        assert_status(dom_cycle_floor(&train, &floor), DOM_OK);
-        assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+        assert_status(ask_cycle_floor(&train, &floor), DOM_OK);
+        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
         double end = angles.theta_c, most = 0, d = train.d, r = train.r;
         for (int k = 0; k <= 100; k++)
             most = fmax(most, floor_at(&train, end * (1e-3 + 0.998 * k / 100), 1e-4 * end));

@@ -39,8 +39,8 @@ static long double tail(size_t k, size_t n, long double p, bool more)
  */
 static void check_interval(size_t rows, size_t fall, size_t unknown)
 {
-    struct dom_study s = {.rows = rows, .fall = fall, .unknown = unknown};
-    assert_status(dom_study_interval(&s), DOM_OK);
+    struct domq_study s = {.rows = rows, .fall = fall, .unknown = unknown};
+    assert_status(domq_study_interval(&s), DOM_OK);
     size_t many = fall + unknown;
     double bound = 1e-10 + 2e-14 * (double)rows;
     if (fall == 0)
@@ -58,8 +58,8 @@ static void check_interval(size_t rows, size_t fall, size_t unknown)
 static void two_million_rows(void **state)
 {
     (void)state;
-    struct dom_study s = {.rows = 2000000, .fall = 1453952};
-    assert_status(dom_study_interval(&s), DOM_OK);
+    struct domq_study s = {.rows = 2000000, .fall = 1453952};
+    assert_status(domq_study_interval(&s), DOM_OK);
     assert_true(fabs(s.low - 0.72635798) < 5e-9 && fabs(s.high - 0.72759336) < 5e-9);
     check_interval(2000000, 1453952, 0);
 }
@@ -83,9 +83,9 @@ static void all_or_none(void **state)
 {
     (void)state;
     for (size_t rows = 1; rows < 1000000000; rows *= 10) {
-        struct dom_study all = {.rows = rows, .fall = rows}, none = {.rows = rows};
-        assert_status(dom_study_interval(&all), DOM_OK);
-        assert_status(dom_study_interval(&none), DOM_OK);
+        struct domq_study all = {.rows = rows, .fall = rows}, none = {.rows = rows};
+        assert_status(domq_study_interval(&all), DOM_OK);
+        assert_status(domq_study_interval(&none), DOM_OK);
         assert_near("all", all.low, exp(log(0.025) / (double)rows), 2e-12);
         assert_near("none", none.high, -expm1(log(0.025) / (double)rows), 1e-9);
         assert_true(all.high == 1 && none.low == 0);

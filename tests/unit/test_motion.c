@@ -4,7 +4,7 @@
 #include <float.h>
 
 /* Trains that complete their cycle or stop in it; none without fuel. */
-static bool next_train(uint64_t *seed, struct dom_train *train, struct dom_event *events, int *count)
+static bool next_train(uint64_t *seed, struct asked *train, struct domq_event *events, int *count)
 {
     *train = random_train(seed);
     train->tol = 1e-13;
@@ -12,7 +12,7 @@ static bool next_train(uint64_t *seed, struct dom_train *train, struct dom_event
     train->s = fmax((double)train->s, 0.02);
     if (train->r * train->s > 1)
         return false;
-    enum dom_status status = dom_cycle_events(train, events, count);
+    enum dom_status status = ask_cycle_events(train, events, count);
     return status == DOM_OK || status == DOM_STOPS;
 }
 
@@ -22,10 +22,10 @@ static void events_are_in_order(void **state)
     uint64_t seed = 41;
     int stops = 0, falls = 0, tops = 0, hits = 0;
     for (int i = 0; i < 400; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
-        struct dom_barrier barrier;
-        struct dom_angles angles;
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
+        struct domq_barrier barrier;
+        struct domq_angles angles;
         int n;
         if (!next_train(&seed, &train, events, &n))
             continue;
@@ -33,8 +33,8 @@ static void events_are_in_order(void **state)
         assert_true(events[0].kind == DOM_EVENT_LAUNCH && events[0].theta == 0 && events[0].time == 0);
         for (int k = 1; k < n; k++)
             assert_true(events[k].theta >= events[k - 1].theta && events[k].time >= events[k - 1].time);
-        bool good = dom_barrier_find(&train, &barrier, NULL) == DOM_OK;
-        assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+        bool good = ask_barrier_find(&train, &barrier, NULL) == DOM_OK;
+        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
         assert_true(events[n - 1].kind == (good ? DOM_EVENT_HIT : DOM_EVENT_STOP));
         if (good)
             assert_near("hit", events[n - 1].theta, angles.theta_c, 1e-15);
@@ -47,9 +47,9 @@ static void events_are_in_order(void **state)
             tops += events[k].kind == DOM_EVENT_TOP;
             if (events[k].kind == DOM_EVENT_FALL) {
                 /* Its leader has come to theta_leave, it lies at theta_f. */
-                struct dom_contact c = {.theta_1 = events[k].theta};
+                struct domq_contact c = {.theta_1 = events[k].theta};
                 for (size_t j = 1; j < events[k].domino; j++)
-                    assert_status(dom_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c, NULL),
+                    assert_status(ask_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c, NULL),
                                   DOM_OK);
                 double leader = events[k].domino == 1 ? (double)events[k].theta : (double)c.theta_1;
                 assert_near("leader", leader, angles.theta_leave, 1e-12);
@@ -67,16 +67,16 @@ static void ledger_closes(void **state)
     uint64_t seed = 42;
     int checked = 0;
     for (int i = 0; i < 200; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
         int n;
         if (!next_train(&seed, &train, events, &n))
             continue;
         for (int k = 0; k < 2 * n - 1; k++) {
             double theta = k % 2 ? ((double)events[k / 2].theta + (double)events[k / 2 + 1].theta) / 2
                                  : (double)events[k / 2].theta;
-            struct dom_state s;
-            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            struct domq_state s;
+            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
             double size = (double)s.before + fabs((double)s.climbed);
             double open = (double)(s.before - s.lost - s.climbed - s.kinetic);
             if (!(fabs(open) <= 1e-12 * size))
@@ -94,10 +94,10 @@ static void ledger_closes(void **state)
 static void ledger_of_the_paper_is_open(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_state s;
+    struct asked train = asked_default();
+    struct domq_state s;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(dom_cycle_state(&train, 0.3, &s, NULL), DOM_OK);
+    assert_status(ask_cycle_state(&train, 0.3, &s, NULL), DOM_OK);
     assert_true(s.kinetic > 1.05 * (double)(s.before - s.lost - s.climbed));
 }
 
@@ -107,17 +107,17 @@ static void acceleration_is_the_slope_of_omega(void **state)
     uint64_t seed = 43;
     int checked = 0;
     for (int i = 0; i < 300; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
-        struct dom_state s, below, above;
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
+        struct domq_state s, below, above;
         int n;
         if (!next_train(&seed, &train, events, &n) || train.s < 0.05)
             continue;
         double end = (double)events[n - 1].theta, theta = (0.1 + 0.8 * random_unit(&seed)) * end,
                h = 1e-4 * end;
-        assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
-        assert_status(dom_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
-        assert_status(dom_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
         double slope = (double)(above.omegasq - below.omegasq) / (4 * h);
         double scale = fabs((double)s.acceleration) + (double)s.omegasq / end;
         bool near_event = false; /* where the acceleration jumps */
@@ -133,11 +133,11 @@ static void acceleration_is_the_slope_of_omega(void **state)
 }
 
 struct smallest {
-    const struct dom_train *train;
+    const struct asked *train;
     double head, force, impulse;
 };
 
-static bool force_seen(const struct dom_force *force, void *context)
+static bool force_seen(const struct domq_force *force, void *context)
 {
     struct smallest *s = context;
     if (force->i == 0)
@@ -161,19 +161,19 @@ static void forces_hold_the_train_together(void **state)
     uint64_t seed = 44;
     int checked = 0;
     for (int i = 0; i < 300; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
         int n;
         if (!next_train(&seed, &train, events, &n))
             continue;
         for (int k = 0; k < 4; k++) {
             double theta = k / 3.0 * (double)events[n - 1].theta;
             struct smallest seen = {.train = &train, .head = 0, .force = 1, .impulse = 1};
-            struct dom_state s;
-            struct dom_contact c;
-            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
-            assert_status(dom_cycle_forces(&train, theta, force_seen, &seen), DOM_OK);
-            assert_status(dom_contact_find(&train, theta, &c, NULL), DOM_OK);
+            struct domq_state s;
+            struct domq_contact c;
+            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            assert_status(ask_cycle_forces(&train, theta, force_seen, &seen), DOM_OK);
+            assert_status(ask_contact_find(&train, theta, &c, NULL), DOM_OK);
             double d = (double)train.d, gravity = (sin(theta) - d * cos(theta)) / 2;
             double torque = isnan((double)c.arm_a) ? 0 : seen.head * (double)c.arm_a;
             double scale = fabs(gravity) + fabs((double)s.acceleration) + fabs(torque);
@@ -194,23 +194,23 @@ static void tilt_inverts_time(void **state)
     uint64_t seed = 45;
     int checked = 0;
     for (int i = 0; i < 60; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
-        dom_real theta, duration;
-        struct dom_state s;
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
+        domq_real theta, duration;
+        struct domq_state s;
         int n;
         if (!next_train(&seed, &train, events, &n))
             continue;
         double whole = (double)events[n - 1].time;
         for (int k = 1; k < 4; k++) {
-            assert_status(dom_cycle_tilt(&train, k * whole / 4, &theta), DOM_OK);
-            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            assert_status(ask_cycle_tilt(&train, k * whole / 4, &theta), DOM_OK);
+            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
             assert_near("time", s.time, k * whole / 4, 1e-9);
             checked++;
         }
-        assert_status(dom_cycle_tilt(&train, 1.01 * whole, &theta), DOM_BAD_TILT);
-        assert_status(dom_cycle_tilt(&train, -1e-9, &theta), DOM_BAD_TILT);
-        if (events[n - 1].kind == DOM_EVENT_HIT && dom_cycle_duration(&train, &duration, NULL) == DOM_OK)
+        assert_status(ask_cycle_tilt(&train, 1.01 * whole, &theta), DOM_BAD_TIME);
+        assert_status(ask_cycle_tilt(&train, -1e-9, &theta), DOM_BAD_TIME);
+        if (events[n - 1].kind == DOM_EVENT_HIT && ask_cycle_duration(&train, &duration, NULL) == DOM_OK)
             assert_near("duration", duration, whole, 1e-9);
     }
     assert_true(checked > 50);
@@ -226,14 +226,14 @@ static void time_is_the_sum_of_slowness(void **state)
     uint64_t seed = 47;
     int passed = 0, stopped = 0, friction_work = 0;
     for (int i = 0; i < 800; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
-        struct dom_state s, below, above;
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
+        struct domq_state s, below, above;
         int n;
         if (!next_train(&seed, &train, events, &n) || train.s < 0.05)
             continue;
         train.mu = i % 2 ? random_log(&seed, 0.05, 1) : 0;
-        enum dom_status status = dom_cycle_events(&train, events, &n);
+        enum dom_status status = ask_cycle_events(&train, events, &n);
         if (status == DOM_NO_FUEL || status == DOM_LOCKS)
             continue;
         assert_status(status, status == DOM_OK ? DOM_OK : DOM_STOPS);
@@ -244,14 +244,14 @@ static void time_is_the_sum_of_slowness(void **state)
             near_event |= fabs((double)events[k].theta - theta) < 5 * h;
         if (near_event)
             continue;
-        assert_status(dom_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
-        assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
-        assert_status(dom_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
         assert_near("slowness", (above.time - below.time) / (2 * h), 1 / sqrt((double)s.omegasq), 1e-4);
         passed++;
         if (status != DOM_STOPS)
             continue;
-        assert_status(dom_cycle_state(&train, end - h, &s, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, end - h, &s, NULL), DOM_OK);
         assert_near("the rest", events[n - 1].time - s.time, 2 * h / sqrt((double)s.omegasq), 1e-3);
         stopped++;
         friction_work += train.mu > 0;
@@ -266,29 +266,29 @@ static void stops_to_the_digit(void **state)
     (void)state;
     const double r[] = {1.7, 1.65, 1.64425};
     for (int i = 0; i < 3; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_event events[DOM_EVENTS_MAX], finer[DOM_EVENTS_MAX];
+        struct asked train = asked_default();
+        struct domq_event events[DOM_EVENTS_MAX], finer[DOM_EVENTS_MAX];
         int n, m;
         train.r = r[i];
-        assert_status(dom_cycle_events(&train, events, &n), DOM_STOPS);
+        assert_status(ask_cycle_events(&train, events, &n), DOM_STOPS);
         train.precision = DOM_QUAD;
         train.tol = 1e-25;
-        assert_status(dom_cycle_events(&train, finer, &m), DOM_STOPS);
+        assert_status(ask_cycle_events(&train, finer, &m), DOM_STOPS);
         assert_int_equal(n, m);
         assert_near("where", events[n - 1].theta, finer[n - 1].theta, 1e-12);
         assert_near("when", events[n - 1].time, finer[n - 1].time, 1e-11);
     }
-    struct dom_train none = dom_train_default();
-    struct dom_event events[DOM_EVENTS_MAX];
-    struct dom_state s;
+    struct asked none = asked_default();
+    struct domq_event events[DOM_EVENTS_MAX];
+    struct domq_state s;
     int n = 7;
     none.s = 0.001;
-    assert_status(dom_cycle_events(&none, events, &n), DOM_NO_FUEL);
+    assert_status(ask_cycle_events(&none, events, &n), DOM_NO_FUEL);
     assert_int_equal(n, 0);
     none.s = 0.4;
     none.r = 1.7;
-    assert_status(dom_cycle_state(&none, 0.1, &s, NULL), DOM_STOPS);
-    assert_status(dom_cycle_state(&none, 1, &s, NULL), DOM_BAD_TILT);
+    assert_status(ask_cycle_state(&none, 0.1, &s, NULL), DOM_STOPS);
+    assert_status(ask_cycle_state(&none, 1, &s, NULL), DOM_BAD_TILT);
 }
 
 /* The bounds of a state hold against quad. */
@@ -298,18 +298,18 @@ static void bounds_hold(void **state)
     uint64_t seed = 46;
     int checked = 0;
     for (int i = 0; i < 60; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
-        struct dom_state s, e, finer;
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
+        struct domq_state s, e, finer;
         int n;
         if (!next_train(&seed, &train, events, &n) || train.s < 0.05)
             continue;
         double theta = (i % 4) / 3.0 * 0.999 * (double)events[n - 1].theta;
-        assert_status(dom_cycle_state(&train, theta, &s, &e), DOM_OK);
+        assert_status(ask_cycle_state(&train, theta, &s, &e), DOM_OK);
         train.precision = DOM_QUAD;
         train.tol = 1e-22;
-        assert_status(dom_cycle_state(&train, theta, &finer, NULL), DOM_OK);
-        const dom_real pairs[][3] = {
+        assert_status(ask_cycle_state(&train, theta, &finer, NULL), DOM_OK);
+        const domq_real pairs[][3] = {
             {s.time, finer.time, e.time},          {s.omegasq, finer.omegasq, e.omegasq},
             {s.kinetic, finer.kinetic, e.kinetic}, {s.climbed, finer.climbed, e.climbed},
             {s.before, finer.before, e.before},    {s.lost, finer.lost, e.lost},

@@ -16,9 +16,9 @@ struct row {
     struct direct_result result;
 };
 
-static struct dom_train train_of(double s, double q, double mu)
+static struct asked train_of(double s, double q, double mu)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.s = s;
     train.d = stature;
     train.q = q;
@@ -27,7 +27,7 @@ static struct dom_train train_of(double s, double q, double mu)
 }
 
 /* n boxes, each r times the one before, where the first is as high as 1 and g = 1. */
-static bool falls(struct row *row, const struct dom_train *train, double r, size_t n, double push)
+static bool falls(struct row *row, const struct asked *train, double r, size_t n, double push)
 {
     for (size_t k = 0; k < n; k++) {
         row->height[k] = pow(r, k);
@@ -56,9 +56,9 @@ static void largest_growths(void **state)
                                      {0.5, 4, 0.2}, {0.6, 3, 0.2}, {0.6, 4, 0.4}};
     static struct row row;
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
-        struct dom_train train = train_of(some[i][0], some[i][1], some[i][2]);
-        struct dom_limit limit;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        struct asked train = train_of(some[i][0], some[i][1], some[i][2]);
+        struct domq_limit limit;
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         for (int side = -1; side <= 1; side += 2)
             if (falls(&row, &train, (double)limit.r_max * (1 + side * 1e-9), 12, 32) != (side < 0))
@@ -78,15 +78,15 @@ static void durations(void **state)
                                      {0.3, 1.4, 4, 0.2}, {0.4, 1.5, 3, 0.4}};
     static struct row row;
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
-        struct dom_train train = train_of(some[i][0], some[i][2], some[i][3]);
-        dom_real duration;
+        struct asked train = train_of(some[i][0], some[i][2], some[i][3]);
+        domq_real duration;
         double r = some[i][1];
         size_t n = r > 1 ? 24 : MOST;
         train.r = some[i][1];
-        assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
         assert_true(falls(&row, &train, r, n, 1.5));
-        struct dom_scale scale = {.h = row.height[n - 2], .g = 1};
-        double took = (row.hit[n - 1].time - row.hit[n - 2].time) / (double)dom_scale_tau(&scale, stature);
+        struct domq_scale scale = {.h = row.height[n - 2], .g = 1};
+        double took = (row.hit[n - 1].time - row.hit[n - 2].time) / (double)domq_scale_tau(&scale, stature);
         assert_near("duration", took, duration, 1e-11);
     }
 }

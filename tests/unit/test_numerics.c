@@ -54,7 +54,7 @@ static void roots(void **state)
         {cubic, 1.2599210498948732, 2, 1.2599210498948732, 1e-15},
     };
     for (size_t i = 0; i < sizeof problems / sizeof *problems; i++) {
-        double x = DOM_NAN;
+        double x = DOMQ_NAN;
         assert_int_equal(num_root(problems[i].f, NULL, problems[i].lo, problems[i].hi, 0, &x), NUM_OK);
         if (problems[i].f != flat) /* nine-fold: the values underflow around it */
             assert_near("root", x, problems[i].x, problems[i].bound);
@@ -66,7 +66,7 @@ static void roots(void **state)
 static double nan_inside(double x, void *c)
 {
     (void)c;
-    return x > 0.3 && x < 0.7 ? DOM_NAN : x - 0.5;
+    return x > 0.3 && x < 0.7 ? DOMQ_NAN : x - 0.5;
 }
 
 static void failures_are_reported(void **state)
@@ -96,7 +96,7 @@ static double kink(double x, void *c)
 static void maxima(void **state)
 {
     (void)state;
-    double x = DOM_NAN;
+    double x = DOMQ_NAN;
     assert_int_equal(num_maximum(parabola, NULL, 0.39, 0.43, 0.48, 1e-12, &x), NUM_OK);
     assert_near("smooth top", x, 0.44, 1e-7);
     assert_int_equal(num_maximum(kink, NULL, 0, 0.6, 1.3, 1e-14, &x), NUM_OK);
@@ -114,7 +114,7 @@ static void integrals(void **state)
 {
     (void)state;
     for (double margin = 1; margin > 1e-25; margin /= 100) {
-        double integral = DOM_NAN;
+        double integral = DOMQ_NAN;
         assert_int_equal(num_integral(near_stop, &margin, 0, 1, 1e-13, &integral, NULL), NUM_OK);
         assert_near("integral", integral, asinh(1 / sqrt(margin)), 1e-13);
     }
@@ -139,7 +139,7 @@ static double count_call(double x, void *context)
 static size_t root_calls(num_function *f, double lo, double hi, double expected, bool gsl)
 {
     struct counted c = {.f = f};
-    double x = DOM_NAN;
+    double x = DOMQ_NAN;
     if (!gsl) {
         assert_int_equal(num_root(count_call, &c, lo, hi, 1e-13, &x), NUM_OK);
         assert_near("our root", x, expected, 1e-12);
@@ -200,7 +200,7 @@ static void integrals_against_gsl(void **state)
     for (double margin = 1e-4; margin > 1e-20; margin /= 100) {
         struct counted c = {.f = near_stop, .context = &margin};
         gsl_function function = {count_call, &c};
-        double value = DOM_NAN, error;
+        double value = DOMQ_NAN, error;
         assert_int_equal(num_integral(count_call, &c, 0, 1, 1e-12, &value, NULL), NUM_OK);
         assert_near("ours", value, asinh(1 / sqrt(margin)), 1e-12);
         ours += c.calls;
@@ -246,7 +246,7 @@ static void peaks(void **state)
     gsl_integration_workspace *space = gsl_integration_workspace_alloc(1000);
     for (double width = 1; width > 1e-10; width /= 10) {
         struct peak p = {.width = width, .at = width > 5e-4 ? 0.3 : 0};
-        double value = DOM_NAN, error = DOM_NAN, expected = peaked_integral(&p, 1) - peaked_integral(&p, 0);
+        double value = DOMQ_NAN, error = DOMQ_NAN, expected = peaked_integral(&p, 1) - peaked_integral(&p, 0);
         gsl_function function = {peaked, &p};
         assert_int_equal(num_peak_integral(peaked, &p, 0, 1, p.at, width, 1e-12, &value, NULL), NUM_OK);
         const double bound = 1e-12;
@@ -254,7 +254,7 @@ static void peaks(void **state)
         most = p.calls > most ? p.calls : most;
         assert_int_equal(num_peak_integral(peaked, &p, 0, 1, p.at, width, 1e-12, &value, &error), NUM_OK);
         assert_true(fabs(value - expected) <= error + bound * expected && error < 1e-9 * expected);
-        assert_int_equal(num_peak_integral(peaked, &p, 0, 1, p.at, DOM_NAN, 1e-12, &value, NULL), NUM_OK);
+        assert_int_equal(num_peak_integral(peaked, &p, 0, 1, p.at, DOMQ_NAN, 1e-12, &value, NULL), NUM_OK);
         assert_near("peak of unknown width", value, expected, bound);
         p.calls = 0;
         assert_int_equal(
@@ -369,7 +369,7 @@ static void linear_against_gsl(void **state)
 static bool linear_nan(double x, void *context, struct num_rate *rate)
 {
     (void)context;
-    rate->p = rate->c = x > 0.5 ? DOM_NAN : 1;
+    rate->p = rate->c = x > 0.5 ? DOMQ_NAN : 1;
     return true;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What must hold for every train, whatever its digits: identities, limits, monotony, continuity. */
-#include "precision/kernel.inc"
+#include "request.h"
 #include "support.h"
 #include <float.h>
 
@@ -12,7 +12,7 @@ static void inertia_shifts_by_one(void **state)
     (void)state;
     uint64_t seed = 1;
     for (int i = 0; i < TRAINS; i++) {
-        struct dom_train train = random_train(&seed);
+        struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums at_0, at_c;
         assert_status(dynamics_make(&train, &geometry), DOM_OK);
@@ -32,7 +32,7 @@ static void slope_is_derivative_of_energy(void **state)
     uint64_t seed = 2;
     int checked = 0;
     for (int i = 0; i < TRAINS; i++) {
-        struct dom_train train = random_train(&seed);
+        struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums left, here, right;
         assert_status(dynamics_make(&train, &geometry), DOM_OK);
@@ -62,7 +62,7 @@ static void energy_agrees_with_its_definition(void **state)
     (void)state;
     uint64_t seed = 3;
     for (int i = 0; i < TRAINS; i++) {
-        struct dom_train train = random_train(&seed);
+        struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums sums;
         assert_status(dynamics_make(&train, &geometry), DOM_OK);
@@ -100,17 +100,17 @@ static void fuels_agree_where_they_must(void **state)
     (void)state;
     uint64_t seed = 4;
     for (int i = 0; i < TRAINS; i++) {
-        struct dom_train train = random_train(&seed);
-        struct dom_fuels fuels;
+        struct asked train = random_train(&seed);
+        struct domq_fuels fuels;
         train.r = 1;
-        assert_status(dom_fuel_find(&train, &fuels, NULL), DOM_OK);
+        assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
         if (!(fabs((double)(fuels.exact - fuels.paper)) <= 1e-13 * (1 + train.d))) /* up to 7000 terms */
             fail_msg("r = 1, s %.17g d %.17g: exact %.17g paper %.17g", (double)train.s, (double)train.d,
                      (double)fuels.exact, (double)fuels.paper);
         /* At the reach every follower falls off at once, at pi/2; s is a power of 2 so that r s = 1. */
         train.s = ldexp(1, -i % 8);
         train.r = 1 / train.s;
-        assert_status(dom_fuel_find(&train, &fuels, NULL), DOM_OK);
+        assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
         assert_near("fuel at reach", fuels.exact, 1 - train.d, 1e-15 / fabs((double)(1 - train.d)));
         assert_near("paper fuel at reach", fuels.paper, 1 - train.d, 1e-15 / fabs((double)(1 - train.d)));
     }
@@ -124,24 +124,24 @@ static void cycle_closes(void **state)
     uint64_t seed = 5;
     int closed = 0;
     for (int i = 0; i < TRAINS; i++) {
-        struct dom_train train = random_train(&seed);
-        struct dom_launch launch;
-        struct dom_energy energy;
-        struct dom_angles angles;
-        dom_real w = DOM_NAN;
-        if (dom_launch_find(&train, &launch, NULL) != DOM_OK)
+        struct asked train = random_train(&seed);
+        struct domq_launch launch;
+        struct domq_energy energy;
+        struct domq_angles angles;
+        domq_real w = DOMQ_NAN;
+        if (ask_launch_find(&train, &launch, NULL) != DOM_OK)
             continue;
-        assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
         double theta = random_unit(&seed) * angles.theta_c;
-        assert_status(dom_energy_find(&train, theta, &energy, NULL), DOM_OK);
-        if (dom_cycle_omegasq(&train, theta, &w, NULL) == DOM_OK)
+        assert_status(ask_energy_find(&train, theta, &energy, NULL), DOM_OK);
+        if (ask_cycle_omegasq(&train, theta, &w, NULL) == DOM_OK)
             assert_near("J w + dH", energy.J * w + energy.dH, launch.kinetic,
                         1e-13 * (1 + fabs((double)(energy.dH / launch.kinetic))));
-        if (dom_cycle_omegasq(&train, angles.theta_c, &w, NULL) != DOM_OK)
+        if (ask_cycle_omegasq(&train, angles.theta_c, &w, NULL) != DOM_OK)
             continue;
         /* (c4) and (c5): J(0) omega(0) = (J(0) - 1) sqrt(r) omega(theta_c). */
         double T = pow(train.r, -(train.q + 1)), J_c = 0;
-        assert_status(dom_energy_find(&train, angles.theta_c, &energy, NULL), DOM_OK);
+        assert_status(ask_energy_find(&train, angles.theta_c, &energy, NULL), DOM_OK);
         J_c = energy.J;
         T *= J_c;
         assert_near("collision", T * sqrt(train.r * w), launch.J0 * sqrt(launch.omegasq), 1e-11);
@@ -160,15 +160,15 @@ static void cycle_begins_at_the_reach(void **state)
                                          {0.25, 4, 0.01, 0.5},
                                          {1, 1, 1e-7, 3}};
     for (size_t i = 0; i < 4; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_launch launch;
-        dom_real w = DOM_NAN;
+        struct asked train = asked_default();
+        struct domq_launch launch;
+        domq_real w = DOMQ_NAN;
         train.s = train_at[i][0];
         train.r = train_at[i][1];
         train.d = train_at[i][2];
         train.q = train_at[i][3];
-        assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
-        assert_status(dom_cycle_omegasq(&train, 0, &w, NULL), DOM_OK);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(ask_cycle_omegasq(&train, 0, &w, NULL), DOM_OK);
         assert_near("omegasq(0)", w, launch.omegasq, 1e-15);
     }
 }
@@ -177,13 +177,13 @@ static void cycle_begins_at_the_reach(void **state)
 static void train_forgets_its_push(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_launch launch;
-    struct dom_angles angles;
-    struct dom_energy at_c;
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
-    assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
-    assert_status(dom_energy_find(&train, angles.theta_c, &at_c, NULL), DOM_OK);
+    struct asked train = asked_default();
+    struct domq_launch launch;
+    struct domq_angles angles;
+    struct domq_energy at_c;
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
+    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
+    assert_status(ask_energy_find(&train, angles.theta_c, &at_c, NULL), DOM_OK);
     double w = 100 * launch.omegasq;
     for (int cycle = 0; cycle < 40; cycle++) {
         double w_c = (launch.J0 * w - at_c.dH) / at_c.J;
@@ -199,16 +199,16 @@ static void margin_vanishes_at_the_limit(void **state)
     uint64_t seed = 6;
     int met = 0;
     for (int i = 0; i < 60; i++) {
-        struct dom_train train = random_train(&seed);
-        struct dom_limit limit;
-        struct dom_barrier barrier;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        struct asked train = random_train(&seed);
+        struct domq_limit limit;
+        struct domq_barrier barrier;
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         if (limit.ends != DOM_END_BARRIER)
             continue;
         train.r = fmax(limit.r_max * (1 - 1e-9), 1);
-        assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
+        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
         train.r = fmin(limit.r_max * (1 + 1e-9), 1 / train.s);
-        assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_STOPS);
+        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_STOPS);
         met++;
     }
     assert_true(met > 10);
@@ -219,17 +219,17 @@ static void small_margins_keep_their_digits(void **state)
 {
     (void)state;
     for (int i = 0; i < 12; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_limit limit;
-        struct dom_barrier rough, fine;
+        struct asked train = asked_default();
+        struct domq_limit limit;
+        struct domq_barrier rough, fine;
         train.s = 0.1 + 0.1 * (i % 4);
         train.q = 3 + 0.5 * (i % 3);
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
-        train.r = limit.r_max * (1 - (dom_real)1e-8);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        train.r = limit.r_max * (1 - (domq_real)1e-8);
         train.tol = 1e-14;
-        assert_status(dom_barrier_find(&train, &fine, NULL), DOM_OK);
+        assert_status(ask_barrier_find(&train, &fine, NULL), DOM_OK);
         train.tol = 1e-3;
-        assert_status(dom_barrier_find(&train, &rough, NULL), DOM_OK);
+        assert_status(ask_barrier_find(&train, &rough, NULL), DOM_OK);
         assert_near("margin", rough.margin, fine.margin, 1e-3);
     }
 }
@@ -239,12 +239,12 @@ static void pair_is_train_of_two(void **state)
 {
     (void)state;
     for (double q = 3; q <= 4; q++) {
-        struct dom_train train = dom_train_default();
-        struct dom_limit whole, pair;
+        struct asked train = asked_default();
+        struct domq_limit whole, pair;
         train.s = q == 3 ? 0.52 : 0.6; /* followers leave before the next collision, H has its top late */
         train.q = q;
-        assert_status(dom_limit_rmax(&train, &whole, NULL, NULL), DOM_OK);
-        assert_status(dom_limit_pair(&train, &pair, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &whole, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&train, &pair, NULL), DOM_OK);
         assert_near("pair", pair.r_max, whole.r_max, 1e-12);
     }
 }
@@ -256,9 +256,9 @@ static void pairs_tip_over_before_they_hit(void **state)
     uint64_t seed = 8;
     int ends[3] = {0};
     for (int i = 0; i < 2 * TRAINS; i++) {
-        struct dom_train train = random_train(&seed);
-        struct dom_limit limit;
-        assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+        struct asked train = random_train(&seed);
+        struct domq_limit limit;
+        assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
         if (limit.ends != DOM_END_NONE)
             assert_true((double)(limit.r_max * train.s) * hypot(1, (double)train.d) > (double)train.d);
         ends[limit.ends]++;
@@ -277,12 +277,12 @@ static void pairs_succeed_in_narrow_bands(void **state)
         {0.20984676777913347, 0.14262314360317227, 2.344918696588473, 1.2175004},
         {0.01161971101033242, 0.00780759682969328, 1.9981531957259211, 1.5718772}};
     for (size_t i = 0; i < sizeof band / sizeof *band; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_limit limit;
+        struct asked train = asked_default();
+        struct domq_limit limit;
         train.s = band[i][0];
         train.d = band[i][1];
         train.q = band[i][2];
-        assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         assert_near("r_max of the pair", limit.r_max, band[i][3], 1e-4);
     }
@@ -294,12 +294,12 @@ static void growth_is_monotone(void **state)
     (void)state;
     double before = 1;
     for (double s = 0.02; s < 0.44; s += 0.01) {
-        struct dom_train train = dom_train_default();
-        struct dom_limit hollow, massive;
+        struct asked train = asked_default();
+        struct domq_limit hollow, massive;
         train.s = s;
-        assert_status(dom_limit_rmax(&train, &massive, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &massive, NULL, NULL), DOM_OK);
         train.q = 3;
-        assert_status(dom_limit_rmax(&train, &hollow, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &hollow, NULL, NULL), DOM_OK);
         assert_true(hollow.r_max > before && hollow.r_max > massive.r_max);
         before = hollow.r_max;
     }
@@ -309,20 +309,20 @@ static void growth_is_monotone(void **state)
 static void no_fuel_below_a_separation(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_limit limit;
+    struct asked train = asked_default();
+    struct domq_limit limit;
     enum dom_status why = DOM_OK;
     double edge = 2 * pow(train.d, 3) / (1 - train.d * train.d);
     assert_near("edge", edge, 0.0063378, 1e-5);
     train.s = edge * (1 - 1e-9);
-    assert_status(dom_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
     assert_true(isnan(limit.r_max));
     assert_status(why, DOM_NO_FUEL);
     train.s = edge * (1 + 1e-3);
-    struct dom_fuels fuels;
+    struct domq_fuels fuels;
     train.r = 1;
-    assert_status(dom_fuel_find(&train, &fuels, NULL), DOM_OK);
+    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
     assert_true(fuels.exact > 0 && fuels.paper > 0);
 }
 
@@ -334,7 +334,7 @@ static void tolerance_decides_the_work(void **state)
     static const double tols[] = {1e-2, 1e-4, 1e-6, 1e-9};
     size_t total[4] = {0};
     for (int i = 0; i < TRAINS; i++) {
-        struct dom_train train = random_train(&seed);
+        struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums exact, sums;
         assert_status(dynamics_make(&train, &geometry), DOM_OK);
@@ -357,21 +357,21 @@ static void tolerance_decides_the_work(void **state)
 static void train_stops_where_its_energy_ends(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    dom_real stop = DOM_NAN, w = DOM_NAN;
-    struct dom_energy energy;
-    struct dom_launch launch;
+    struct asked train = asked_default();
+    domq_real stop = DOMQ_NAN, w = DOMQ_NAN;
+    struct domq_energy energy;
+    struct domq_launch launch;
     train.r = 1.7;
-    assert_status(dom_cycle_stop(&train, &stop, NULL), DOM_OK);
-    assert_status(dom_energy_find(&train, stop, &energy, NULL), DOM_OK);
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+    assert_status(ask_cycle_stop(&train, &stop, NULL), DOM_OK);
+    assert_status(ask_energy_find(&train, stop, &energy, NULL), DOM_OK);
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
     assert_near("dH at the stop", energy.dH, launch.kinetic, 1e-11);
-    assert_status(dom_cycle_omegasq(&train, stop * 0.999, &w, NULL), DOM_OK);
+    assert_status(ask_cycle_omegasq(&train, stop * 0.999, &w, NULL), DOM_OK);
     assert_true(w > 0);
-    assert_status(dom_cycle_omegasq(&train, stop * 1.001, &w, NULL), DOM_STOPS);
+    assert_status(ask_cycle_omegasq(&train, stop * 1.001, &w, NULL), DOM_STOPS);
     assert_true(isnan(w));
     train.r = 1.5;
-    assert_status(dom_cycle_stop(&train, &stop, NULL), DOM_OK);
+    assert_status(ask_cycle_stop(&train, &stop, NULL), DOM_OK);
     assert_true(isnan(stop));
 }
 
@@ -379,19 +379,19 @@ static void train_stops_where_its_energy_ends(void **state)
 static void duration_diverges_logarithmically(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_limit limit;
-    dom_real duration[4];
+    struct asked train = asked_default();
+    struct domq_limit limit;
+    domq_real duration[4];
     train.tol = 1e-13;
-    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     for (int k = 0; k < 4; k++) {
         train.r = limit.r_max * (1 - pow(10, -5 - k));
-        assert_status(dom_cycle_duration(&train, &duration[k], NULL), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration[k], NULL), DOM_OK);
     }
     assert_near("steps", duration[3] - duration[2], duration[2] - duration[1], 1e-3);
     assert_true(duration[1] - duration[0] > 0.5);
     train.r = limit.r_max * (1 + 1e-6);
-    assert_status(dom_cycle_duration(&train, &duration[0], NULL), DOM_STOPS);
+    assert_status(ask_cycle_duration(&train, &duration[0], NULL), DOM_STOPS);
 }
 
 /* Bounds cost nothing where nobody asks for them, and change no digit where somebody does. */
@@ -401,18 +401,18 @@ static void bounds_are_extra(void **state)
     uint64_t seed = 77;
     int barriers = 0, limits = 0;
     for (int i = 0; i < 60; i++) {
-        struct dom_train train = random_train(&seed);
+        struct asked train = random_train(&seed);
         struct dom_work plain = {0}, bounded = {0};
-        struct dom_barrier without, with, error;
-        struct dom_limit limit, limit_with, limit_error;
+        struct domq_barrier without, with, error;
+        struct domq_limit limit, limit_with, limit_error;
         train.precision = (enum dom_precision)(i % 3);
-        train.tol = dom_arithmetic(train.precision)->tol_default;
+        train.tol = domq_arithmetic(train.precision)->tol_default;
         train.r = fmin(train.r, 3);
         train.work = &plain;
-        enum dom_status status = dom_barrier_find(&train, &without, NULL);
+        enum dom_status status = ask_barrier_find(&train, &without, NULL);
         size_t passes = plain.passes;
         train.work = &bounded;
-        if (dom_barrier_find(&train, &with, &error) != status)
+        if (ask_barrier_find(&train, &with, &error) != status)
             fail_msg("another verdict with bounds");
         if (status != DOM_OK && status != DOM_STOPS)
             continue;
@@ -423,9 +423,9 @@ static void bounds_are_extra(void **state)
         assert_true(bounded.passes >= passes);
         train.work = &plain;
         plain.passes = bounded.passes = 0;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         train.work = &bounded;
-        assert_status(dom_limit_rmax(&train, &limit_with, &limit_error, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit_with, &limit_error, NULL), DOM_OK);
         assert_int_equal(limit.ends, limit_with.ends);
         if (limit.ends != DOM_END_BARRIER)
             continue;
@@ -444,16 +444,16 @@ static void precisions_agree(void **state)
     uint64_t seed = 78;
     int compared = 0;
     for (int i = 0; i < 30; i++) {
-        struct dom_train train = random_train(&seed);
-        struct dom_limit limit[3];
+        struct asked train = random_train(&seed);
+        struct domq_limit limit[3];
         /* Parameters that a float has exactly. */
         train.s = (float)fmin(0.05 + (double)train.s, 0.9);
         train.d = (float)fmax((double)train.d, 0.01);
         train.q = (float)train.q;
         for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
             train.precision = (enum dom_precision)p;
-            train.tol = dom_arithmetic(train.precision)->tol_default;
-            assert_status(dom_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+            train.tol = domq_arithmetic(train.precision)->tol_default;
+            assert_status(ask_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
         }
         assert_true(limit[0].ends == limit[2].ends && limit[1].ends == limit[2].ends);
         if (limit[2].ends == DOM_END_NONE)

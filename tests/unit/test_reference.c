@@ -15,61 +15,60 @@ struct bounds {
 
 static const struct bounds tight = {1e-15, 3e-14, 1e-13}, usual = {1e-12, 1e-12, 1e-12};
 
-static void check_geometry(const struct csv *csv, const struct dom_train *train, double bound)
+static void check_geometry(const struct csv *csv, const struct asked *train, double bound)
 {
-    struct dom_angles angles;
-    struct dom_contact first, second;
+    struct domq_angles angles;
+    struct domq_contact first, second;
     double theta = csv_number(csv, "theta");
-    assert_status(dom_angles_find(train, &angles, NULL), DOM_OK);
+    assert_status(ask_angles_find(train, &angles, NULL), DOM_OK);
     assert_near("theta_c", angles.theta_c, csv_number(csv, "theta_c"), bound);
     assert_near("theta_f", angles.theta_f, csv_number(csv, "theta_f"), bound);
     double leave = csv_number(csv, "theta_leave");
     assert_int_equal(angles.detaches, !isnan(leave));
     if (angles.detaches)
         assert_near("theta_leave", angles.theta_leave, leave, bound);
-    assert_status(dom_contact_find(train, theta, &first, NULL), DOM_OK);
+    assert_status(ask_contact_find(train, theta, &first, NULL), DOM_OK);
     assert_near("theta_1", first.theta_1, csv_number(csv, "theta_1"), bound);
     assert_near("slope", first.slope, csv_number(csv, "dtheta_1"), bound);
     assert_near("a / b", first.arm_a / first.arm_b, first.slope, 1e-12);
     double theta_2 = csv_number(csv, "theta_2");
     if (!isnan(theta_2) && first.theta_1 < angles.theta_c) {
-        assert_status(dom_contact_find(train, first.theta_1, &second, NULL), DOM_OK);
+        assert_status(ask_contact_find(train, first.theta_1, &second, NULL), DOM_OK);
         assert_near("theta_2", second.theta_1, theta_2, bound);
     }
 }
 
-static void check_dynamics(const struct csv *csv, struct dom_train train, const struct bounds *bounds,
-                           bool paper)
+static void check_dynamics(const struct csv *csv, struct asked train, const struct bounds *bounds, bool paper)
 {
     double theta = csv_number(csv, "theta");
-    dom_real duration = DOM_NAN, omegasq = DOM_NAN;
-    struct dom_energy energy;
-    struct dom_fuels fuels;
-    struct dom_launch launch;
-    struct dom_barrier barrier;
+    domq_real duration = DOMQ_NAN, omegasq = DOMQ_NAN;
+    struct domq_energy energy;
+    struct domq_fuels fuels;
+    struct domq_launch launch;
+    struct domq_barrier barrier;
     train.fuel = paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
 
-    assert_status(dom_energy_find(&train, theta, &energy, NULL), DOM_OK);
+    assert_status(ask_energy_find(&train, theta, &energy, NULL), DOM_OK);
     assert_near("J0", energy.J0, csv_number(csv, "J0"), bounds->digits);
     assert_near("J", energy.J, csv_number(csv, "J"), bounds->digits);
     assert_near("dH", energy.dH, csv_number(csv, "dH"), bounds->digits);
-    assert_status(dom_fuel_find(&train, &fuels, NULL), DOM_OK);
+    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
     assert_near("fuel_paper", fuels.paper, csv_number(csv, "fuel_paper"), bounds->digits);
     assert_near("fuel_exact", fuels.exact, csv_number(csv, "fuel_exact"), bounds->digits);
 
     double P = paper ? fuels.paper : fuels.exact;
     double omega0sq = csv_number(csv, paper ? "omega0sq_paper" : "omega0sq_exact");
-    assert_status(dom_launch_find(&train, &launch, NULL), P > 0 ? DOM_OK : DOM_NO_FUEL);
-    enum dom_status verdict = dom_barrier_find(&train, &barrier, NULL);
+    assert_status(ask_launch_find(&train, &launch, NULL), P > 0 ? DOM_OK : DOM_NO_FUEL);
+    enum dom_status verdict = ask_barrier_find(&train, &barrier, NULL);
     assert_near("barrier", barrier.barrier, csv_number(csv, "barrier"), bounds->digits);
     /* A maximum that is flat fixes its place only through the zero of H', as well as H' is conditioned. */
     assert_near("theta_m", barrier.theta_m, csv_number(csv, "theta_m"), 10 * bounds->digits);
     if (P <= 0) {
         assert_status(verdict, DOM_NO_FUEL);
         assert_true(isnan(launch.omegasq) && isnan(barrier.kinetic) && isnan(barrier.margin));
-        assert_status(dom_cycle_omegasq(&train, theta, &omegasq, NULL), DOM_NO_FUEL);
+        assert_status(ask_cycle_omegasq(&train, theta, &omegasq, NULL), DOM_NO_FUEL);
         assert_true(isnan(omegasq));
-        assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_NO_FUEL);
+        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_NO_FUEL);
         return;
     }
     assert_near("omega0sq", launch.omegasq, omega0sq, bounds->digits);
@@ -78,13 +77,13 @@ static void check_dynamics(const struct csv *csv, struct dom_train train, const 
     assert_status(verdict, margin >= 0 ? DOM_OK : DOM_STOPS);
 
     double formal = csv_number(csv, paper ? "omegasq_paper" : "omegasq_exact");
-    enum dom_status way = dom_cycle_omegasq(&train, theta, &omegasq, NULL);
+    enum dom_status way = ask_cycle_omegasq(&train, theta, &omegasq, NULL);
     if (way == DOM_OK)
         assert_near("omegasq", omegasq, formal, bounds->digits);
     else
         assert_true(verdict == DOM_STOPS && isnan(omegasq));
     double expected = csv_number(csv, paper ? "duration_paper" : "duration_exact");
-    enum dom_status whole = dom_cycle_duration(&train, &duration, NULL);
+    enum dom_status whole = ask_cycle_duration(&train, &duration, NULL);
     assert_status(whole, verdict);
     if (!isnan(expected))
         assert_near("duration", duration, expected, bounds->duration);
@@ -95,7 +94,7 @@ static void check_points(const struct bounds *bounds)
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/points.csv");
     for (; csv_next(csv); rows++) {
-        struct dom_train train = csv_train(csv);
+        struct asked train = csv_train(csv);
         train.r = csv_number(csv, "r");
         train.d = csv_number(csv, "d");
         train.tol = bounds->tol;
@@ -125,16 +124,16 @@ static void largest_growth(void **state)
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/rmax.csv");
     for (; csv_next(csv); rows++) {
-        struct dom_limit limit;
-        struct dom_train train = csv_train(csv);
+        struct domq_limit limit;
+        struct asked train = csv_train(csv);
         train.d = csv_number(csv, "d");
         train.fuel = strcmp(csv_text(csv, "fuel"), "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         train.tol = 1e-15;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         assert_near("r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);
         assert_string_equal(dom_end_text(limit.ends), csv_text(csv, "ends_by"));
         train.tol = 1e-12;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         assert_near("r_max at 1e-12", limit.r_max, csv_number(csv, "r_max"), 1e-12);
     }
     assert_int_equal(rows, 42);
@@ -146,10 +145,10 @@ static void largest_growth_of_a_pair(void **state)
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/pair.csv");
     for (; csv_next(csv); rows++) {
-        struct dom_limit limit;
-        struct dom_train train = csv_train(csv);
+        struct domq_limit limit;
+        struct asked train = csv_train(csv);
         train.tol = 1e-15;
-        assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+        assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
         assert_near("pair r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);
         assert_string_equal(dom_end_text(limit.ends), csv_text(csv, "ends_by"));
     }
@@ -171,17 +170,17 @@ static void best_separation(void **state)
         {4, DOM_FUEL_PAPER, 0.520419, 1.831348},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_best best;
-        struct dom_limit beside;
+        struct asked train = asked_default();
+        struct domq_best best;
+        struct domq_limit beside;
         train.q = known[i].q;
         train.fuel = known[i].fuel;
-        assert_status(dom_limit_best(&train, &best, NULL), DOM_OK);
+        assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
         assert_near("best s", best.s, known[i].s, 0.5e-6 / known[i].s);
         assert_near("best r_max", best.r_max, known[i].r_max, 0.5e-6 / known[i].r_max);
         for (int side = -1; side <= 1; side += 2) {
             train.s = best.s * (1 + side * 1e-5);
-            assert_status(dom_limit_rmax(&train, &beside, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &beside, NULL, NULL), DOM_OK);
             assert_true(beside.r_max < best.r_max);
         }
     }
@@ -194,34 +193,34 @@ static void best_separation(void **state)
 static void falling_off_at_small_angles(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_angles angles;
-    struct dom_fuels fuels;
-    struct dom_energy energy;
+    struct asked train = asked_default();
+    struct domq_angles angles;
+    struct domq_fuels fuels;
+    struct domq_energy energy;
     train.tol = 1e-15;
     train.s = 3.3218168398828681e-05;
     train.r = 321.25105028829063;
     train.d = 0.14583333333333334;
     train.q = 3;
-    assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
     assert_near("theta_f", angles.theta_f, 0.021341907012756661, 2e-15);
     train.s = 3.7116290225179591e-05;
     train.r = 76.735199681883813;
     train.d = 2.2877715991300551;
     train.q = 1.5150948304658971;
-    assert_status(dom_fuel_find(&train, &fuels, NULL), DOM_OK);
+    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
     assert_near("paper", fuels.paper, -0.013015394059843347, 2e-15);
     train.s = 1.9049790079244013e-05;
     train.r = 407.93455594939269;
     train.d = 0.43502259373183116;
     train.q = 0.5;
-    assert_status(dom_fuel_find(&train, &fuels, NULL), DOM_OK);
+    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
     assert_near("exact", fuels.exact, -0.0034097934075310566, 4e-15);
     train.s = 2.4458569011092586e-05;
     train.r = 414.98468406832978;
     train.d = 2.484130149454693;
     train.q = 0.65668514063612715;
-    assert_status(dom_energy_find(&train, 0.0014198964972401396, &energy, NULL), DOM_OK);
+    assert_status(ask_energy_find(&train, 0.0014198964972401396, &energy, NULL), DOM_OK);
     assert_near("dH", energy.dH, 0.003549098981117767, 4e-15);
 }
 
@@ -231,14 +230,14 @@ static void barrier_curve_meets_reach(void **state)
     (void)state;
     static const double meets[][2] = {{3, 0.53929}, {4, 0.61901}};
     for (size_t i = 0; i < 2; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_limit limit;
+        struct asked train = asked_default();
+        struct domq_limit limit;
         train.q = meets[i][0];
         train.s = meets[i][1] - 1e-5;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         train.s = meets[i][1] + 1e-5;
-        assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_REACH);
     }
 }

@@ -20,7 +20,7 @@ static void random_row(struct run *run, uint64_t *seed, int kind)
         r = 1 - (1 - 1 / sqrt(1 + s * s)) * random_unit(seed);
     make_row(run, count, s, r, mus[(int)(3 * random_unit(seed))]);
     for (size_t k = 0; k < count; k++) {
-        struct dom_domino *d = &run->domino[k];
+        struct domq_domino *d = &run->domino[k];
         double few = kind == 3 ? 0.03 : 0;
         d->height *= 1 + few * (2 * random_unit(seed) - 1);
         if (kind == 3) {
@@ -53,7 +53,7 @@ static void compare(const struct run *run, const struct newton *n, size_t hits)
 {
     double friction_work = 0, spare = INFINITY;
     for (size_t k = 0; k < hits; k++) {
-        const struct dom_fall *f = &run->fall[k];
+        const struct domq_fall *f = &run->fall[k];
         const struct direct_hit *h = &n->hit[k];
         double bound = 1e-10 * (1 + 1 / spare);
         near_here("time", run, k, f->time, h->time, h->time, bound);
@@ -79,9 +79,9 @@ static void newton_agrees(void **state)
         random_row(&run, &seed, i % 4);
         assert_status(run_row(&run), DOM_OK);
         newton_run(&run, &n);
-        const struct dom_verdict *v = &run.verdict;
+        const struct domq_verdict *v = &run.verdict;
         size_t last = run.falls - 1, hits = run.falls;
-        const struct dom_fall *f = &run.fall[last];
+        const struct domq_fall *f = &run.fall[last];
         met[v->end]++;
         assert_int_equal(v->domino, run.falls);
         for (size_t k = 1; k < run.falls; k++)
@@ -139,11 +139,11 @@ static void contact_opens_before_a_stop(void **state)
     static struct run run;
     static struct newton n;
     make_row(&run, 3, 0.05, 1, 0.1);
-    run.domino[0] = (struct dom_domino){0.048317859861228038, 0.010258092568206215, 0, 0.010892503715404608};
-    run.domino[1] = (struct dom_domino){0.048540430767252056, 0.0041368158171714905, 0.0022002872943727263,
-                                        0.010089518443481642};
-    run.domino[2] = (struct dom_domino){0.047007677169910882, 0.010265213047027532, 0.0025876182207859107,
-                                        0.0052379886908987747};
+    run.domino[0] = (struct domq_domino){0.048317859861228038, 0.010258092568206215, 0, 0.010892503715404608};
+    run.domino[1] = (struct domq_domino){0.048540430767252056, 0.0041368158171714905, 0.0022002872943727263,
+                                         0.010089518443481642};
+    run.domino[2] = (struct domq_domino){0.047007677169910882, 0.010265213047027532, 0.0025876182207859107,
+                                         0.0052379886908987747};
     run.row.push = 3.5320872193384942;
     assert_status(run_row(&run), DOM_OK);
     newton_run(&run, &n);
@@ -162,7 +162,7 @@ static void contact_opens_without_a_stop(void **state)
     for (int i = 0; i < 12000; i++) {
         make_row(&run, 3 + (size_t)(i % 2), 0.3, 1, 0);
         for (size_t k = 0; k < run.row.count; k++) {
-            struct dom_domino *d = &run.domino[k];
+            struct domq_domino *d = &run.domino[k];
             d->height *= 0.95 + 0.1 * random_unit(&seed);
             d->thickness *= 0.4 + 1.2 * random_unit(&seed);
             d->gap *= 0.2 + 2 * random_unit(&seed);
@@ -202,20 +202,20 @@ static void uniform_rows_become_the_train(void **state)
                                      {0.54, 1.85, 3, 0}};
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
         static struct run run;
-        struct dom_train train = dom_train_default();
-        struct dom_scale scale = dom_scale_default();
-        struct dom_launch launch;
-        struct dom_barrier barrier;
-        dom_real duration;
+        struct asked train = asked_default();
+        struct domq_scale scale = domq_scale_default();
+        struct domq_launch launch;
+        struct domq_barrier barrier;
+        domq_real duration;
         train.s = some[i][0];
         train.r = some[i][1];
         train.q = some[i][2];
         train.mu = some[i][3];
-        assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
-        assert_status(dom_barrier_find(&train, &barrier, NULL), DOM_OK);
-        assert_status(dom_cycle_duration(&train, &duration, NULL), DOM_OK);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
         make_row(&run, MOST, some[i][0], some[i][1], some[i][3]);
-        dom_row_of_train(&train, &scale, 0.01, run.domino, MOST);
+        ask_row_of_train(&train, &scale, 0.01, run.domino, MOST);
         run.row.push = 5 * push_over(run.domino);
         assert_status(run_row(&run), DOM_OK);
         assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_FALLS));
@@ -223,11 +223,11 @@ static void uniform_rows_become_the_train(void **state)
                before = (double)INFINITY;
         double rate = pow(r, -(double)train.q) * fmax((double)(1 - 1 / launch.J0), fmax(0, 1 - r * x_inf));
         for (size_t k = 10; k + 1 < MOST; k++) {
-            const struct dom_fall *f = &run.fall[k];
-            const struct dom_domino *own = &run.domino[k];
+            const struct domq_fall *f = &run.fall[k];
+            const struct domq_domino *own = &run.domino[k];
             double unit = (double)(own->mass * own->height) * g / 2;
             scale.h = own->height;
-            double tau = dom_scale_tau(&scale, train.d);
+            double tau = domq_scale_tau(&scale, train.d);
             double off = fabs((double)f->kinetic / unit / (double)launch.kinetic - 1);
             if (isfinite(before) && off > 1e-12 && !(off < 1.1 * rate * before))
                 fail_msg("train %zu, domino %zu: off by %g, before by %g, rate %g", i, k + 1, off, before,
@@ -251,7 +251,7 @@ static double potential(const struct run *run, size_t k, size_t moving, double t
 {
     double sum = 0;
     for (size_t j = k;; j--) {
-        const struct dom_domino *own = &run->domino[j];
+        const struct domq_domino *own = &run->domino[j];
         double h = own->height, d = own->thickness, gap = own->gap;
         sum += (double)own->mass * g * (h * cos(theta) + d * sin(theta)) / 2;
         if (j + moving == k + 1)
@@ -271,7 +271,7 @@ static void energy_is_kept(void **state)
         random_row(&run, &seed, i % 4);
         assert_status(run_row(&run), DOM_OK);
         for (size_t k = 0; k + 1 < run.falls; k++) {
-            const struct dom_fall *f = &run.fall[k], *next = f + 1;
+            const struct domq_fall *f = &run.fall[k], *next = f + 1;
             if (next->moving != f->moving + 1)
                 continue;
             double rises = potential(&run, k, f->moving, f->theta) - potential(&run, k, f->moving, 0);
@@ -322,13 +322,13 @@ static void ends(void **state)
     double d = 7.0 / 48, touches = d / hypot(1, d);
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 2, touches * (1 + side * 1e-9), 1, 0);
-        run.row.push = DOM_NAN;
+        run.row.push = DOMQ_NAN;
         assert_status(run_row(&run), DOM_OK);
         assert_int_equal(run.verdict.end, side < 0 ? DOM_ROW_LEANS : DOM_ROW_STOPS);
     }
     /* From its edge the middle falls by this much. */
     make_row(&run, 2, 0.4, 1, 0);
-    run.row.push = DOM_NAN;
+    run.row.push = DOMQ_NAN;
     assert_status(run_row(&run), DOM_OK);
     double falls = (hypot(1, d) - sqrt(1 - 0.16) - d * 0.4) * (double)run.domino[0].height / 2;
     assert_near("of the tip", run.fall[1].kinetic + run.fall[1].lost, (double)run.domino[0].mass * g * falls,
@@ -344,7 +344,7 @@ static void ends(void **state)
     make_row(&run, 1, 0.4, 1, 0);
     check_end(&run, DOM_ROW_FALLS, 1);
     assert_true(run.verdict.weakest == 1 && run.verdict.seconds == run.fall[0].duration);
-    run.row.push = DOM_NAN;
+    run.row.push = DOMQ_NAN;
     check_end(&run, DOM_ROW_FALLS, 1);
 }
 
@@ -393,33 +393,35 @@ static void refusals(void **state)
     (void)state;
     static struct run run;
     static const double wrong[] = {0, -1, NAN, INFINITY};
+    static const enum dom_status named[] = {DOM_BAD_HEIGHT, DOM_BAD_THICKNESS, DOM_BAD_MASS,
+                                            DOM_BAD_G,      DOM_BAD_TOL,       DOM_BAD_GAP,
+                                            DOM_BAD_PUSH,   DOM_BAD_MU,        DOM_BAD_HEIGHT};
     for (size_t i = 0; i < 4; i++)
         for (int member = 0; member < 9; member++) {
             make_row(&run, 4, 0.4, 1, 0);
-            dom_real *of[] = {
+            domq_real *of[] = {
                 &run.domino[2].height, &run.domino[2].thickness, &run.domino[2].mass, &run.row.g,
                 &run.row.tol,          &run.domino[2].gap,       &run.row.push,       &run.row.mu,
                 &run.domino[0].height};
             bool zero_is_fine = member >= 5 && member <= 7, tips = member == 6 && isnan(wrong[i]);
             *of[member] = wrong[i];
-            assert_status(run_row(&run),
-                          (wrong[i] == 0 && zero_is_fine) || tips ? DOM_OK : DOM_BAD_PARAMETER);
+            assert_status(run_row(&run), (wrong[i] == 0 && zero_is_fine) || tips ? DOM_OK : named[member]);
         }
     make_row(&run, 4, 0.4, 1, 100.5);
-    assert_status(run_row(&run), DOM_BAD_PARAMETER);
+    assert_status(run_row(&run), DOM_BAD_MU);
     make_row(&run, 4, 0.4, 1, 0);
     run.row.count = 0;
-    assert_status(run_row(&run), DOM_BAD_PARAMETER);
+    assert_status(run_row(&run), DOM_BAD_COUNT);
     make_row(&run, 4, 0.4, 1, 0);
     run.row.precision = (enum dom_precision)7;
-    assert_status(run_row(&run), DOM_BAD_PARAMETER);
+    assert_status(run_row(&run), DOM_BAD_PRECISION);
     volatile sig_atomic_t stop = 1;
     make_row(&run, 4, 0.4, 1, 0);
     run.row.interrupt = &stop;
     assert_status(run_row(&run), DOM_INTERRUPTED);
 }
 
-static bool twice(const struct dom_fall *fall, void *context)
+static bool twice(const struct domq_fall *fall, void *context)
 {
     (void)fall;
     return ++*(int *)context < 2;
@@ -432,14 +434,14 @@ static void visits_end_early(void **state)
     int visits = 0;
     make_row(&run, 20, 0.4, 1, 0);
     run.row.domino = run.domino;
-    assert_status(dom_row_run(&run.row, true, twice, &visits, &run.verdict), DOM_OK);
+    assert_status(ask_row_run(&run.row, true, twice, &visits, &run.verdict), DOM_OK);
     assert_int_equal(visits, 2);
     assert_true(run.verdict.domino == 2 && run.verdict.end == DOM_ROW_FALLS);
-    assert_status(dom_row_run(&run.row, true, NULL, NULL, &run.verdict), DOM_OK);
+    assert_status(ask_row_run(&run.row, true, NULL, NULL, &run.verdict), DOM_OK);
     assert_int_equal(run.verdict.domino, 20);
 }
 
-static bool is_finite(const struct dom_fall *f, void *context)
+static bool is_finite(const struct domq_fall *f, void *context)
 {
     double sum = 1 / ((double)f->omega + 1) + (double)f->theta + (double)f->theta_m;
     *(bool *)context &= isfinite(sum) && !isnan((double)(f->kinetic + f->margin + f->barrier + f->lost));
@@ -450,21 +452,21 @@ static bool is_finite(const struct dom_fall *f, void *context)
 static void sizes(enum dom_precision precision, double s, double r, double h, double mass, size_t count,
                   bool answered)
 {
-    struct dom_domino *domino = calloc(count, sizeof *domino);
-    struct dom_train train = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    struct dom_verdict v, wide;
+    struct domq_domino *domino = calloc(count, sizeof *domino);
+    struct asked train = asked_default();
+    struct domq_scale scale = domq_scale_default();
+    struct domq_verdict v, wide;
     bool fine = true;
     assert_non_null(domino);
     train.s = s;
     train.r = r;
     scale.h = h;
-    dom_row_of_train(&train, &scale, mass, domino, count);
-    struct dom_row row = {.domino = domino, .count = count, .g = g, .tol = 1e-5, .precision = precision};
+    ask_row_of_train(&train, &scale, mass, domino, count);
+    struct asked_row row = {.domino = domino, .count = count, .g = g, .tol = 1e-5, .precision = precision};
     row.push = 3 * sqrt(3 * g * (hypot(1, 7.0 / 48) - 1) / (1 + pow(7.0 / 48, 2)) / h);
-    enum dom_status status = dom_row_run(&row, true, is_finite, &fine, &v);
+    enum dom_status status = ask_row_run(&row, true, is_finite, &fine, &v);
     row.precision = DOM_QUAD;
-    enum dom_status of_wide = dom_row_run(&row, true, NULL, NULL, &wide);
+    enum dom_status of_wide = ask_row_run(&row, true, NULL, NULL, &wide);
     free(domino);
     if (answered || status == DOM_OK) {
         assert_status(status, DOM_OK);
@@ -479,16 +481,16 @@ static void long_and_tall(void **state)
 {
     (void)state;
     enum { LONG = 10000 };
-    static struct dom_domino domino[LONG];
-    struct dom_train train = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    struct dom_verdict v;
+    static struct domq_domino domino[LONG];
+    struct asked train = asked_default();
+    struct domq_scale scale = domq_scale_default();
+    struct domq_verdict v;
     train.s = 0.3;
     train.r = 1;
-    dom_row_of_train(&train, &scale, 0.01, domino, LONG);
-    struct dom_row row = {
+    ask_row_of_train(&train, &scale, 0.01, domino, LONG);
+    struct asked_row row = {
         .domino = domino, .count = LONG, .g = g, .push = 3, .tol = 1e-9, .precision = DOM_DOUBLE};
-    assert_status(dom_row_run(&row, false, NULL, NULL, &v), DOM_OK);
+    assert_status(ask_row_run(&row, false, NULL, NULL, &v), DOM_OK);
     assert_true(v.end == DOM_ROW_FALLS && v.domino == LONG && v.short_by == 0);
     sizes(DOM_DOUBLE, 0.3, 2, 0.048, 0.01, 100, true);
     sizes(DOM_DOUBLE, 0.4, 1.5, 0.048, 0.01, 100, true); /* the last is taller than the Earth */
@@ -514,16 +516,16 @@ static void verdict_sums_up(void **state)
     static struct run run;
     uint64_t seed = 63;
     for (int i = 0; i < 200; i++) {
-        struct dom_verdict v;
+        struct domq_verdict v;
         struct dom_work work = {0};
         random_row(&run, &seed, i % 4);
         run.row.work = &work;
         assert_status(run_row(&run), DOM_OK);
-        dom_real least = INFINITY;
+        domq_real least = INFINITY;
         size_t weakest = 0;
         for (size_t k = 0; k < run.falls; k++) {
-            const struct dom_fall *f = &run.fall[k];
-            dom_real spare = f->barrier > 0 ? f->margin / f->barrier : (dom_real)INFINITY;
+            const struct domq_fall *f = &run.fall[k];
+            domq_real spare = f->barrier > 0 ? f->margin / f->barrier : (domq_real)INFINITY;
             if (f->margin >= 0 && (weakest == 0 || spare < least)) {
                 least = spare;
                 weakest = k + 1;
@@ -539,7 +541,7 @@ static void verdict_sums_up(void **state)
         else if (run.falls > 1)
             assert_true(work.entered[DOM_EFFECT_friction] > 0);
         run.row.work = NULL;
-        assert_status(dom_row_run(&run.row, false, NULL, NULL, &v), DOM_OK);
+        assert_status(ask_row_run(&run.row, false, NULL, NULL, &v), DOM_OK);
         assert_true(v.end == run.verdict.end && v.domino == run.verdict.domino &&
                     v.short_by == run.verdict.short_by && v.weakest == weakest && v.spare == least &&
                     isnan((double)v.seconds));
@@ -568,7 +570,7 @@ static void barriers_do_not_depend_on_the_push(void **state)
         assert_status(run_row(&slow), DOM_OK);
         assert_status(run_row(&fast), DOM_OK);
         for (size_t k = 0; k < slow.falls && k < fast.falls; k++) {
-            const struct dom_fall *a = &slow.fall[k], *b = &fast.fall[k];
+            const struct domq_fall *a = &slow.fall[k], *b = &fast.fall[k];
             if (a->margin < 0) /* what is behind a stop nobody has looked at */
                 break;
             if (!(fabs((double)(a->barrier - b->barrier)) <= 1e-10 * (double)b->kinetic))
@@ -600,7 +602,7 @@ static void light_dominoes_hide_nobody(void **state)
         assert_status(run_row(&rough), DOM_OK);
         assert_status(run_row(&fine), DOM_OK);
         for (size_t k = 0; k < rough.falls && k < fine.falls; k++) {
-            const struct dom_fall *a = &rough.fall[k], *b = &fine.fall[k];
+            const struct domq_fall *a = &rough.fall[k], *b = &fine.fall[k];
             if (!(fabs((double)b->margin) > 1e-2 * (double)b->kinetic))
                 break;
             assert_near("kinetic", a->kinetic, b->kinetic, 1e-3);
@@ -621,8 +623,8 @@ static void precisions_agree(void **state)
         random_row(&run[0], &seed, i % 4);
         run[0].row.count = run[0].row.count < 8 ? run[0].row.count : 8;
         for (size_t k = 0; k < run[0].row.count; k++) { /* what a float has exactly */
-            struct dom_domino *d = &run[0].domino[k];
-            *d = (struct dom_domino){(float)d->height, (float)d->thickness, (float)d->gap, (float)d->mass};
+            struct domq_domino *d = &run[0].domino[k];
+            *d = (struct domq_domino){(float)d->height, (float)d->thickness, (float)d->gap, (float)d->mass};
         }
         run[0].row.push = (float)run[0].row.push;
         run[0].row.mu = (float)run[0].row.mu;
@@ -631,13 +633,13 @@ static void precisions_agree(void **state)
             run[p] = run[0];
             run[p].row.precision = (enum dom_precision)p;
             run[p].row.tol =
-                p == DOM_QUAD ? 1e-16 : (double)dom_arithmetic(run[p].row.precision)->tol_default;
+                p == DOM_QUAD ? 1e-16 : (double)domq_arithmetic(run[p].row.precision)->tol_default;
             assert_status(run_row(&run[p]), DOM_OK);
             assert_int_equal(run[p].verdict.end, run[DOM_QUAD].verdict.end);
             assert_int_equal(run[p].verdict.domino, run[DOM_QUAD].verdict.domino);
             double bound = p == DOM_FLOAT ? 1e-4 : 1e-11, spare = 1;
             for (size_t k = 0; k < run[p].falls; k++) {
-                const struct dom_fall *f = &run[p].fall[k], *wide = &run[DOM_QUAD].fall[k];
+                const struct domq_fall *f = &run[p].fall[k], *wide = &run[DOM_QUAD].fall[k];
                 assert_near("kinetic", f->kinetic, wide->kinetic, bound / spare);
                 assert_near("omega", f->omega, wide->omega, bound / spare);
                 assert_near("theta", f->theta, wide->theta, bound / spare);
@@ -655,8 +657,8 @@ static void floor_of_the_train(void **state)
     (void)state;
     static struct run run;
     for (int i = 0; i < 3; i++) {
-        struct dom_train train = dom_train_default();
-        struct dom_floor floor;
+        struct asked train = asked_default();
+        struct domq_floor floor;
         struct dom_work work = {0};
         train.s = 0.4;
         train.r = 1.3;
@@ -665,8 +667,8 @@ static void floor_of_the_train(void **state)
         run.row.floor = true;
         run.row.work = &work;
         assert_status(run_row(&run), DOM_OK);
-        assert_status(dom_cycle_floor(&train, &floor), DOM_OK);
-        const struct dom_fall *f = &run.fall[36];
+        assert_status(ask_cycle_floor(&train, &floor), DOM_OK);
+        const struct domq_fall *f = &run.fall[36];
         assert_near("motion", f->floor_motion, floor.motion, 1e-6);
         assert_near("hit", f->floor_hit, floor.hit, 1e-6);
         assert_int_equal(f->floor_domino, f->domino - floor.domino);

@@ -15,9 +15,9 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
 {
     double unit = 2 / (g * size[0][0] * size[0][0] * size[0][0] * size[0][1]);
     for (size_t k = 0; k < count; k++)
-        run->domino[k] = (struct dom_domino){size[k][0], size[k][1], size[k][2],
-                                             unit * size[k][0] * size[k][0] * size[k][1]};
-    run->row = (struct dom_row){
+        run->domino[k] = (struct domq_domino){size[k][0], size[k][1], size[k][2],
+                                              unit * size[k][0] * size[k][0] * size[k][1]};
+    run->row = (struct asked_row){
         .count = count, .g = g, .push = push, .mu = mu, .tol = 1e-12, .precision = DOM_DOUBLE};
 }
 
@@ -34,7 +34,7 @@ static double highest_energy_change(const struct run *run, size_t k, size_t movi
         double theta = end * i / GRID, sum = 0;
         bool fallen = false;
         for (size_t j = k;; j--) {
-            const struct dom_domino *d = &run->domino[j];
+            const struct domq_domino *d = &run->domino[j];
             double h = d->height, t = d->thickness, gap = d->gap;
             if (theta < at_most[j] && i > 0)
                 fallen = true;
@@ -103,7 +103,7 @@ static void short_of_the_highest_everywhere(void **state)
         assert_status(run_row(&run), DOM_OK);
         if (run.verdict.end != DOM_ROW_STOPS)
             continue;
-        const struct dom_fall *last = &run.fall[run.falls - 1];
+        const struct domq_fall *last = &run.fall[run.falls - 1];
         size_t before = run.falls > 1 ? run.fall[run.falls - 2].moving : 0;
         double rise = highest_energy_change(&run, run.falls - 1, last->moving);
         double bound = run.row.precision == DOM_FLOAT ? 2e-4 : 1e-6;
@@ -135,7 +135,7 @@ static void a_stop_needs_what_a_fall_needs(void **state)
         if (slow.verdict.end != DOM_ROW_STOPS || fast.falls < slow.falls ||
             fast.fall[last].moving != slow.fall[last].moving)
             continue;
-        const struct dom_fall *a = &slow.fall[last], *b = &fast.fall[last];
+        const struct domq_fall *a = &slow.fall[last], *b = &fast.fall[last];
         if (isinf((double)a->barrier) || isinf((double)b->barrier))
             assert_true(isinf((double)a->barrier) && isinf((double)b->barrier));
         else if (!(fabs((double)(a->barrier - b->barrier)) <= 1e-9 * (double)fmax(a->barrier, b->kinetic)))
@@ -154,24 +154,24 @@ static void rounded_reach_is_reached(void **state)
 {
     (void)state;
     static struct run run, near;
-    struct dom_scale scale = dom_scale_default();
+    struct domq_scale scale = domq_scale_default();
     int falls = 0, stops = 0;
     for (int i = 0; i < 3 * 300; i++) {
-        struct dom_train train = dom_train_default();
-        train.s = (dom_real)(100 + i / 3) / 500;
+        struct asked train = asked_default();
+        train.s = (domq_real)(100 + i / 3) / 500;
         train.r = 1 / train.s;
         train.q = 1 + i % 7;
-        dom_row_of_train(&train, &scale, 1, run.domino, 6);
-        run.row = (struct dom_row){.count = 6,
-                                   .g = g,
-                                   .push = i % 2 ? 60 : DOM_NAN,
-                                   .tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12,
-                                   .precision = (enum dom_precision)(i % 3)};
+        ask_row_of_train(&train, &scale, 1, run.domino, 6);
+        run.row = (struct asked_row){.count = 6,
+                                     .g = g,
+                                     .push = i % 2 ? 60 : DOMQ_NAN,
+                                     .tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12,
+                                     .precision = (enum dom_precision)(i % 3)};
         assert_status(run_row(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
-        train.r *= 1 - (dom_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, but for what is close */
+        train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, but for what is close */
         near = run;
-        dom_row_of_train(&train, &scale, 1, near.domino, 6);
+        ask_row_of_train(&train, &scale, 1, near.domino, 6);
         assert_status(run_row(&near), DOM_OK);
         for (size_t k = 0; k < run.falls && k < near.falls; k++)
             if (fabs((double)run.fall[k].margin) > 0.1 * (double)run.fall[k].kinetic)
@@ -179,7 +179,7 @@ static void rounded_reach_is_reached(void **state)
         falls += run.verdict.end == DOM_ROW_FALLS;
         stops += run.verdict.end == DOM_ROW_STOPS;
         for (size_t k = 1; k < 6; k++)
-            run.domino[k].gap *= 1 + (dom_real)1e-5;
+            run.domino[k].gap *= 1 + (domq_real)1e-5;
         run.row.push = 60;
         assert_status(run_row(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_MISSES && run.verdict.domino == 1);
@@ -213,7 +213,7 @@ static void much_friction(void **state)
         enum dom_status status = run_row(&run);
         if (status != DOM_OK)
             fail_msg("row %d, mu %g: %s", i, (double)run.row.mu, dom_status_text(status));
-        const struct dom_fall *last = &run.fall[run.falls - 1];
+        const struct domq_fall *last = &run.fall[run.falls - 1];
         bool wide = run.row.precision != DOM_FLOAT,
              jam = run.verdict.end == DOM_ROW_LOCKS && last->margin < 0,
              near = fabs((double)last->margin) < (wide ? 1e-6 : 1e-2) * (double)last->kinetic;

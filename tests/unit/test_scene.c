@@ -10,12 +10,27 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.43, 2.1, 7.0 / 48, 3}, {0.54, 1.84, 7.0 / 48, 3},
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
+/* The shell's functions of a train that is asked like the others here. */
+static enum dom_status asked_scene(const struct asked *asked, domq_real theta, struct scene *scene)
+{
+    const struct domq_train train = asked_train(asked);
+    const struct domq_compute compute = asked_compute(asked, false);
+    return scene_make(&train, &compute, theta, 0, scene);
+}
+
+static enum dom_status asked_scene_forces(const struct asked *asked, domq_real theta, struct scene *scene)
+{
+    const struct domq_train train = asked_train(asked);
+    const struct domq_compute compute = asked_compute(asked, false);
+    return scene_forces(&train, &compute, theta, scene);
+}
+
 enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 };
 
 /* A picture, the train in it and the angles between which it moves. */
 struct view {
-    struct dom_train train;
-    struct dom_angles angles;
+    struct asked train;
+    struct domq_angles angles;
     double theta;
     struct scene scene;
 };
@@ -30,16 +45,16 @@ static bool view_next(struct view *v, int k)
     if (which >= SOME + RANDOM)
         return false;
     if (which < SOME) {
-        v->train = dom_train_default();
+        v->train = asked_default();
         v->train.s = some_trains[which][0];
         v->train.r = some_trains[which][1];
         v->train.d = some_trains[which][2];
         v->train.q = some_trains[which][3];
     } else if (k % TILTS == 0)
         v->train = random_train(&seed);
-    assert_status(dom_angles_find(&v->train, &v->angles, NULL), DOM_OK);
+    assert_status(ask_angles_find(&v->train, &v->angles, NULL), DOM_OK);
     v->theta = (double)v->angles.theta_c * (k % TILTS) / (TILTS - 1);
-    assert_status(scene_make(&v->train, v->theta, 0, &v->scene), DOM_OK);
+    assert_status(asked_scene(&v->train, v->theta, &v->scene), DOM_OK);
     return true;
 }
 
@@ -196,7 +211,7 @@ struct tilts {
     double theta[DOMINOES];
 };
 
-static bool tilt_seen(const struct dom_link *link, const struct dom_link *error, void *context)
+static bool tilt_seen(const struct domq_link *link, const struct domq_link *error, void *context)
 {
     struct tilts *tilts = context;
     (void)error;
@@ -214,7 +229,7 @@ static void tilts_are_those_of_the_chain(void **state)
     for (int k = 0; view_next(&v, k); k++) {
         tilts.count = 0;
         v.train.tol = 1e-12;
-        assert_status(dom_chain_walk(&v.train, v.theta, false, tilt_seen, &tilts), DOM_OK);
+        assert_status(ask_chain_walk(&v.train, v.theta, false, tilt_seen, &tilts), DOM_OK);
         assert_true(v.scene.domino[0].theta == 0);
         for (int i = 1; i < v.scene.count; i++) {
             double theta = v.scene.domino[i].theta;
@@ -257,15 +272,15 @@ static void the_head_hits_at_the_end(void **state)
 static void what_has_fallen_off_lies(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_angles angles;
+    struct asked train = asked_default();
+    struct domq_angles angles;
     static struct scene scene;
     train.s = 0.54;
     train.r = 1.84;
     train.q = 3;
-    assert_status(dom_angles_find(&train, &angles, NULL), DOM_OK);
+    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
     assert_true(angles.detaches && angles.theta_leave < 1);
-    assert_status(scene_make(&train, 1, 0, &scene), DOM_OK);
+    assert_status(asked_scene(&train, 1, &scene), DOM_OK);
     assert_false(scene.domino[1].touched);
     assert_true(scene.count > 4);
     for (int i = 2; i < scene.count; i++) {
@@ -279,7 +294,7 @@ struct forces {
     double force[DOMINOES], of_own[DOMINOES];
 };
 
-static bool force_seen(const struct dom_force *force, void *context)
+static bool force_seen(const struct domq_force *force, void *context)
 {
     struct forces *forces = context;
     forces->force[forces->count] = (double)force->force;
@@ -295,9 +310,9 @@ static void forces_press_where_dominoes_touch(void **state)
     static struct forces forces;
     int pressed = 0, alone = 0;
     for (int k = 0; view_next(&v, k); k++) {
-        enum dom_status status = scene_forces(&v.train, v.theta, &v.scene);
+        enum dom_status status = asked_scene_forces(&v.train, v.theta, &v.scene);
         forces.count = 0;
-        assert_status(dom_cycle_forces(&v.train, v.theta, force_seen, &forces), status);
+        assert_status(ask_cycle_forces(&v.train, v.theta, force_seen, &forces), status);
         for (int i = 1; i < v.scene.count; i++) {
             const struct drawn *own = &v.scene.domino[i];
             if (status != DOM_OK || !own->touched || (size_t)i > forces.count || isnan(forces.force[i - 1])) {
@@ -317,11 +332,11 @@ static void forces_press_where_dominoes_touch(void **state)
 static void no_scene_beyond_the_cycle(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     static struct scene scene;
-    assert_status(scene_make(&train, 0.7, 0, &scene), DOM_BAD_TILT);
+    assert_status(asked_scene(&train, 0.7, &scene), DOM_BAD_TILT);
     train.r = 3;
-    assert_status(scene_make(&train, 0, 0, &scene), DOM_OUT_OF_REACH);
+    assert_status(asked_scene(&train, 0, &scene), DOM_OUT_OF_REACH);
 }
 
 int main(void)

@@ -3,15 +3,15 @@
  */
 #include "support.h"
 
-static struct dom_train train_of(double s, double d, double q, double mu, enum dom_precision precision)
+static struct asked train_of(double s, double d, double q, double mu, enum dom_precision precision)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.s = s;
     train.d = d;
     train.q = q;
     train.mu = mu;
     train.precision = precision;
-    train.tol = dom_arithmetic(precision)->tol_default;
+    train.tol = domq_arithmetic(precision)->tol_default;
     return train;
 }
 
@@ -31,11 +31,11 @@ static void the_first_root_counts(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct dom_limit limit[2];
+        struct domq_limit limit[2];
         for (int p = 0; p < (cases[i].mu > 0 ? 1 : 2); p++) {
-            struct dom_train train =
+            struct asked train =
                 train_of(cases[i].s, cases[i].d, cases[i].q, cases[i].mu, p == 0 ? DOM_DOUBLE : DOM_QUAD);
-            assert_status(dom_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
             assert_int_equal(limit[p].ends, DOM_END_BARRIER);
             assert_near("r_max", limit[p].r_max, cases[i].r_max, cases[i].bound);
         }
@@ -54,9 +54,9 @@ static void narrow_bands_of_pairs(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int p = 0; p < 3; p++) {
-            struct dom_train train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
-            struct dom_limit limit;
-            assert_status(dom_limit_pair(&train, &limit, NULL), DOM_OK);
+            struct asked train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
+            struct domq_limit limit;
+            assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
             assert_int_equal(limit.ends, DOM_END_BARRIER);
             assert_near("pair", limit.r_max, cases[i].r_max, p == 0 ? 1e-4 : 5e-9);
         }
@@ -70,9 +70,9 @@ static void the_best_separation_to_its_digits(void **state)
     } cases[] = {{0.014, 3, 0.206532218328}, {0.49, 4, 0.775717721697}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct dom_train train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
-        struct dom_best best, error;
-        assert_status(dom_limit_best(&train, &best, &error), DOM_OK);
+        struct asked train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
+        struct domq_best best, error;
+        assert_status(ask_limit_best(&train, &best, &error), DOM_OK);
         assert_near("best s", best.s, cases[i].s, 4e-12);
         /* The reference has 12 digits. */
         assert_true(fabs((double)(best.s - cases[i].s)) <= error.s + 1e-12 && error.s < 1e-10);
@@ -84,13 +84,13 @@ static void thick_dominoes_grow_at_wide_gaps(void **state)
 {
     (void)state;
     for (double d = 0.665; d < 0.7486; d += 0.02) {
-        struct dom_train train = train_of(1, d, 3, 0, DOM_DOUBLE);
-        struct dom_best best;
-        struct dom_limit limit;
-        assert_status(dom_limit_best(&train, &best, NULL), DOM_OK);
+        struct asked train = train_of(1, d, 3, 0, DOM_DOUBLE);
+        struct domq_best best;
+        struct domq_limit limit;
+        assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
         assert_true(best.s > 0.9 && best.r_max > 1);
         for (train.s = 0.905; train.s < 1; train.s += 0.01) {
-            assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
             assert_true(limit.ends == DOM_END_NONE || limit.r_max <= best.r_max * (1 + 1e-9));
         }
     }
@@ -100,10 +100,10 @@ static void thick_dominoes_grow_at_wide_gaps(void **state)
 static void the_higher_of_two_tops(void **state)
 {
     (void)state;
-    struct dom_train train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
-    struct dom_best best;
+    struct asked train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
+    struct domq_best best;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(dom_limit_best(&train, &best, NULL), DOM_OK);
+    assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
     assert_near("best r_max", best.r_max, 29.8327373, 1e-8);
 }
 
@@ -111,11 +111,11 @@ static void the_higher_of_two_tops(void **state)
 static void too_much_work_is_refused(void **state)
 {
     (void)state;
-    struct dom_train train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
+    struct asked train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
     struct dom_work work = {0};
-    struct dom_best best;
+    struct domq_best best;
     train.work = &work;
-    assert_status(dom_limit_best(&train, &best, NULL), DOM_TOO_LONG);
+    assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
     assert_true(work.dominoes < 20000000);
 }
 
@@ -123,11 +123,11 @@ static void too_much_work_is_refused(void **state)
 static void thin_dominoes_are_quick(void **state)
 {
     (void)state;
-    struct dom_train train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);
+    struct asked train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);
     struct dom_work work = {0};
-    struct dom_limit limit;
+    struct domq_limit limit;
     train.work = &work;
-    assert_status(dom_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     assert_true(work.dominoes < 1000000);
 }
 

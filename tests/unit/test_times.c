@@ -5,15 +5,14 @@
  */
 #include "support.h"
 
-static struct dom_train in_quad(struct dom_train train)
+static struct asked in_quad(struct asked train)
 {
     train.precision = DOM_QUAD;
     train.tol = 1e-30;
     return train;
 }
 
-static void fail_train(const char *what, const struct dom_train *t, double theta, double value,
-                       double expected)
+static void fail_train(const char *what, const struct asked *t, double theta, double value, double expected)
 {
     fail_msg("%s: s %.17g r %.17g d %.17g q %.17g mu %.17g tol %.3g precision %d theta %.17g: %.17g, "
              "expected %.17g",
@@ -22,19 +21,19 @@ static void fail_train(const char *what, const struct dom_train *t, double theta
 }
 
 /* The largest growth that the reach allows in every precision. */
-static double within_reach(const struct dom_train *train)
+static double within_reach(const struct asked *train)
 {
     return (1 - 1e-14) / (double)train->s;
 }
 
 /* A train that stops in its cycle. */
-static bool stopping(uint64_t *seed, struct dom_train *train, dom_real *stop)
+static bool stopping(uint64_t *seed, struct asked *train, domq_real *stop)
 {
     *train = random_train(seed);
     train->tol = 1e-12;
     train->s = random_log(seed, 0.02, 1);
     train->r = fmax(fmin(fmin((double)train->r, within_reach(train)), 6), 1);
-    return dom_cycle_stop(train, stop, NULL) == DOM_OK && isfinite((double)*stop);
+    return ask_cycle_stop(train, stop, NULL) == DOM_OK && isfinite((double)*stop);
 }
 
 /* A part of the way to the stop: near the launch, near the stop, or between. */
@@ -53,28 +52,28 @@ static void times_before_a_stop(void **state)
     int checked = 0;
     double loosest = 0;
     for (int i = 0; i < 1200; i++) {
-        struct dom_train train;
-        struct dom_state here, error, there;
-        dom_real stop;
+        struct asked train;
+        struct domq_state here, error, there;
+        domq_real stop;
         if (!stopping(&seed, &train, &stop))
             continue;
         double theta = (double)stop * part_of(&seed, i % 4);
-        enum dom_status status = dom_cycle_state(&train, theta, &here, &error);
+        enum dom_status status = ask_cycle_state(&train, theta, &here, &error);
         if (status == DOM_NO_MARGIN)
             continue;
         if (status != DOM_OK)
             fail_train(dom_status_text(status), &train, theta, 0, 0);
-        struct dom_train fine = in_quad(train);
+        struct asked fine = in_quad(train);
         /* Rounding may have set the double's stop behind the true one: that is the time of the stop itself.
          */
-        dom_real end;
-        assert_status(dom_cycle_stop(&fine, &end, NULL), DOM_OK);
-        assert_status(dom_cycle_state(&fine, theta < end ? theta : end, &there, NULL), DOM_OK);
+        domq_real end;
+        assert_status(ask_cycle_stop(&fine, &end, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&fine, theta < end ? theta : end, &there, NULL), DOM_OK);
         double off = fabs((double)(here.time - there.time));
         if (!(off <= error.time))
             fail_train("time", &train, theta, (double)here.time, (double)there.time);
-        struct dom_barrier b;
-        assert_status(dom_barrier_find(&train, &b, NULL), DOM_STOPS);
+        struct domq_barrier b;
+        assert_status(ask_barrier_find(&train, &b, NULL), DOM_STOPS);
         if (i % 4 == 0 && -b.margin > b.kinetic / 100) /* near the launch nothing is lost then */
             loosest = fmax(loosest, (double)(error.time / here.time));
         checked++;
@@ -87,16 +86,16 @@ static void times_before_a_stop(void **state)
 static void first_moment(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
-    struct dom_launch launch;
-    struct dom_state s;
+    struct asked train = asked_default();
+    struct domq_launch launch;
+    struct domq_state s;
     train.r = 1.7;
-    assert_status(dom_launch_find(&train, &launch, NULL), DOM_OK);
+    assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
     for (double theta = 1e-10; theta > 1e-30; theta /= 100)
         for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
             train.precision = (enum dom_precision)p;
-            train.tol = dom_arithmetic(train.precision)->tol_default;
-            assert_status(dom_cycle_state(&train, theta, &s, NULL), DOM_OK);
+            train.tol = domq_arithmetic(train.precision)->tol_default;
+            assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
             /* The head slows down by a share of about 11 theta. */
             assert_near("time", (double)s.time, theta / sqrt((double)launch.omegasq),
                         fmax(20 * theta, p == DOM_FLOAT ? 1e-5 : 1e-12));
@@ -110,10 +109,10 @@ static void stops_have_times(void **state)
     uint64_t seed = 82;
     int stops = 0, at_reach = 0, friction_work = 0;
     for (int i = 0; i < 1500; i++) {
-        struct dom_train train;
-        struct dom_event events[DOM_EVENTS_MAX];
+        struct asked train;
+        struct domq_event events[DOM_EVENTS_MAX];
         int n;
-        dom_real stop;
+        domq_real stop;
         train = random_train(&seed);
         train.s = random_log(&seed, 0.05, 1);
         train.q = i % 3 ? 3 : train.q;
@@ -121,9 +120,9 @@ static void stops_have_times(void **state)
         train.r = i % 5 == 0 ? 1 / train.s : pow(1 / (double)train.s, random_unit(&seed));
         train.precision = i % 7 == 0 ? DOM_QUAD : i % 3 == 0 ? DOM_FLOAT : DOM_DOUBLE;
         train.tol = train.precision == DOM_FLOAT ? 1e-5 : 1e-12;
-        if (dom_cycle_stop(&train, &stop, NULL) != DOM_OK || isnan((double)stop))
+        if (ask_cycle_stop(&train, &stop, NULL) != DOM_OK || isnan((double)stop))
             continue;
-        enum dom_status status = dom_cycle_events(&train, events, &n);
+        enum dom_status status = ask_cycle_events(&train, events, &n);
         if (status == DOM_NO_MARGIN)
             continue;
         if (status != DOM_STOPS)
@@ -143,20 +142,20 @@ static void stops_have_times(void **state)
 static void slight_motions(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.q = 3;
     train.s = 0.15;
     train.d = 0.3;
     train.mu = 0.3;
     train.r = 5.51465;
-    struct dom_train fine = in_quad(train);
-    struct dom_event events[DOM_EVENTS_MAX], expected[DOM_EVENTS_MAX];
+    struct asked fine = in_quad(train);
+    struct domq_event events[DOM_EVENTS_MAX], expected[DOM_EVENTS_MAX];
     int n, m;
-    assert_status(dom_cycle_events(&fine, expected, &m), DOM_STOPS);
+    assert_status(ask_cycle_events(&fine, expected, &m), DOM_STOPS);
     for (int p = DOM_FLOAT; p <= DOM_DOUBLE; p++) {
         train.precision = (enum dom_precision)p;
-        train.tol = dom_arithmetic(train.precision)->tol_default;
-        assert_status(dom_cycle_events(&train, events, &n), DOM_STOPS);
+        train.tol = domq_arithmetic(train.precision)->tol_default;
+        assert_status(ask_cycle_events(&train, events, &n), DOM_STOPS);
         assert_int_equal(n, m);
         /* The energy is what is left of a fuel 1e5 times as large. */
         assert_near("stop", (double)events[n - 1].theta, (double)expected[n - 1].theta, 1e5 * train.tol);
@@ -165,13 +164,13 @@ static void slight_motions(void **state)
 }
 
 /* The growth at which the top leaves theta = 0, by halving. */
-static double vanishing(struct dom_train train)
+static double vanishing(struct asked train)
 {
     double lo = 1, hi = 1 / (double)train.s;
     for (int i = 0; i < 100; i++) {
-        struct dom_barrier b;
+        struct domq_barrier b;
         train.r = (lo + hi) / 2;
-        dom_barrier_find(&train, &b, NULL);
+        ask_barrier_find(&train, &b, NULL);
         *(b.theta_m > 0 ? &hi : &lo) = (double)train.r;
     }
     return lo;
@@ -185,17 +184,17 @@ static void tops_that_vanish(void **state)
     uint64_t seed = 83;
     int checked = 0, small = 0;
     for (int i = 0; i < 300; i++) {
-        struct dom_train train = random_train(&seed);
+        struct asked train = random_train(&seed);
         train.tol = 1e-12;
         train.s = random_log(&seed, 0.05, 1);
         double root = vanishing(train);
         train.r = fmin(fmax(root * (1 + (random_unit(&seed) - 0.5) * random_log(&seed, 1e-16, 1e-6)), 1),
                        within_reach(&train));
-        struct dom_train fine = in_quad(train);
-        struct dom_barrier b, error, expected;
-        enum dom_status status = dom_barrier_find(&train, &b, &error);
+        struct asked fine = in_quad(train);
+        struct domq_barrier b, error, expected;
+        enum dom_status status = ask_barrier_find(&train, &b, &error);
         assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
-        status = dom_barrier_find(&fine, &expected, NULL);
+        status = ask_barrier_find(&fine, &expected, NULL);
         assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
         /* Two tops as high as each other, to rounding, are another matter. */
         if (fabs((double)(b.theta_m - expected.theta_m)) > 1e-3)
@@ -216,50 +215,50 @@ static void tops_that_vanish(void **state)
 static void top_of_one_train(void **state)
 {
     (void)state;
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
     train.s = 0.76688250642638167;
     train.r = 1.1153537532838222;
     train.d = 0.41408462686236253;
-    struct dom_train fine = in_quad(train);
-    struct dom_barrier b, error, expected;
-    assert_status(dom_barrier_find(&train, &b, &error), DOM_OK);
-    assert_status(dom_barrier_find(&fine, &expected, NULL), DOM_OK);
+    struct asked fine = in_quad(train);
+    struct domq_barrier b, error, expected;
+    assert_status(ask_barrier_find(&train, &b, &error), DOM_OK);
+    assert_status(ask_barrier_find(&fine, &expected, NULL), DOM_OK);
     assert_true(fabs((double)(b.theta_m - expected.theta_m)) <= error.theta_m && error.theta_m < 1e-13);
 }
 
 /* What each function of the cycle says of a train: DOM_OK, DOM_STOPS, or another reason to have no verdict.
  */
-static void one_verdict(const struct dom_train *train, enum dom_status expected)
+static void one_verdict(const struct asked *train, enum dom_status expected)
 {
-    struct dom_angles angles;
-    struct dom_event events[DOM_EVENTS_MAX];
-    struct dom_state s;
-    struct dom_barrier b;
-    dom_real stop, w, time;
+    struct domq_angles angles;
+    struct domq_event events[DOM_EVENTS_MAX];
+    struct domq_state s;
+    struct domq_barrier b;
+    domq_real stop, w, time;
     int n;
-    assert_status(dom_angles_find(train, &angles, NULL), DOM_OK);
-    enum dom_status verdict = dom_barrier_find(train, &b, NULL);
+    assert_status(ask_angles_find(train, &angles, NULL), DOM_OK);
+    enum dom_status verdict = ask_barrier_find(train, &b, NULL);
     if (verdict != expected)
         fail_train(dom_status_text(verdict), train, 0, (double)b.kinetic, (double)b.barrier);
-    assert_status(dom_cycle_stop(train, &stop, NULL), DOM_OK);
+    assert_status(ask_cycle_stop(train, &stop, NULL), DOM_OK);
     assert_int_equal(isnan((double)stop), expected == DOM_OK);
-    assert_status(dom_cycle_omegasq(train, angles.theta_c, &w, NULL), expected);
-    assert_status(dom_cycle_omegasq(train, b.theta_m, &w, NULL), expected);
-    enum dom_status status = dom_cycle_duration(train, &time, NULL);
+    assert_status(ask_cycle_omegasq(train, angles.theta_c, &w, NULL), expected);
+    assert_status(ask_cycle_omegasq(train, b.theta_m, &w, NULL), expected);
+    enum dom_status status = ask_cycle_duration(train, &time, NULL);
     if (status != DOM_NO_MARGIN)
         assert_status(status, expected);
-    status = dom_cycle_events(train, events, &n);
+    status = ask_cycle_events(train, events, &n);
     if (status == DOM_NO_MARGIN)
         return;
     assert_status(status, expected);
-    assert_status(dom_cycle_state(train, angles.theta_c, &s, NULL), expected);
+    assert_status(ask_cycle_state(train, angles.theta_c, &s, NULL), expected);
     assert_int_equal(events[n - 1].kind, expected == DOM_OK ? DOM_EVENT_HIT : DOM_EVENT_STOP);
     if (expected == DOM_STOPS) { /* it comes as far as its stop, and no farther */
-        assert_status(dom_cycle_omegasq(train, stop, &w, NULL), DOM_OK);
+        assert_status(ask_cycle_omegasq(train, stop, &w, NULL), DOM_OK);
         assert_true(w == 0);
-        assert_status(dom_cycle_state(train, stop, &s, NULL), DOM_OK);
+        assert_status(ask_cycle_state(train, stop, &s, NULL), DOM_OK);
         assert_true(s.omegasq == 0);
-        assert_status(dom_cycle_omegasq(train, stop * (1 + 1e-5), &w, NULL), DOM_STOPS);
+        assert_status(ask_cycle_omegasq(train, stop * (1 + 1e-5), &w, NULL), DOM_STOPS);
     }
 }
 
@@ -270,19 +269,19 @@ static void verdicts_near_the_limit(void **state)
     uint64_t seed = 84;
     int goes = 0, stops = 0;
     for (int i = 0; i < 120; i++) {
-        struct dom_train train = random_train(&seed), fine;
-        struct dom_limit limit;
-        struct dom_barrier b;
+        struct asked train = random_train(&seed), fine;
+        struct domq_limit limit;
+        struct domq_barrier b;
         train.tol = 1e-12;
         train.s = random_log(&seed, 0.02, 0.6);
         train.mu = i % 4 ? 0 : random_log(&seed, 1e-3, 0.5);
-        if (dom_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends != DOM_END_BARRIER)
+        if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends != DOM_END_BARRIER)
             continue;
         train.r = limit.r_max * (1 + (random_unit(&seed) < 0.5 ? -1 : 1) * random_log(&seed, 1e-9, 1e-4));
         train.r = (double)fmax((double)train.r, 1);
         fine = in_quad(train);
         fine.tol = 1e-20;
-        enum dom_status expected = dom_barrier_find(&fine, &b, NULL);
+        enum dom_status expected = ask_barrier_find(&fine, &b, NULL);
         if ((expected != DOM_OK && expected != DOM_STOPS) || fabs((double)(b.margin / b.kinetic)) < 1e-11)
             continue;
         const double tols[] = {0.1, 0.01, 1e-3, 1e-5, 1e-8, 1e-12};
@@ -299,18 +298,18 @@ static void verdicts_near_the_limit(void **state)
 
 /* A cycle as a table has the times and tilts that single answers give. */
 struct seen {
-    const struct dom_train *train;
+    const struct asked *train;
     int rows, events;
     double before;
 };
 
-static bool state_seen(const struct dom_state *s, const struct dom_state *error,
-                       const struct dom_event *event, void *context)
+static bool state_seen(const struct domq_state *s, const struct domq_state *error,
+                       const struct domq_event *event, void *context)
 {
     struct seen *seen = context;
-    struct dom_state alone;
+    struct domq_state alone;
     assert_null(error);
-    assert_status(dom_cycle_state(seen->train, s->theta, &alone, NULL), DOM_OK);
+    assert_status(ask_cycle_state(seen->train, s->theta, &alone, NULL), DOM_OK);
     double size = fmax((double)alone.time, 1e-300);
     if (fabs((double)(s->time - alone.time)) > 1e-10 * size + 1e-16)
         fail_train("time", seen->train, (double)s->theta, (double)s->time, (double)alone.time);
@@ -328,17 +327,17 @@ static void tables_and_answers(void **state)
     uint64_t seed = 85;
     int tables = 0;
     for (int i = 0; i < 150; i++) {
-        struct dom_train train = random_train(&seed);
-        struct dom_event events[DOM_EVENTS_MAX];
+        struct asked train = random_train(&seed);
+        struct domq_event events[DOM_EVENTS_MAX];
         int n;
         train.tol = 1e-12;
         train.s = random_log(&seed, 0.05, 1);
         train.r = fmax(fmin((double)train.r, within_reach(&train)), 1);
         train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
-        enum dom_status expected = dom_cycle_events(&train, events, &n);
+        enum dom_status expected = ask_cycle_events(&train, events, &n);
         struct seen seen = {.train = &train};
         enum dom_status status =
-            dom_cycle_walk(&train, 7, i % 2 ? DOM_BY_TILT : DOM_BY_TIME, false, state_seen, &seen);
+            ask_cycle_walk(&train, 7, i % 2 ? DOM_BY_TILT : DOM_BY_TIME, false, state_seen, &seen);
         assert_status(status, expected);
         if (expected != DOM_OK && expected != DOM_STOPS)
             continue;
@@ -350,7 +349,7 @@ static void tables_and_answers(void **state)
 }
 
 /* The smallest contact force is that of many forces along the cycle. */
-static bool force_seen(const struct dom_force *f, void *context)
+static bool force_seen(const struct domq_force *f, void *context)
 {
     double *least = context;
     if (f->of_own < *least)
@@ -364,21 +363,21 @@ static void least_forces(void **state)
     uint64_t seed = 86;
     int checked = 0;
     for (int i = 0; i < 120; i++) {
-        struct dom_train train = random_train(&seed);
-        struct dom_event events[DOM_EVENTS_MAX];
-        struct dom_least_force found;
+        struct asked train = random_train(&seed);
+        struct domq_event events[DOM_EVENTS_MAX];
+        struct domq_least_force found;
         int n;
         train.tol = 1e-12;
         train.s = random_log(&seed, 0.05, 0.95);
         train.r = fmax(fmin((double)train.r, 0.95 / (double)train.s), 1);
         train.mu = i % 3 ? 0 : random_log(&seed, 1e-3, 1);
-        enum dom_status status = dom_cycle_events(&train, events, &n);
+        enum dom_status status = ask_cycle_events(&train, events, &n);
         if (status != DOM_OK && status != DOM_STOPS)
             continue;
-        assert_status(dom_cycle_least_force(&train, &found), DOM_OK);
+        assert_status(ask_cycle_least_force(&train, &found), DOM_OK);
         double least = INFINITY, end = (double)events[n - 1].theta;
         for (int k = 0; k <= 500; k++)
-            assert_status(dom_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
+            assert_status(ask_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
         if (isinf(least) || least > 1e6)
             continue;
         /* Between 500 tilts it may be smaller by what a parabola leaves. */

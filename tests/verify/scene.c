@@ -55,9 +55,9 @@ static bool boxes_fall(const struct scene *scene, double r, void *context)
 
 /* ---- The model ---- */
 
-struct dom_train scene_train(const struct scene *scene)
+struct asked scene_train(const struct scene *scene)
 {
-    struct dom_train train = dom_train_default();
+    struct asked train = asked_default();
 
     train.s = scene->s;
     train.d = stature;
@@ -67,7 +67,7 @@ struct dom_train scene_train(const struct scene *scene)
     return train;
 }
 
-static bool hit(const struct dom_fall *fall, void *context)
+static bool hit(const struct domq_fall *fall, void *context)
 {
     double **next = context;
 
@@ -79,21 +79,21 @@ static bool hit(const struct dom_fall *fall, void *context)
 static bool dominoes_fall(const struct scene *scene, double r, void *next)
 {
     struct scene at = *scene;
-    struct dom_domino domino[ENGINE_MOST];
-    struct dom_scale unit = {.h = 1, .g = 1};
-    struct dom_verdict verdict;
+    struct domq_domino domino[ENGINE_MOST];
+    struct domq_scale unit = {.h = 1, .g = 1};
+    struct domq_verdict verdict;
 
     at.r = r;
-    struct dom_train train = scene_train(&at);
-    struct dom_row row = {.domino = domino,
-                          .count = scene->count,
-                          .g = 1,
-                          .push = scene->push,
-                          .mu = scene->mu,
-                          .tol = 1e-10,
-                          .precision = DOM_DOUBLE};
-    dom_row_of_train(&train, &unit, 1, domino, scene->count);
-    enum dom_status status = dom_row_run(&row, next, next ? hit : NULL, next, &verdict);
+    struct asked train = scene_train(&at);
+    struct asked_row row = {.domino = domino,
+                            .count = scene->count,
+                            .g = 1,
+                            .push = scene->push,
+                            .mu = scene->mu,
+                            .tol = 1e-10,
+                            .precision = DOM_DOUBLE};
+    ask_row_of_train(&train, &unit, 1, domino, scene->count);
+    enum dom_status status = ask_row_run(&row, next, next ? hit : NULL, next, &verdict);
 
     if (status != DOM_OK || verdict.end == DOM_ROW_PARTS || verdict.end == DOM_ROW_PASSES) {
         fprintf(stderr, "s %g, q %g, mu %g, r %.9g: %s\n", scene->s, scene->q, scene->mu, r,
@@ -175,9 +175,9 @@ static double taus(const struct scene *scene)
     double sum = 0;
 
     for (size_t k = 2; k < 2 + SCENE_CYCLES; k++) {
-        struct dom_scale scale = {.h = pow(scene->r, (double)(scene->count - k)), .g = 1};
+        struct domq_scale scale = {.h = pow(scene->r, (double)(scene->count - k)), .g = 1};
 
-        sum += (double)dom_scale_tau(&scale, stature);
+        sum += (double)domq_scale_tau(&scale, stature);
     }
     return sum;
 }

@@ -3,7 +3,7 @@
 #ifndef VERIFY_SCENE_H
 #define VERIFY_SCENE_H
 
-#include "domino.h"
+#include "../unit/ask.h"
 #include "engine.h"
 
 struct scene {
@@ -44,6 +44,6 @@ enum { SCENE_CYCLES = 4 };
 void scene_duration(const struct scene *scene, struct found *found);
 double scene_duration_of_row(const struct scene *scene);
 
-struct dom_train scene_train(const struct scene *scene);
+struct asked scene_train(const struct scene *scene);
 
 #endif

@@ -82,23 +82,23 @@ static long solve(int job, void *context)
     struct answer *a = (struct answer *)context + job;
     const struct scene *scene = &a->scene;
     struct scene cut;
-    struct dom_limit limit;
-    dom_real duration;
+    struct domq_limit limit;
+    domq_real duration;
 
     a->scene = scene_of(job);
-    struct dom_train train = scene_train(scene);
+    struct asked train = scene_train(scene);
     a->paper = (double)NAN;
     if (job >= GROWTHS) {
         scene_duration(scene, &a->found);
         a->row = scene_duration_of_row(scene);
-        a->exact = dom_cycle_duration(&train, &duration, NULL) == DOM_OK ? (double)duration : (double)NAN;
+        a->exact = ask_cycle_duration(&train, &duration, NULL) == DOM_OK ? (double)duration : (double)NAN;
         return 0;
     }
     scene_growth(scene, &a->found);
     a->row = scene_growth_of_row(scene);
-    a->exact = dom_limit_rmax(&train, &limit, NULL, NULL) == DOM_OK ? (double)limit.r_max : (double)NAN;
+    a->exact = ask_limit_rmax(&train, &limit, NULL, NULL) == DOM_OK ? (double)limit.r_max : (double)NAN;
     train.fuel = DOM_FUEL_PAPER;
-    if (dom_limit_rmax(&train, &limit, NULL, NULL) == DOM_OK)
+    if (ask_limit_rmax(&train, &limit, NULL, NULL) == DOM_OK)
         a->paper = (double)limit.r_max;
     a->again = a->found.caught && fabs(off(a->found.value, a->row)) > scene_still;
     if (a->again) {

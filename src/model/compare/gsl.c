@@ -14,7 +14,7 @@
 enum { GSL_SAMPLES = 16, GSL_ITERATIONS = 200, GSL_INTERVALS = 1000 };
 
 struct gsl_context {
-    const struct dom_train *train;
+    const struct request *train;
     struct geometry geometry;
     double kinetic;
     enum dom_status status;
@@ -89,8 +89,8 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
     return status;
 }
 
-static enum dom_status gsl_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
-                                        struct dom_barrier *error)
+static enum dom_status gsl_barrier_find(const struct request *train, struct dom_barrier *barrier,
+                                        struct dom_barrier_error *error)
 {
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
@@ -100,7 +100,8 @@ static enum dom_status gsl_barrier_find(const struct dom_train *train, struct do
         return status != DOM_OK ? status : DOM_NO_METHOD;
     if (!(c.kinetic > 0))
         c.kinetic = (double)DOM_NAN;
-    *barrier = (struct dom_barrier){b.theta_m, b.height, c.kinetic, c.kinetic - b.height};
+    *barrier = (struct dom_barrier){
+        .theta_m = b.theta_m, .barrier = b.height, .kinetic = c.kinetic, .margin = c.kinetic - b.height};
     return isnan(c.kinetic) ? DOM_NO_FUEL : c.kinetic >= b.height ? DOM_OK : DOM_STOPS;
 }
 
@@ -129,8 +130,8 @@ static enum dom_status gsl_root(struct gsl_context *c, double lo, double hi, dou
     return c->status != DOM_OK ? c->status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
 }
 
-static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
-                                      struct dom_limit *error, enum dom_status *why)
+static enum dom_status gsl_limit_rmax(const struct request *train, struct dom_limit *limit,
+                                      struct dom_limit_error *error)
 {
     if (error)
         return DOM_NO_METHOD;
@@ -139,18 +140,18 @@ static enum dom_status gsl_limit_rmax(const struct dom_train *train, struct dom_
     dynamics_read(train, &c.geometry);
     double reach = 1 / (double)train->s, r = reach, at_1 = gsl_margin(1, &c);
     enum dom_end ends = DOM_END_REACH;
+    enum dom_status why = DOM_OK;
     if (c.status == DOM_OK && at_1 < 0) {
         ends = DOM_END_NONE;
         r = (double)DOM_NAN;
-        if (why)
-            *why = c.kinetic > 0 ? DOM_STOPS : DOM_NO_FUEL;
+        why = c.kinetic > 0 ? DOM_STOPS : DOM_NO_FUEL;
     } else if (c.status == DOM_OK && gsl_margin(reach, &c) < 0) {
         ends = DOM_END_BARRIER;
         c.status = gsl_root(&c, 1, reach, &r);
     }
-    quiet_end();
+    dom_quiet_end();
     if (c.status == DOM_OK)
-        *limit = (struct dom_limit){.r_max = r, .ends = ends};
+        *limit = (struct dom_limit){.r_max = r, .ends = ends, .why = why};
     return c.status;
 }
 
@@ -165,7 +166,7 @@ static double gsl_slowness(double theta, void *context)
     return sqrt(at.J / (c->kinetic - at.dH));
 }
 
-static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
+static enum dom_status gsl_cycle_duration(const struct request *train, dom_real *duration, dom_real *error)
 {
     if (error)
         return DOM_NO_METHOD;
@@ -179,11 +180,11 @@ static enum dom_status gsl_cycle_duration(const struct dom_train *train, dom_rea
     if (!space)
         return DOM_NO_MEMORY;
     gsl_function f = {gsl_slowness, &c};
-    quiet_begin();
+    dom_quiet_begin();
     double value = 0, estimate = 0, tol = fmax((double)train->tol, 50 * REAL_EPSILON);
     int code = gsl_integration_qags(&f, 0, tilt_angle(c.geometry.c), 0, tol, GSL_INTERVALS, space, &value,
                                     &estimate);
-    quiet_end();
+    dom_quiet_end();
     gsl_integration_workspace_free(space);
     if (c.status == DOM_OK && code == GSL_SUCCESS)
         *duration = value;

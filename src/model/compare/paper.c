@@ -11,7 +11,7 @@
 enum { PAPER_LINKS_MAX = 1000000 };
 
 struct paper {
-    const struct dom_train *train;
+    const struct request *train;
     double s, r, d, q, tol, L;
     double theta_c, theta_f, theta_leave;
     double P, J0, kinetic;
@@ -53,7 +53,7 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
 }
 
 /* At r = 1 the sums have no end. */
-static enum dom_status paper_begin(const struct dom_train *t, double r, struct paper *p)
+static enum dom_status paper_begin(const struct request *t, double r, struct paper *p)
 {
     double s = (double)t->s, d = (double)t->d, q = (double)t->q, L = s + d;
     *p = (struct paper){.train = t, .s = s, .r = r, .d = d, .q = q, .tol = (double)t->tol, .L = L};
@@ -90,30 +90,34 @@ static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *h
     return p->status;
 }
 
-static enum dom_status paper_launch_find(const struct dom_train *train, struct dom_launch *launch,
-                                         struct dom_launch *error)
+static enum dom_status paper_launch_find(const struct request *train, struct dom_launch *launch,
+                                         struct dom_launch_error *error)
 {
     struct paper p;
     enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
     if (status == DOM_OK)
-        *launch = (struct dom_launch){p.P, p.J0, (p.J0 - 1) / p.J0, p.kinetic / p.J0, p.kinetic};
+        *launch = (struct dom_launch){.fuel = p.P,
+                                      .J0 = p.J0,
+                                      .velocity_ratio = (p.J0 - 1) / p.J0,
+                                      .omegasq = p.kinetic / p.J0,
+                                      .kinetic = p.kinetic};
     return status;
 }
 
-static enum dom_status paper_fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
-                                       struct dom_fuels *error)
+static enum dom_status paper_fuel_find(const struct request *train, struct dom_fuels *fuels,
+                                       struct dom_fuels_error *error)
 {
-    struct dom_train exact = *train;
+    struct request exact = *train;
     struct paper p;
     exact.fuel = DOM_FUEL_EXACT;
     enum dom_status status = error ? DOM_NO_METHOD : paper_begin(&exact, (double)train->r, &p);
     if (status == DOM_OK)
-        *fuels = (struct dom_fuels){p.P, 1 - cos(p.theta_f) - p.d * sin(p.theta_f)};
+        *fuels = (struct dom_fuels){.exact = p.P, .paper = 1 - cos(p.theta_f) - p.d * sin(p.theta_f)};
     return status;
 }
 
-static enum dom_status paper_barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
-                                          struct dom_barrier *error)
+static enum dom_status paper_barrier_find(const struct request *train, struct dom_barrier *barrier,
+                                          struct dom_barrier_error *error)
 {
     struct paper p;
     double theta_m, height;
@@ -122,15 +126,15 @@ static enum dom_status paper_barrier_find(const struct dom_train *train, struct 
         status = paper_barrier(&p, &theta_m, &height);
     if (status != DOM_OK)
         return status;
-    *barrier = (struct dom_barrier){theta_m, height, p.kinetic, p.kinetic - height};
+    *barrier = (struct dom_barrier){
+        .theta_m = theta_m, .barrier = height, .kinetic = p.kinetic, .margin = p.kinetic - height};
     return p.kinetic >= height ? DOM_OK : DOM_STOPS;
 }
 
-static enum dom_status paper_limit_rmax(const struct dom_train *train, struct dom_limit *limit,
-                                        struct dom_limit *error, enum dom_status *why)
+static enum dom_status paper_limit_rmax(const struct request *train, struct dom_limit *limit,
+                                        struct dom_limit_error *error)
 {
     double reach = 1 / (double)train->s, step = sqrt((double)train->tol) / 2, before = 0;
-    (void)why;
     if (error)
         return DOM_NO_METHOD;
     for (size_t k = 1; 1 + (double)k * step < reach; k++) {
@@ -146,18 +150,18 @@ static enum dom_status paper_limit_rmax(const struct dom_train *train, struct do
         if (margin < 0) { /* interpolate between this r and the one before */
             if (!(before > 0))
                 return DOM_NOT_CONVERGED;
-            *limit = (struct dom_limit){r - step * margin / (margin - before), DOM_END_BARRIER};
+            *limit =
+                (struct dom_limit){.r_max = r - step * margin / (margin - before), .ends = DOM_END_BARRIER};
             return DOM_OK;
         }
         before = margin;
     }
-    *limit = (struct dom_limit){reach, DOM_END_REACH};
+    *limit = (struct dom_limit){.r_max = reach, .ends = DOM_END_REACH};
     return DOM_OK;
 }
 
 /* The paper has no recipe for t_f; in its spirit, a sum over steps of theta. */
-static enum dom_status paper_cycle_duration(const struct dom_train *train, dom_real *duration,
-                                            dom_real *error)
+static enum dom_status paper_cycle_duration(const struct request *train, dom_real *duration, dom_real *error)
 {
     struct paper p;
     enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The floor's friction: what it is; floor.c of the model finds it. */
-#include "domino.h"
+#include "numerics/api.h"
 
-const struct dom_effect dom_effect_floor = {
+const struct dom_effect effect_floor = {
     .name = "floor",
     .adds = "what friction the floor needs so that no hinge slips",
     .help =

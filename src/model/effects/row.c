@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A finite row in the place of the endless train: what it is; row.c of the model runs it. */
-#include "domino.h"
+#include "numerics/api.h"
 
-const struct dom_effect dom_effect_row = {
+const struct dom_effect effect_row = {
     .name = "row",
     .adds = "a finite row, alike or not, in place of the train",
     .help =

@@ -423,8 +423,8 @@ KERNEL enum dom_status barrier_error(const struct geometry *geometry, const stru
     return status;
 }
 
-KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_barrier *barrier,
-                                    struct dom_barrier *error)
+KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier,
+                                    struct dom_barrier_error *error)
 {
     struct geometry geometry;
     struct barrier b, b_error;
@@ -450,7 +450,7 @@ KERNEL enum dom_status barrier_find(const struct dom_train *train, struct dom_ba
         .margin = fuelled ? margin : REAL_NAN,
     };
     if (error)
-        *error = (struct dom_barrier){
+        *error = (struct dom_barrier_error){
             .theta_m = b_error.theta_m,
             .barrier = b_error.height,
             .kinetic = l_error.kinetic,

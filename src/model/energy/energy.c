@@ -42,12 +42,12 @@ KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels
         return status;
     *fuels = (struct dom_fuels){.exact = fuel.exact, .paper = fuel.paper};
     if (error)
-        *error = (struct dom_fuels){.exact = e.exact, .paper = e.paper};
+        *error = (struct dom_fuels_error){.exact = e.exact, .paper = e.paper};
     return DOM_OK;
 }
 
-KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta, struct dom_energy *energy,
-                                   struct dom_energy *error)
+KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, struct dom_energy *energy,
+                                   struct dom_energy_error *error)
 {
     struct geometry geometry;
     struct tilt head;
@@ -64,7 +64,7 @@ KERNEL enum dom_status energy_find(const struct dom_train *train, dom_real theta
         return status;
     *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = 1 + fuel.inertia_ratio};
     if (error)
-        *error = (struct dom_energy){
+        *error = (struct dom_energy_error){
             .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};
     return DOM_OK;
 }

@@ -98,11 +98,11 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
     };
 }
 
-static struct dom_link link_error(const struct geometry *geometry, const struct link *k,
-                                  const struct bound *e)
+static struct dom_link_error link_error(const struct geometry *geometry, const struct link *k,
+                                        const struct bound *e)
 {
     real b = k->leads ? e->Y / geometry->r + UNIT * k->contact.Y / geometry->r : REAL_NAN;
-    return (struct dom_link){
+    return (struct dom_link_error){
         .theta = e->angle + 2 * UNIT * tilt_angle(k->tilt),
         .slope = e->slope,
         .arm_a = k->leads ? (e->arm + UNIT * k->contact.arm) / geometry->r : REAL_NAN,
@@ -111,8 +111,8 @@ static struct dom_link link_error(const struct geometry *geometry, const struct 
     };
 }
 
-KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta, bool errors,
-                                  dom_visit *visit, void *context)
+KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, dom_visit *visit,
+                                  void *context)
 {
     struct geometry geometry;
     struct tilt head;
@@ -127,20 +127,22 @@ KERNEL enum dom_status chain_walk(const struct dom_train *train, dom_real theta,
     for (;;) {
         if (dom_raised(geometry.interrupt)) /* rows may be slower to write than to compute */
             return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&geometry, &k), error;
-        if (errors)
-            error = link_error(&geometry, &k, &e);
-        if (!visit(&link, errors ? &error : NULL, context) || !k.leads || k.i + 1 >= sums.n)
+        struct dom_link link = link_public(&geometry, &k);
+        if (!train->errors)
+            no_bounds(&link.error, sizeof link.error);
+        else
+            link.error = link_error(&geometry, &k, &e);
+        if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
         struct link leader = k;
         link_next(&k);
-        if (errors)
+        if (train->errors)
             bound_next(&geometry, &leader, &k, &e);
     }
 }
 
-KERNEL enum dom_status contact_find(const struct dom_train *train, dom_real theta,
-                                    struct dom_contact *contact, struct dom_contact *error)
+KERNEL enum dom_status contact_find(const struct request *train, dom_real theta, struct dom_contact *contact,
+                                    struct dom_contact_error *error)
 {
     struct geometry geometry;
     struct tilt head;
@@ -150,7 +152,7 @@ KERNEL enum dom_status contact_find(const struct dom_train *train, dom_real thet
     struct link k = link_head(&geometry, head), leader = k;
     struct dom_link link = link_public(&geometry, &k);
     struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
-    struct dom_link link_bound = link_error(&geometry, &k, &e);
+    struct dom_link_error link_bound = link_error(&geometry, &k, &e);
     bool leads = k.leads;
     real theta_1 = tilt_angle(geometry.f), slope = 0, angle_error = geometry_error_f(&geometry),
          slope_error = 0;
@@ -162,9 +164,10 @@ KERNEL enum dom_status contact_find(const struct dom_train *train, dom_real thet
         angle_error = e.angle;
         slope_error = e.slope;
     }
-    *contact = (struct dom_contact){theta_1, slope, link.arm_a, link.arm_b};
+    *contact =
+        (struct dom_contact){.theta_1 = theta_1, .slope = slope, .arm_a = link.arm_a, .arm_b = link.arm_b};
     if (error)
-        *error = (struct dom_contact){angle_error + 2 * UNIT * theta_1, slope_error, link_bound.arm_a,
-                                      link_bound.arm_b};
+        *error = (struct dom_contact_error){angle_error + 2 * UNIT * theta_1, slope_error, link_bound.arm_a,
+                                            link_bound.arm_b};
     return DOM_OK;
 }

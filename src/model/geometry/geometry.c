@@ -20,7 +20,7 @@ static void geometry_powers(real r, real q, real *rq, real *rq_1)
     *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
 }
 
-KERNEL struct geometry geometry_read(const struct dom_train *t)
+KERNEL struct geometry geometry_read(const struct request *t)
 {
     struct geometry geometry = {.s = (real)t->s,
                                 .r = (real)t->r,
@@ -114,7 +114,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     return DOM_OK;
 }
 
-KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry)
+KERNEL enum dom_status geometry_make(const struct request *train, struct geometry *geometry)
 {
     *geometry = geometry_read(train);
     return geometry_set(geometry, geometry->s, geometry->r);
@@ -123,13 +123,13 @@ KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geome
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
     real theta_c = tilt_angle(geometry->c);
-    if (!(theta >= 0) || theta > theta_c * (1 + 2 * REAL_EPSILON))
+    if (!(theta >= 0) || theta > theta_c * (1 + 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))
         return DOM_BAD_TILT;
     *tilt = theta < theta_c ? tilt_make(sin(theta), cos(theta)) : geometry->c;
     return DOM_OK;
 }
 
-KERNEL enum dom_status geometry_make_tilted(const struct dom_train *train, dom_real theta,
+KERNEL enum dom_status geometry_make_tilted(const struct request *train, dom_real theta,
                                             struct geometry *geometry, struct tilt *head)
 {
     enum dom_status status = geometry_make(train, geometry);

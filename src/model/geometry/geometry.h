@@ -8,6 +8,7 @@
 #ifndef DOM_GEOMETRY_H
 #define DOM_GEOMETRY_H
 
+#include "geometry/request.h"
 #include "numerics/real.h"
 
 struct tilt {
@@ -76,7 +77,7 @@ struct geometry {
 KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry);
 
 /* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
-KERNEL struct geometry geometry_read(const struct dom_train *train);
+KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
 /*
@@ -107,7 +108,7 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /* A checked train and theta in [0, theta_c] as the tilt of its head. */
-KERNEL enum dom_status geometry_make_tilted(const struct dom_train *train, dom_real theta,
+KERNEL enum dom_status geometry_make_tilted(const struct request *train, dom_real theta,
                                             struct geometry *geometry, struct tilt *head);
 
 /* Bounds of the error, as an angle: of a tilt rounded at most `units` times in each coordinate, of a head's

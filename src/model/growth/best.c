@@ -316,7 +316,7 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
  * slope; at a kink or a jump s is bracketed to tol itself.  r_max may be off by as much as it changes over
  * that.
  */
-static enum dom_status best_error(struct search *b, bool smooth, struct dom_best *error)
+static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {
     struct margin_context *c = b->c;
     real s = b->s, r = b->r_max, r_error = 0;
@@ -346,11 +346,12 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     }
     if (c->status == DOM_OK && status == DOM_OK)
         r_error += fmax(best_fall(c, s, -fmin(s_error, s / 2), r), best_fall(c, s, fmin(s_error, 1 - s), r));
-    *error = (struct dom_best){.s = s_error, .r_max = r_error};
+    *error = (struct dom_best_error){.s = s_error, .r_max = r_error};
     return status != DOM_OK ? status : c->status;
 }
 
-static enum dom_status best_find(struct margin_context *c, struct dom_best *best, struct dom_best *error)
+static enum dom_status best_find(struct margin_context *c, struct dom_best *best,
+                                 struct dom_best_error *error)
 {
     struct search b = {.c = c, .finest = BEST_FINEST, .finer = 1};
     bool smooth;
@@ -381,8 +382,8 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     return c->status = status;
 }
 
-KERNEL enum dom_status limit_best(const struct dom_train *train, struct dom_best *best,
-                                  struct dom_best *error)
+KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best,
+                                  struct dom_best_error *error)
 {
     struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);

@@ -22,31 +22,32 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
 }
 
 KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_, struct dom_count *count,
-                                  struct dom_count *error)
+                                  struct dom_count_error *error)
 {
     real first = (real)first_, height = (real)height_, r = (real)r_;
-    if (!(first > 0 && height > 0 && r >= 1 && isfinite(first) && isfinite(height) && isfinite(r)))
-        return DOM_BAD_PARAMETER;
+    if (!(first > 0 && height > 0 && isfinite(first) && isfinite(height)))
+        return DOM_BAD_HEIGHT;
+    if (!(r >= 1 && isfinite(r)))
+        return DOM_BAD_R;
     real ratio = height / first, ln_r = log1p(r - 1), exact = log(ratio) / ln_r;
-    struct dom_count none = {.dominoes = 0, .exact = 0, .last = 0};
     if (r == 1) {
         bool there = ratio <= 1;
         dom_real n = there ? (dom_real)0 : (dom_real)INFINITY;
-        *count = (struct dom_count){n, n, there ? (dom_real)first : DOM_NAN};
+        *count = (struct dom_count){.dominoes = n, .exact = n, .last = there ? (dom_real)first : DOM_NAN};
         if (error)
-            *error = none;
+            *error = (struct dom_count_error){.exact = 0, .last = 0};
         return DOM_OK;
     }
     /* Beyond 2^(REAL_BITS) neighbouring integers are one number. */
     if (!(ratio >= REAL_MIN && isfinite(ratio) && exact < 2 / REAL_EPSILON))
-        return DOM_BAD_PARAMETER;
+        return DOM_BAD_HEIGHT;
     real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* a division and a logarithm each */
     real nearest = fmax(round(exact), 0), n = fmax(ceil(exact), 0);
     if (fabs(exact - nearest) <= error_of_exact + UNIT * (4 + nearest) / ln_r)
         n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;
     real last = first * pow(r, n);
-    *count = (struct dom_count){n, exact, last};
+    *count = (struct dom_count){.dominoes = n, .exact = exact, .last = last};
     if (error)
-        *error = (struct dom_count){.dominoes = 0, .exact = error_of_exact, .last = 4 * UNIT * last};
+        *error = (struct dom_count_error){.exact = error_of_exact, .last = 4 * UNIT * last};
     return DOM_OK;
 }

@@ -42,7 +42,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
 
 /* As the caller wants it. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
-                                    struct dom_limit *wide, struct dom_limit *error)
+                                    struct dom_limit *wide, struct dom_limit_error *error)
 {
     real r_error = 0;
     enum dom_status status = error ? limit_error(c, limit, &r_error) : DOM_OK;
@@ -50,7 +50,7 @@ static enum dom_status limit_public(struct margin_context *c, const struct limit
         return status;
     *wide = (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends};
     if (error)
-        *error = (struct dom_limit){.r_max = r_error, .ends = limit->ends};
+        *error = (struct dom_limit_error){.r_max = r_error};
     return DOM_OK;
 }
 
@@ -124,7 +124,7 @@ KERNEL void limit_begin(struct margin_context *c, struct dom_work *work)
     c->geometry.effort_most = c->geometry.dynamics->conservative ? WORK_MOST : WORK_MOST_FLOW;
 }
 
-KERNEL void limit_end(const struct dom_train *train, const struct dom_work *work)
+KERNEL void limit_end(const struct request *train, const struct dom_work *work)
 {
     if (!train->work)
         return;
@@ -136,16 +136,19 @@ KERNEL void limit_end(const struct dom_train *train, const struct dom_work *work
         train->work->entered[i] += work->entered[i];
 }
 
-KERNEL enum dom_status limit_rmax(const struct dom_train *train, struct dom_limit *limit,
-                                  struct dom_limit *error, enum dom_status *why)
+KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit,
+                                  struct dom_limit_error *error)
 {
     struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
     struct limit found;
+    enum dom_status why = DOM_OK;
     limit_begin(&c, &work);
-    enum dom_status status = limit_find(&c, &found, why);
+    enum dom_status status = limit_find(&c, &found, &why);
     if (status == DOM_OK)
         status = limit_public(&c, &found, limit, error);
+    if (status == DOM_OK)
+        limit->why = why;
     limit_end(train, &work);
     return status;
 }
@@ -163,8 +166,8 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;
 }
 
-KERNEL enum dom_status limit_pair(const struct dom_train *train, struct dom_limit *limit,
-                                  struct dom_limit *error)
+KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit,
+                                  struct dom_limit_error *error)
 {
     struct dom_work work = {0};
     struct margin_context c = margin_of_pair(train);

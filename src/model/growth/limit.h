@@ -18,6 +18,6 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
 /* Limits the work of a search (DOM_TOO_LONG beyond), which is counted in `work`; limit_end adds it to the
  * caller's. */
 KERNEL void limit_begin(struct margin_context *c, struct dom_work *work);
-KERNEL void limit_end(const struct dom_train *train, const struct dom_work *work);
+KERNEL void limit_end(const struct request *train, const struct dom_work *work);
 
 #endif

@@ -102,7 +102,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     return margin_barrier(&two, c, NULL, m);
 }
 
-KERNEL struct margin_context margin_of_train(const struct dom_train *train)
+KERNEL struct margin_context margin_of_train(const struct request *train)
 {
     struct margin_context c = {
         .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
@@ -112,7 +112,7 @@ KERNEL struct margin_context margin_of_train(const struct dom_train *train)
     return c;
 }
 
-KERNEL struct margin_context margin_of_pair(const struct dom_train *train)
+KERNEL struct margin_context margin_of_pair(const struct request *train)
 {
     struct margin_context c = margin_of_train(train);
     c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status; /* the pair has no fuel */

@@ -27,7 +27,7 @@ KERNEL real margin_share(const struct margin *m)
 }
 
 struct margin_context {
-    const struct dom_train *train;
+    const struct request *train;
     struct geometry geometry; /* of the train, for any s and r */
     size_t dominoes;          /* that are in motion: CHAIN_ENDLESS, or a pair */
     real s;
@@ -53,8 +53,8 @@ struct margin_context {
 };
 
 /* Of a train, with room for what a search keeps: of the endless one (c8, corrected), or of the pair (b13). */
-KERNEL struct margin_context margin_of_train(const struct dom_train *train);
-KERNEL struct margin_context margin_of_pair(const struct dom_train *train);
+KERNEL struct margin_context margin_of_train(const struct request *train);
+KERNEL struct margin_context margin_of_pair(const struct request *train);
 
 /* Sine and cosine of theta_c - theta_u: before theta_u domino 1 has not tipped over when it hits (b0). */
 KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine);

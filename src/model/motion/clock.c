@@ -185,19 +185,22 @@ struct table {
 
 static enum dom_status table_row(struct table *t, real theta, const struct dom_event *event)
 {
-    struct dom_state state, error;
+    struct dom_state state;
+    struct dom_state_error error;
+    no_bounds(&error, sizeof error);
     real time = t->clock.pieces > 0 ? clock_time(&t->m, &t->clock, theta) : REAL_NAN;
     enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors ? &error : NULL);
     if (status != DOM_OK)
         return status;
     struct dom_event timed = event ? *event : (struct dom_event){.kind = DOM_EVENT_LAUNCH};
     timed.time = state.time;
-    t->ended = !t->visit(&state, t->errors ? &error : NULL, event ? &timed : NULL, t->context);
+    state.error = error;
+    t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_walk(const struct dom_train *train, size_t rows, enum dom_spacing by,
-                                  bool errors, dom_state_visit *visit, void *context)
+KERNEL enum dom_status cycle_walk(const struct request *train, size_t rows, enum dom_spacing by,
+                                  dom_state_visit *visit, void *context)
 {
     struct table t = {.errors = errors, .visit = visit, .context = context};
     struct dom_event events[DOM_EVENTS_MAX];
@@ -213,7 +216,7 @@ KERNEL enum dom_status cycle_walk(const struct dom_train *train, size_t rows, en
         if (by == DOM_BY_TIME && part > 0 && part < 1)
             status = motion_tilt(&t.m, &t.clock, part * whole, &theta);
         for (; next < count && status == DOM_OK && !t.ended && (real)events[next].theta <= theta; next++)
-            status = table_row(&t, (real)events[next].theta, &events[next]);
+            status = table_row(&t, fmin((real)events[next].theta, t.m.end), &events[next]);
         bool between = next < count && theta > (real)events[next > 0 ? next - 1 : 0].theta;
         if (between && status == DOM_OK && !t.ended)
             status = table_row(&t, theta, NULL);

@@ -53,7 +53,7 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
     return status;
 }
 
-KERNEL enum dom_status cycle_omegasq(const struct dom_train *train, dom_real theta_, dom_real *omegasq,
+KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, dom_real *omegasq,
                                      dom_real *error)
 {
     struct dom_train finer = *train;
@@ -108,7 +108,7 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     return status;
 }
 
-KERNEL enum dom_status cycle_stop(const struct dom_train *train, dom_real *theta, dom_real *error)
+KERNEL enum dom_status cycle_stop(const struct request *train, dom_real *theta, dom_real *error)
 {
     struct cycle cycle;
     real stop = REAL_NAN;
@@ -146,7 +146,7 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     return status;
 }
 
-KERNEL enum dom_status cycle_duration(const struct dom_train *train, dom_real *duration, dom_real *error)
+KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration, dom_real *error)
 {
     struct cycle cycle;
     real time, time_error = 0;

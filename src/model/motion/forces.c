@@ -193,7 +193,7 @@ static bool force_visit(const struct hinge_load *hinge_load, void *context)
     return c->visit(&force, c->context);
 }
 
-KERNEL enum dom_status cycle_forces(const struct dom_train *train, dom_real theta_, dom_force_visit *visit,
+KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_, dom_force_visit *visit,
                                     void *context)
 {
     struct motion m;

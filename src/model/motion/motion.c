@@ -99,7 +99,7 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *e
     return DOM_OK;
 }
 
-KERNEL enum dom_status cycle_events(const struct dom_train *train, struct dom_event *events, int *count)
+KERNEL enum dom_status cycle_events(const struct request *train, struct dom_event *events, int *count)
 {
     struct motion m;
     int n = 0;
@@ -163,7 +163,7 @@ static enum dom_status fallen_energy(const struct geometry *geometry, real theta
 
 /* The state at a tilt; time NaN: not known yet. */
 KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state,
-                                    struct dom_state *error)
+                                    struct dom_state_error *error)
 {
     const struct launch *launch = &m->cycle.launch, *launch_error = &m->cycle.launch_error;
     const struct geometry *geometry = &m->cycle.segment.geometry;
@@ -218,8 +218,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     return status;
 }
 
-KERNEL enum dom_status cycle_state(const struct dom_train *train, dom_real theta, struct dom_state *state,
-                                   struct dom_state *error)
+KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state,
+                                   struct dom_state_error *error)
 {
     struct motion m;
     enum dom_status status = motion_begin(train, &m, error != NULL);

@@ -7,7 +7,7 @@ static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static unsigned inside;
 static gsl_error_handler_t *before;
 
-void quiet_begin(void)
+void dom_quiet_begin(void)
 {
     pthread_mutex_lock(&lock);
     if (inside++ == 0)
@@ -15,7 +15,7 @@ void quiet_begin(void)
     pthread_mutex_unlock(&lock);
 }
 
-void quiet_end(void)
+void dom_quiet_end(void)
 {
     pthread_mutex_lock(&lock);
     if (--inside == 0)

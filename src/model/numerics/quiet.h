@@ -6,7 +6,8 @@
 #ifndef DOM_QUIET_H
 #define DOM_QUIET_H
 
-void quiet_begin(void);
-void quiet_end(void);
+/* Both are hidden: the library alone uses them, from more than one of its objects. */
+__attribute__((visibility("hidden"))) void dom_quiet_begin(void);
+__attribute__((visibility("hidden"))) void dom_quiet_end(void);
 
 #endif

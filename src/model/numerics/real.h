@@ -7,7 +7,7 @@
 #ifndef DOM_REAL_H
 #define DOM_REAL_H
 
-#include "domino.h"
+#include "numerics/api.h"
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -51,18 +51,18 @@ typedef float real;
 typedef double real;
 #define REAL_BITS DBL_MANT_DIG
 #define REAL_MIN  DBL_MIN
-#elif defined DOM_REAL_FLOAT128
+#elif defined DOMQ_REAL_FLOAT128
 /* glibc has these whatever the compiler; its header shows them to gcc alone. */
-#define DECLARE_ONE(f) extern dom_real f##f128(dom_real);
-#define DECLARE_TWO(f) extern dom_real f##f128(dom_real, dom_real);
+#define DECLARE_ONE(f) extern domq_real f##f128(domq_real);
+#define DECLARE_TWO(f) extern domq_real f##f128(domq_real, domq_real);
 REAL_FUNCTIONS(DECLARE_ONE, DECLARE_TWO)
-extern dom_real fmaf128(dom_real, dom_real, dom_real);
-typedef dom_real real;
+extern domq_real fmaf128(domq_real, domq_real, domq_real);
+typedef domq_real real;
 #define REAL_BITS      113
 #define REAL_MIN       ((real)0x1p-16382L)
 #define MATH(name)     name##f128
 #else
-typedef dom_real real;
+typedef domq_real real;
 #define REAL_BITS  LDBL_MANT_DIG
 #define REAL_MIN   LDBL_MIN
 #define MATH(name) name##l

@@ -33,6 +33,7 @@ static unsigned long row_seed(unsigned long seed, size_t i)
 /* What all batches of a study share. */
 struct shared {
     const struct dom_row *row;
+    struct dom_compute compute;
     const struct dom_placement *placement;
     atomic_int status; /* the first that was not DOM_OK */
     atomic_size_t done, fall, unknown;
@@ -82,8 +83,9 @@ static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i
     row.domino = b->domino;
     row.work = NULL;
     row.floor = false;
-    row.tol = row.tol > VERDICT_TOL ? row.tol : VERDICT_TOL;
-    enum dom_status status = dom_row_run(&row, false, NULL, NULL, &verdict);
+    compute.work = NULL;
+    compute.tol = compute.tol > VERDICT_TOL ? compute.tol : VERDICT_TOL;
+    enum dom_status status = dom_row_run(&row, &compute, false, NULL, NULL, &verdict);
     if (status != DOM_OK)
         return status;
     bool unknown = verdict.end == DOM_ROW_PASSES || verdict.end == DOM_ROW_PARTS;
@@ -180,15 +182,15 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
 enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
-        return DOM_BAD_PARAMETER;
+        return DOM_BAD_ROWS;
     double N = (double)s->rows, few = (double)s->fall, many = (double)(s->fall + s->unknown);
     s->low = 0;
     s->high = 1;
-    quiet_begin();
+    dom_quiet_begin();
     enum dom_status status = few > 0 ? tail_inverse((struct tail){few, N, true}, &s->low) : DOM_OK;
     if (status == DOM_OK && many < N)
         status = tail_inverse((struct tail){many, N, false}, &s->high);
-    quiet_end();
+    dom_quiet_end();
     return status;
 }
 
@@ -226,24 +228,25 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 /* ---- The budget ---- */
 
 /* The same rows at every sigma, with errors that are longer or shorter: so what differs is sigma alone. */
-static enum dom_status fall_share(const struct dom_row *row, struct dom_placement p, double sigma,
-                                  double *share)
+static enum dom_status fall_share(const struct dom_row *row, const struct dom_compute *compute,
+                                  struct dom_placement p, double sigma, double *share)
 {
     struct dom_study study = {.rows = p.rows};
     p.sigma = (dom_real)sigma;
-    enum dom_status status = dom_placement_study(row, &p, &study, NULL);
+    enum dom_status status = dom_placement_study(row, compute, &p, &study, NULL);
     *share = (double)study.fall / (double)study.rows;
     return status;
 }
 
 /* Between lo, where more than the share fall, and hi, where fewer do: to a thousandth. */
-static enum dom_status sigma_between(const struct dom_row *row, const struct dom_placement *p, double share,
-                                     double lo, double hi, double *sigma)
+static enum dom_status sigma_between(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *p, double share, double lo, double hi,
+                                     double *sigma)
 {
     const double none = 1e-9 * hi; /* finer than any row can be placed */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
-        enum dom_status status = fall_share(row, *p, at, &falls);
+        enum dom_status status = fall_share(row, compute, *p, at, &falls);
         if (status != DOM_OK)
             return status;
         *(falls >= share ? &lo : &hi) = at;
@@ -253,16 +256,16 @@ static enum dom_status sigma_between(const struct dom_row *row, const struct dom
 }
 
 /* The first of doubled sigmas at which fewer than the share fall; infinite where it is beyond `widest`. */
-static enum dom_status sigma_at(const struct dom_row *row, const struct dom_placement *p, double share,
-                                double widest, double *sigma)
+static enum dom_status sigma_at(const struct dom_row *row, const struct dom_compute *compute,
+                                const struct dom_placement *p, double share, double widest, double *sigma)
 {
     double lo = 0, falls = 1;
     for (double hi = widest / 4096;; lo = hi, hi *= 2) {
-        enum dom_status status = fall_share(row, *p, hi, &falls);
+        enum dom_status status = fall_share(row, compute, *p, hi, &falls);
         if (status != DOM_OK)
             return status;
         if (falls < share)
-            return sigma_between(row, p, share, lo, hi, sigma);
+            return sigma_between(row, compute, p, share, lo, hi, sigma);
         if (hi >= widest) {
             *sigma = HUGE_VAL;
             return DOM_OK;
@@ -284,8 +287,8 @@ static double unlikely(double share, double rows, bool at_least)
     return at_least ? hi : lo;
 }
 
-enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_placement *p, double share,
-                                     struct dom_budget *budget)
+enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *p, double share, struct dom_budget *budget)
 {
     double falls, widest = 0;
     if (!(share > 0 && share < 1) || p->rows == 0)
@@ -297,11 +300,11 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
         widest = fmax(widest, (double)row->domino[k].gap);
     double N = (double)p->rows, few = fmax(unlikely(share, N, false), 0), many = unlikely(share, N, true);
     struct dom_budget found = {.low = 0};
-    status = sigma_at(row, p, share, widest, &found.sigma);
+    status = sigma_at(row, compute, p, share, widest, &found.sigma);
     if (status == DOM_OK && many <= N)
-        status = sigma_at(row, p, many / N, widest, &found.low);
+        status = sigma_at(row, compute, p, many / N, widest, &found.low);
     if (status == DOM_OK)
-        status = sigma_at(row, p, few / N, widest, &found.high);
+        status = sigma_at(row, compute, p, few / N, widest, &found.high);
     if (status == DOM_OK)
         *budget = found;
     return status;

@@ -13,7 +13,7 @@
 /* ---- The row as a chain ---- */
 
 struct row {
-    const struct dom_row *asked;
+    const struct row_request *asked;
     struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
 };
 
@@ -23,7 +23,7 @@ struct block {
     real unit;                 /* m g h / 2 */
 };
 
-static struct block block_of(const struct dom_row *row, size_t k)
+static struct block block_of(const struct row_request *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
@@ -32,7 +32,7 @@ static struct block block_of(const struct dom_row *row, size_t k)
 }
 
 /* The joint of domino k with k - 1, its follower, and how much of the row is behind it. */
-static void joint_make(const struct dom_row *row, size_t k, const struct geometry *follower,
+static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
     struct block own = block_of(row, k), behind = block_of(row, k - 1);
@@ -60,7 +60,7 @@ static void joint_make(const struct dom_row *row, size_t k, const struct geometr
 }
 
 /* Where domino k ends as a head: at the next one, or on the floor. */
-static struct tilt row_end(const struct dom_row *row, size_t k)
+static struct tilt row_end(const struct row_request *row, size_t k)
 {
     if (k + 1 == row->count)
         return (struct tilt){1, 0, 1};
@@ -101,7 +101,7 @@ static bool positive(dom_real value)
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
 }
 
-static enum dom_status row_check(const struct dom_row *row)
+static enum dom_status row_check(const struct row_request *row)
 {
     const struct dynamics_values values = dynamics_of_row(row);
     if (row->count == 0 || !positive(row->g) || !dynamics_allowed(&values) ||
@@ -322,8 +322,8 @@ static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool
     }
 }
 
-static void fall_floor(const struct dom_row *row, size_t k, const struct required_friction *required_friction,
-                       struct dom_fall *fall)
+static void fall_floor(const struct row_request *row, size_t k,
+                       const struct required_friction *required_friction, struct dom_fall *fall)
 {
     fall->floor_motion = fall->floor_hit = REAL_NAN;
     if (!row->floor)
@@ -379,10 +379,15 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 
 /* ---- Public ---- */
 
-KERNEL enum dom_status row_run(const struct dom_row *asked, bool times, dom_fall_visit *visit, void *context,
-                               struct dom_verdict *verdict)
+KERNEL enum dom_status row_run(const struct row_request *asked, bool times, dom_fall_visit *visit,
+                               void *context, struct dom_verdict *verdict)
 {
     enum dom_status status = row_check(asked);
+    for (size_t k = 0; status == DOM_OK && k < asked->count; k++) {
+        status = domino_check(asked, k);
+        if (status != DOM_OK)
+            verdict->domino = k + 1;
+    }
     if (status != DOM_OK)
         return status;
     struct run run = {.row = {.asked = asked},

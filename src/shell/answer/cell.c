@@ -3,12 +3,12 @@
 #include "language/quad.h"
 #include <stdio.h>
 
-struct cell cell_real(dom_real value)
+struct cell cell_real(domq_real value)
 {
     return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
 }
 
-struct cell cell_bound(dom_real value, dom_real error)
+struct cell cell_bound(domq_real value, domq_real error)
 {
     struct cell cell = cell_real(value);
     cell.error = cell.kind == CELL_REAL ? error : 0;
@@ -16,21 +16,21 @@ struct cell cell_bound(dom_real value, dom_real error)
     return cell;
 }
 
-struct cell cell_unbounded(dom_real value)
+struct cell cell_unbounded(domq_real value)
 {
     struct cell cell = cell_real(value);
-    cell.error = DOM_NAN;
+    cell.error = DOMQ_NAN;
     return cell;
 }
 
 struct cell cell_brief(double value)
 {
-    struct cell cell = cell_real((dom_real)value);
+    struct cell cell = cell_real((domq_real)value);
     cell.digits = 3;
     return cell;
 }
 
-struct cell cell_count(dom_real value)
+struct cell cell_count(domq_real value)
 {
     return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
 }
@@ -48,24 +48,24 @@ struct cell cell_word(const char *word)
 /* ---- Text ---- */
 
 /* Two digits, rounded up so that it stays a bound. */
-static const char *bound_text(dom_real error, char text[WIDE_TEXT])
+static const char *bound_text(domq_real error, char text[WIDE_TEXT])
 {
     if (!isfinite(error))
         return "-"; /* none is known */
-    quad_text(error * (dom_real)1.06, 2, text);
+    quad_text(error * (domq_real)1.06, 2, text);
     return text;
 }
 
 /* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
 static int bound_digits(struct cell cell, int all)
 {
-    dom_real ratio = quad(fabs)(cell.number) / cell.error;
+    domq_real ratio = quad(fabs)(cell.number) / cell.error;
     int digits = ratio > 1 ? (int)quad_smaller(quad(floor)(quad(log10)(ratio)), 40) + 3 : 2;
     return digits < all ? digits : all;
 }
 
 /* What the digits leave out is an error, too. */
-static dom_real printed_error(struct cell cell, const char *number)
+static domq_real printed_error(struct cell cell, const char *number)
 {
     return cell.error + quad(fabs)(quad_read(number, NULL) - cell.number);
 }
@@ -79,7 +79,7 @@ static const char *real_text(struct cell cell, int digits, bool bounds, char tex
     if (cell.error != 0)
         digits = bound_digits(cell, digits);
     quad_text(cell.number, digits, number);
-    dom_real error = printed_error(cell, number);
+    domq_real error = printed_error(cell, number);
     if (error > 0)
         snprintf(text, CELL_TEXT, "%s +/- %s", number, bound_text(error, bound));
     else
@@ -105,10 +105,10 @@ const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_
 }
 
 /* As the session's precision has it. */
-static dom_real rounded(const struct output_style *style, dom_real value)
+static domq_real rounded(const struct output_style *style, domq_real value)
 {
-    return style->precision == DOM_FLOAT    ? (dom_real)(float)value
-           : style->precision == DOM_DOUBLE ? (dom_real)(double)value
+    return style->precision == DOM_FLOAT    ? (domq_real)(float)value
+           : style->precision == DOM_DOUBLE ? (domq_real)(double)value
                                             : value;
 }
 

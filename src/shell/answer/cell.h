@@ -3,7 +3,7 @@
 #ifndef SHELL_CELL_H
 #define SHELL_CELL_H
 
-#include "domino.h"
+#include "domino_quad.h"
 #include <stdbool.h>
 
 enum angle { ANGLE_RAD, ANGLE_DEG };
@@ -14,7 +14,7 @@ struct output_style {
     unsigned output; /* which of the formats, as the session has it; session_style finds the format */
     const struct format *format;
     enum angle angle;
-    dom_real digits; /* in a table */
+    domq_real digits; /* in a table */
     enum dom_precision precision;
     int tol_digits;  /* that the session's tolerance promises */
     int all_digits;  /* that read back to the same number of the session's precision: csv and json */
@@ -23,19 +23,19 @@ struct output_style {
 
 struct cell {
     enum { CELL_NONE, CELL_REAL, CELL_COUNT, CELL_FLAG, CELL_WORD } kind;
-    dom_real number;
-    dom_real error; /* bound of it; 0: exact, or not asked for */
+    domq_real number;
+    domq_real error; /* bound of it; 0: exact, or not asked for */
     const char *word;
     int digits;    /* in a table; 0: as the style says */
     bool computed; /* to the session's tolerance: more digits than it promises are not shown */
 };
 
 /* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
-struct cell cell_real(dom_real value);
-struct cell cell_bound(dom_real value, dom_real error);
-struct cell cell_unbounded(dom_real value); /* nobody has followed its errors */
-struct cell cell_brief(double value);       /* three digits in a table: for what is not known better */
-struct cell cell_count(dom_real value);
+struct cell cell_real(domq_real value);
+struct cell cell_bound(domq_real value, domq_real error);
+struct cell cell_unbounded(domq_real value); /* nobody has followed its errors */
+struct cell cell_brief(double value);        /* three digits in a table: for what is not known better */
+struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 

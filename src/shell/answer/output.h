@@ -52,7 +52,7 @@ void answer_say(struct answer *answer, const char *format, ...) __attribute__((f
 void output_wrapped(FILE *out, const char *text, int left, int right);
 
 /* Radians in the style's unit of angles, and the name of that. */
-dom_real style_angle(const struct output_style *style, dom_real radians);
+domq_real style_angle(const struct output_style *style, domq_real radians);
 const char *style_angle_unit(const struct output_style *style);
 
 #endif

@@ -23,12 +23,12 @@ static const struct column cost_columns[] = {
 static void cost_line(const struct call *call, const struct cost *cost, const struct cost_row *row)
 {
     bool good = row->status == DOM_OK;
-    struct cell none = cell_real(DOM_NAN);
+    struct cell none = cell_real(DOMQ_NAN);
     answer_row(call->answer,
-               ROW(cell_word(cost_method(row->method)), cell_word(dom_arithmetic(row->precision)->name),
+               ROW(cell_word(cost_method(row->method)), cell_word(domq_arithmetic(row->precision)->name),
                    cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
-                   good ? cell_count((dom_real)row->work.longest) : none,
-                   good ? cell_count((dom_real)row->work.passes) : none,
+                   good ? cell_count((domq_real)row->work.longest) : none,
+                   good ? cell_count((domq_real)row->work.passes) : none,
                    good ? cell_brief(1e6 * row->seconds) : none,
                    good ? cell_brief(row->seconds / cost->cheapest) : none),
                NULL);
@@ -67,7 +67,7 @@ static void cost_say(const struct call *call, const struct cost *cost, const str
 
 bool cost_of(struct session *session, const struct costed *answer, struct cost *cost)
 {
-    enum dom_status status = cost_measure(answer, &session->train, cost);
+    enum dom_status status = cost_measure(answer, &session->train, &session->compute, cost);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
         return session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
     return status == DOM_OK || session_status(session, status);

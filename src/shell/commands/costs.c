@@ -5,66 +5,61 @@
 
 /* ---- Answers that have a tolerance ---- */
 
-static enum dom_status ask_fuel(const struct dom_train *train, dom_real *value, dom_real *error)
+#define VALUE_OF(result, member) ((struct domq_value){(result).member, (result).error.member})
+
+static enum dom_status ask_fuel(const struct domq_train *train, const struct domq_compute *compute,
+                                struct domq_value *answer)
 {
-    struct dom_fuels fuels, e = {0};
-    bool paper = train->fuel == DOM_FUEL_PAPER;
-    enum dom_status status = dom_fuel_find(train, &fuels, error ? &e : NULL);
-    *value = paper ? fuels.paper : fuels.exact;
-    if (error)
-        *error = paper ? e.paper : e.exact;
+    struct domq_fuels fuels;
+    enum dom_status status = domq_fuel_find(train, compute, &fuels);
+    *answer = train->fuel == DOM_FUEL_PAPER ? VALUE_OF(fuels, paper) : VALUE_OF(fuels, exact);
     return status;
 }
 
-static enum dom_status ask_launch(const struct dom_train *train, dom_real *value, dom_real *error)
+static enum dom_status ask_launch(const struct domq_train *train, const struct domq_compute *compute,
+                                  struct domq_value *answer)
 {
-    struct dom_launch launch, e = {0};
-    enum dom_status status = dom_launch_find(train, &launch, error ? &e : NULL);
-    *value = launch.omegasq;
-    if (error)
-        *error = e.omegasq;
+    struct domq_launch launch;
+    enum dom_status status = domq_launch_find(train, compute, &launch);
+    *answer = VALUE_OF(launch, omegasq);
     return status;
 }
 
-static enum dom_status ask_barrier(const struct dom_train *train, dom_real *value, dom_real *error)
+static enum dom_status ask_barrier(const struct domq_train *train, const struct domq_compute *compute,
+                                   struct domq_value *answer)
 {
-    struct dom_barrier barrier, e = {0};
-    enum dom_status status = dom_barrier_find(train, &barrier, error ? &e : NULL);
-    *value = barrier.margin;
-    if (error)
-        *error = e.margin;
+    struct domq_barrier barrier;
+    enum dom_status status = domq_barrier_find(train, compute, &barrier);
+    *answer = VALUE_OF(barrier, margin);
     return status == DOM_STOPS ? DOM_OK : status;
 }
 
-static enum dom_status limit_value(enum dom_status status, const struct dom_limit *limit, dom_real *value)
+static enum dom_status limit_value(enum dom_status status, const struct domq_limit *limit,
+                                   struct domq_value *answer)
 {
-    *value = limit->r_max;
+    *answer = VALUE_OF(*limit, r_max);
     return status == DOM_OK && limit->ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
 }
 
-static enum dom_status ask_rmax(const struct dom_train *train, dom_real *value, dom_real *error)
+static enum dom_status ask_rmax(const struct domq_train *train, const struct domq_compute *compute,
+                                struct domq_value *answer)
 {
-    struct dom_limit limit, e = {.r_max = 0};
-    enum dom_status status = dom_limit_rmax(train, &limit, error ? &e : NULL, NULL);
-    if (error)
-        *error = e.r_max;
-    return limit_value(status, &limit, value);
+    struct domq_limit limit;
+    return limit_value(domq_limit_rmax(train, compute, &limit), &limit, answer);
 }
 
-static enum dom_status ask_pair(const struct dom_train *train, dom_real *value, dom_real *error)
+static enum dom_status ask_pair(const struct domq_train *train, const struct domq_compute *compute,
+                                struct domq_value *answer)
 {
-    struct dom_limit limit, e = {.r_max = 0};
-    enum dom_status status = dom_limit_pair(train, &limit, error ? &e : NULL);
-    if (error)
-        *error = e.r_max;
-    return limit_value(status, &limit, value);
+    struct domq_limit limit;
+    return limit_value(domq_limit_pair(train, compute, &limit), &limit, answer);
 }
 
 const struct costed cost_answers[] = {
     {"fuel", "the fuel P", ask_fuel},
     {"launch", "tau^2 omega(0)^2", ask_launch},
     {"barrier", "the margin, kinetic energy less barrier", ask_barrier},
-    {"duration", "t_f / tau", dom_cycle_duration},
+    {"duration", "t_f / tau", domq_cycle_duration},
     {"rmax", "r_max", ask_rmax},
     {"pair", "r_max of two dominoes", ask_pair},
     {NULL, NULL, NULL},
@@ -90,16 +85,17 @@ const char *cost_method(enum dom_method method)
 #define MOST_SECONDS  2.0  /* no row of the paper's recipe is tried that would take longer */
 
 /* Answers a batch, so that the clock resolves it; then the least of several batches. */
-static double least_seconds(const struct costed *answer, const struct dom_train *train, double first)
+static double least_seconds(const struct costed *answer, const struct domq_train *train,
+                            const struct domq_compute *compute, double first)
 {
-    dom_real value;
+    struct domq_value value;
     double least = first;
     long repeats = first < BATCH_SECONDS ? (long)(BATCH_SECONDS / (first + 1e-9)) + 1 : 1;
     int batches = first > SLOW_SECONDS ? 1 : BATCHES;
     for (int b = 0; b < batches; b++) {
         double begun = terminal_clock();
         for (long i = 0; i < repeats; i++)
-            if (answer->ask(train, &value, NULL) != DOM_OK)
+            if (answer->ask(train, compute, &value) != DOM_OK)
                 return least;
         double seconds = (terminal_clock() - begun) / (double)repeats;
         least = seconds < least ? seconds : least;
@@ -107,23 +103,24 @@ static double least_seconds(const struct costed *answer, const struct dom_train 
     return least;
 }
 
-static void row_measure(const struct costed *answer, struct dom_train train, const struct cost *cost,
-                        dom_real uncertain, struct cost_row *row)
+static void row_measure(const struct costed *answer, const struct domq_train *train,
+                        struct domq_compute compute, const struct cost *cost, domq_real uncertain,
+                        struct cost_row *row)
 {
-    dom_real value = 0;
-    train.method = row->method;
-    train.precision = row->precision;
-    train.tol = (dom_real)row->tol;
-    train.work = &row->work;
+    struct domq_value value = {0, 0};
+    compute.method = row->method;
+    compute.precision = row->precision;
+    compute.tol = (domq_real)row->tol;
+    compute.work = &row->work;
     double begun = terminal_clock();
-    row->status = answer->ask(&train, &value, NULL);
+    row->status = answer->ask(train, &compute, &value);
     row->seconds = terminal_clock() - begun;
     if (row->status != DOM_OK)
         return;
-    dom_real size = cost->value == 0 ? 1 : quad(fabs)(cost->value);
-    row->error = quad_larger(quad(fabs)(value - cost->value), uncertain) / size;
-    train.work = NULL;
-    row->seconds = least_seconds(answer, &train, row->seconds);
+    domq_real size = cost->value == 0 ? 1 : quad(fabs)(cost->value);
+    row->error = quad_larger(quad(fabs)(value.value - cost->value), uncertain) / size;
+    compute.work = NULL;
+    row->seconds = least_seconds(answer, train, &compute, row->seconds);
 }
 
 static const struct {
@@ -143,19 +140,21 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-enum dom_status cost_measure(const struct costed *answer, const struct dom_train *train, struct cost *cost)
+enum dom_status cost_measure(const struct costed *answer, const struct domq_train *train,
+                             const struct domq_compute *compute, struct cost *cost)
 {
-    struct dom_train finest = *train;
-    dom_real uncertain = 0;
+    struct domq_compute finest = *compute;
+    struct domq_value reference = {0, 0};
     struct progress progress = {0, 0};
     double done = 0; /* shares of those before */
     finest.method = DOM_METHOD_OURS;
-    finest.precision = dom_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
-    finest.tol = dom_arithmetic(finest.precision)->tol_floor;
-    *cost = (struct cost){.rows = 0, .cheapest = HUGE_VAL};
-    enum dom_status status = answer->ask(&finest, &cost->value, &uncertain);
+    finest.precision = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
+    finest.tol = domq_arithmetic(finest.precision)->tol_floor;
+    finest.errors = true;
+    enum dom_status status = answer->ask(train, &finest, &reference);
+    *cost = (struct cost){.cheapest = HUGE_VAL, .value = reference.value};
     for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
-        const struct dom_arithmetic *arithmetic = dom_arithmetic(contenders[c].precision);
+        const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[c].precision);
         double before = 0; /* seconds of the row before */
         for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic->tol_floor; t++) {
             struct cost_row *row = &cost->row[cost->rows];
@@ -166,7 +165,7 @@ enum dom_status cost_measure(const struct costed *answer, const struct dom_train
                             before * tolerances[t - 1] / tolerances[t] > MOST_SECONDS;
             if (too_long)
                 break;
-            row_measure(answer, *train, cost, uncertain, row);
+            row_measure(answer, train, *compute, cost, reference.error, row);
             if (row->status == DOM_INTERRUPTED)
                 status = DOM_INTERRUPTED;
             if (row->status == DOM_NO_METHOD || row->status == DOM_NO_PRECISION || status != DOM_OK)
@@ -189,7 +188,7 @@ const struct cost_row *cost_reaching(const struct cost *cost, enum dom_method me
     const struct cost_row *found = NULL;
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
         if (row->method == method && row->precision == precision && row->status == DOM_OK &&
-            row->error <= (dom_real)error && (!found || row->seconds < found->seconds))
+            row->error <= (domq_real)error && (!found || row->seconds < found->seconds))
             found = row;
     return found;
 }

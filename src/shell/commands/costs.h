@@ -6,12 +6,13 @@
 #ifndef SHELL_COST_H
 #define SHELL_COST_H
 
-#include "domino.h"
+#include "domino_quad.h"
 
-/* An answer that has a tolerance: one number, and unless error is NULL the bound of its error. */
+/* An answer that has a tolerance: one number, and the bound of its error. */
 struct costed {
     const char *name, *says;
-    enum dom_status (*ask)(const struct dom_train *train, dom_real *value, dom_real *error);
+    enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute,
+                           struct domq_value *answer);
 };
 
 /* Ends with a NULL name. */
@@ -25,7 +26,7 @@ struct cost_row {
     enum dom_precision precision;
     double tol;
     enum dom_status status; /* of the answer; the rest only where it is DOM_OK */
-    dom_real error;         /* relative; not below what the reference itself may be wrong by */
+    domq_real error;        /* relative; not below what the reference itself may be wrong by */
     struct dom_work work;
     double seconds; /* least of several runs */
 };
@@ -36,11 +37,12 @@ struct cost {
     struct cost_row row[COST_ROWS];
     int rows;
     double cheapest; /* seconds */
-    dom_real value;  /* of the reference */
+    domq_real value; /* of the reference */
 };
 
 /* Fills cost; not DOM_OK where the answer does not exist, or after an interrupt. */
-enum dom_status cost_measure(const struct costed *answer, const struct dom_train *train, struct cost *cost);
+enum dom_status cost_measure(const struct costed *answer, const struct domq_train *train,
+                             const struct domq_compute *compute, struct cost *cost);
 
 /* The same for the session's train; false: what is wrong was reported. */
 struct session;

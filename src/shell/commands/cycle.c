@@ -12,7 +12,7 @@ static const char *no_fuel(const struct session *session)
         return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
                "'rmax' tells how "
                "large r may be";
-    if (dom_fuel_find(&session->train, &fuels, NULL) == DOM_OK && fuels.paper > 0)
+    if (domq_fuel_find(&session->train, &session->compute, &fuels) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
                "give "
                "less than the head takes up; 'rmax' tells how large r may be";
@@ -33,14 +33,14 @@ static const struct column thetac_columns[] = {
 
 static bool run_thetac(struct session *session, const struct call *call)
 {
-    struct dom_angles a, e = {0};
-    enum dom_status status = dom_angles_find(&session->train, &a, ERROR_OF(session, e));
+    const struct domq_compute compute = session_compute(session);
+    struct domq_angles a;
+    enum dom_status status = domq_angles_find(&session->train, &compute, &a);
     if (status != DOM_OK)
         return session_status(session, status);
     answer_row(call->answer,
-               ROW(cell_bound(a.theta_c, e.theta_c), cell_bound(a.theta_u, e.theta_u),
-                   cell_bound(a.theta_inf, e.theta_inf), cell_bound(a.theta_f, e.theta_f),
-                   cell_bound(a.theta_leave, e.theta_leave), cell_flag(a.detaches)),
+               ROW(CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf), CELL_OF(a, theta_f),
+                   CELL_OF(a, theta_leave), cell_flag(a.detaches)),
                NULL);
     return true;
 }
@@ -56,16 +56,17 @@ static const struct column theta1_columns[] = {
 
 static bool run_theta1(struct session *session, const struct call *call)
 {
-    dom_real theta = call->number[0];
-    struct dom_contact c, e = {0};
-    enum dom_status status = dom_contact_find(&session->train, theta, &c, ERROR_OF(session, e));
+    const struct domq_compute compute = session_compute(session);
+    domq_real theta = call->number[0];
+    struct domq_contact c;
+    enum dom_status status = domq_contact_find(&session->train, &compute, theta, &c);
     if (status != DOM_OK)
         return session_status(session, status);
     const char *why = isnan(c.arm_a) ? "the follower has fallen off: it lies at theta_f" : NULL;
-    answer_row(call->answer,
-               ROW(cell_real(theta), cell_bound(c.theta_1, e.theta_1), cell_bound(c.slope, e.slope),
-                   cell_bound(c.arm_a, e.arm_a), cell_bound(c.arm_b, e.arm_b)),
-               why);
+    answer_row(
+        call->answer,
+        ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
+        why);
     return true;
 }
 
@@ -79,22 +80,20 @@ static const struct column chain_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool chain_row(const struct dom_link *k, const struct dom_link *error, void *context)
+static bool chain_row(const struct domq_link *k, void *context)
 {
-    const struct dom_link none = {0}, *e = error ? error : &none;
     answer_row(context,
-               ROW(cell_count((dom_real)k->i), cell_bound(k->theta, e->theta), cell_bound(k->slope, e->slope),
-                   cell_bound(k->arm_a, e->arm_a), cell_bound(k->arm_b, e->arm_b),
-                   cell_bound(k->weight, e->weight)),
+               ROW(cell_count((domq_real)k->i), CELL_OF(*k, theta), CELL_OF(*k, slope), CELL_OF(*k, arm_a),
+                   CELL_OF(*k, arm_b), CELL_OF(*k, weight)),
                NULL);
     return !answer_lost(context);
 }
 
 static bool run_chain(struct session *session, const struct call *call)
 {
-    dom_real theta = call->number[0];
-    enum dom_status status =
-        dom_chain_walk(&session->train, theta, session->style.errors, chain_row, call->answer);
+    const struct domq_compute compute = session_compute(session);
+    domq_real theta = call->number[0];
+    enum dom_status status = domq_chain_walk(&session->train, &compute, theta, chain_row, call->answer);
     return status == DOM_OK || session_status(session, status);
 }
 
@@ -108,14 +107,13 @@ static const struct column energy_columns[] = {
 
 static bool run_energy(struct session *session, const struct call *call)
 {
-    dom_real theta = call->number[0];
-    struct dom_energy e, b = {0};
-    enum dom_status status = dom_energy_find(&session->train, theta, &e, ERROR_OF(session, b));
+    const struct domq_compute compute = session_compute(session);
+    domq_real theta = call->number[0];
+    struct domq_energy e;
+    enum dom_status status = domq_energy_find(&session->train, &compute, theta, &e);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(call->answer,
-               ROW(cell_real(theta), cell_bound(e.dH, b.dH), cell_bound(e.J, b.J), cell_bound(e.J0, b.J0)),
-               NULL);
+    answer_row(call->answer, ROW(cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0)), NULL);
     return true;
 }
 
@@ -128,18 +126,19 @@ static const struct column fuel_columns[] = {
 
 static bool run_fuel(struct session *session, const struct call *call)
 {
-    struct dom_fuels f, e = {0};
-    enum dom_status status = dom_fuel_find(&session->train, &f, ERROR_OF(session, e));
+    const struct domq_compute compute = session_compute(session);
+    struct domq_fuels f;
+    enum dom_status status = domq_fuel_find(&session->train, &compute, &f);
     if (status != DOM_OK)
         return session_status(session, status);
-    struct cell exact = cell_bound(f.exact, e.exact), paper = cell_bound(f.paper, e.paper);
+    struct cell exact = CELL_OF(f, exact), paper = CELL_OF(f, paper);
     struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct dom_launch launch;
     if (dom_law(&session->train)->dissipates) { /* what friction leaves of it */
         status = dom_launch_find(&session->train, &launch, NULL);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return session_status(session, status);
-        used = cell_bound(launch.fuel, DOM_NAN);
+        used = cell_bound(launch.fuel, DOMQ_NAN);
     }
     answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
     return true;
@@ -150,15 +149,15 @@ enum { REASON_SIZE = 160 };
 /* "the train stops at theta = ..., below the barrier", into reason. */
 static const char *stop_reason(const struct session *session, char *reason, size_t size)
 {
-    dom_real stop;
+    struct domq_value stop;
     char text[WIDE_TEXT];
     struct output_style style = session_style(session);
     int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
-    if (dom_cycle_stop(&session->train, &stop, NULL) == DOM_OK && isfinite(stop))
+    if (domq_cycle_stop(&session->train, &session->compute, &stop) == DOM_OK && isfinite(stop.value))
         snprintf(
             reason, size,
             "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %s %s",
-            quad_text(style_angle(&style, stop), digits, text), style_angle_unit(&style));
+            quad_text(style_angle(&style, stop.value), digits, text), style_angle_unit(&style));
     else
         snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
     return reason;
@@ -187,15 +186,20 @@ static const struct column launch_columns[] = {
 
 static bool run_launch(struct session *session, const struct call *call)
 {
-    struct dom_launch l = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, e = {0};
+    const struct domq_compute compute = session_compute(session);
+    struct domq_launch l = {.fuel = DOMQ_NAN,
+                            .J0 = DOMQ_NAN,
+                            .velocity_ratio = DOMQ_NAN,
+                            .omegasq = DOMQ_NAN,
+                            .kinetic = DOMQ_NAN};
     char reason[REASON_SIZE];
-    enum dom_status status = dom_launch_find(&session->train, &l, ERROR_OF(session, e));
+    enum dom_status status = domq_launch_find(&session->train, &compute, &l);
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
         return session_status(session, status);
-    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
     answer_row(call->answer,
-               ROW(cell_bound(l.omegasq, e.omegasq), cell_omega(l.omegasq, e.omegasq, tau),
-                   cell_bound(l.kinetic, e.kinetic), cell_bound(l.J0, e.J0)),
+               ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau), CELL_OF(l, kinetic),
+                   CELL_OF(l, J0)),
                no_cycle(session, status, reason));
     return true;
 }
@@ -209,13 +213,17 @@ static const struct column omega_columns[] = {
 
 static bool run_omega(struct session *session, const struct call *call)
 {
-    dom_real theta = call->number[0], omegasq, e = 0;
+    const struct domq_compute compute = session_compute(session);
+    domq_real theta = call->number[0];
+    struct domq_value omegasq;
     char reason[REASON_SIZE];
-    enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq, ERROR_OF(session, e));
+    enum dom_status status = domq_cycle_omegasq(&session->train, &compute, theta, &omegasq);
     if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
-    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer, ROW(cell_real(theta), cell_bound(omegasq, e), cell_omega(omegasq, e, tau)),
+    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
+    answer_row(call->answer,
+               ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
+                   cell_omega(omegasq.value, omegasq.error, tau)),
                no_cycle(session, status, reason));
     return true;
 }
@@ -231,9 +239,11 @@ static const struct column barrier_columns[] = {
 
 static bool run_barrier(struct session *session, const struct call *call)
 {
-    struct dom_barrier b = {DOM_NAN, DOM_NAN, DOM_NAN, DOM_NAN}, e = {0};
+    const struct domq_compute compute = session_compute(session);
+    struct domq_barrier b = {
+        .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
     char reason[REASON_SIZE];
-    enum dom_status status = dom_barrier_find(&session->train, &b, ERROR_OF(session, e));
+    enum dom_status status = domq_barrier_find(&session->train, &compute, &b);
     if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
     const char *verdict = status == DOM_OK      ? "goes on"
@@ -241,8 +251,8 @@ static bool run_barrier(struct session *session, const struct call *call)
                           : status == DOM_LOCKS ? "locks"
                                                 : "no fuel";
     answer_row(call->answer,
-               ROW(cell_bound(b.theta_m, e.theta_m), cell_bound(b.barrier, e.barrier),
-                   cell_bound(b.kinetic, e.kinetic), cell_bound(b.margin, e.margin), cell_word(verdict)),
+               ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
+                   cell_word(verdict)),
                no_cycle(session, status, reason));
     return true;
 }
@@ -257,16 +267,19 @@ static const struct column duration_columns[] = {
 
 static bool run_duration(struct session *session, const struct call *call)
 {
-    dom_real duration = DOM_NAN, e = 0, tau = dom_scale_tau(&session->scale, session->train.d);
+    const struct domq_compute compute = session_compute(session);
+    struct domq_value duration = {.value = DOMQ_NAN};
+    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
     char reason[REASON_SIZE];
-    enum dom_status status = dom_cycle_duration(&session->train, &duration, ERROR_OF(session, e));
+    enum dom_status status = domq_cycle_duration(&session->train, &compute, &duration);
     const char *why = no_cycle(session, status, reason);
     if (status != DOM_OK && !why)
         return session_status(session, status);
-    dom_real speed = why ? DOM_NAN : dom_scale_speed(&session->scale, &session->train, duration);
+    domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&session->scale, &session->train, duration.value);
     answer_row(call->answer,
-               ROW(cell_bound(duration, e), cell_real(tau), cell_bound(duration * tau, e * tau),
-                   cell_bound(speed, speed * e / duration)),
+               ROW(cell_bound(duration.value, duration.error), cell_real(tau),
+                   cell_bound(duration.value * tau, duration.error * tau),
+                   cell_bound(speed, speed * duration.error / duration.value)),
                why);
     return true;
 }

@@ -27,8 +27,8 @@ struct canvas {
 
 static void canvas_put(struct canvas *c, struct point p, char mark, bool over)
 {
-    int column = (int)quad(floor)((dom_real)((p.x - c->left) / c->unit));
-    int row = c->height - 1 - (int)quad(floor)((dom_real)(p.y / (2 * c->unit)));
+    int column = (int)quad(floor)((domq_real)((p.x - c->left) / c->unit));
+    int row = c->height - 1 - (int)quad(floor)((domq_real)(p.y / (2 * c->unit)));
     if (column < 0 || column >= c->width || row < 0 || row >= c->height)
         return;
     char *cell = &c->cell[row * c->width + column];
@@ -86,7 +86,7 @@ static void canvas_ground(const struct canvas *c, FILE *out)
     double step = canvas_step(c);
     memset(ground, '-', (size_t)c->width);
     memset(numbers, ' ', (size_t)c->width + 8);
-    for (double k = (double)quad(ceil)((dom_real)(c->left / step)); k * step < c->left + c->unit * c->width;
+    for (double k = (double)quad(ceil)((domq_real)(c->left / step)); k * step < c->left + c->unit * c->width;
          k++) {
         int at = (int)((k * step - c->left) / c->unit), from = at > 2 ? at - 2 : 0;
         char number[16];
@@ -107,7 +107,7 @@ static void canvas_write(const struct canvas *c, FILE *out)
     double step = canvas_step(c) / 2;
     for (int row = 0; row < c->height; row++) {
         double low = 2 * c->unit * (c->height - 1 - row), high = low + 2 * c->unit;
-        double mark = step * (double)quad(ceil)((dom_real)(low / step));
+        double mark = step * (double)quad(ceil)((domq_real)(low / step));
         const char *line = c->cell + (size_t)row * (size_t)c->width;
         int end = c->width;
         while (end > 0 && line[end - 1] == ' ')
@@ -124,10 +124,10 @@ static void canvas_write(const struct canvas *c, FILE *out)
 enum { TITLE_SIZE = 256 };
 
 /* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale". */
-static const char *title_text(const struct session *session, dom_real theta, const char *letter,
+static const char *title_text(const struct session *session, domq_real theta, const char *letter,
                               char text[TITLE_SIZE])
 {
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     const struct walk *walk = walk_now(session);
     struct walk_units units = walk_units(session, walk ? walk->cycle : 1);
     snprintf(text, TITLE_SIZE,
@@ -172,7 +172,7 @@ static void forces_write(const struct scene *scene, int width, FILE *out)
     putc('\n', out);
 }
 
-static void draw_text(struct session *session, dom_real theta, const struct scene *scene, bool forces)
+static void draw_text(struct session *session, domq_real theta, const struct scene *scene, bool forces)
 {
     static struct canvas canvas;
     char text[TITLE_SIZE], cut[32];
@@ -220,7 +220,7 @@ static void script_arrows(FILE *script, const struct scene *scene)
             script_arrow(script, &scene->domino[k], 0.4 * scene->domino[k].of_own / largest);
 }
 
-static bool draw_file(struct session *session, dom_real theta, const struct scene *scene, bool forces)
+static bool draw_file(struct session *session, domq_real theta, const struct scene *scene, bool forces)
 {
     char text[TITLE_SIZE], cut[32];
     struct picture picture;
@@ -262,7 +262,7 @@ static const struct column draw_columns[] = {
 
 static struct cell cell_double(double value)
 {
-    return cell_real((dom_real)value);
+    return cell_real((domq_real)value);
 }
 
 static void draw_rows(struct answer *answer, const struct scene *scene, enum dom_status forces)
@@ -273,7 +273,7 @@ static void draw_rows(struct answer *answer, const struct scene *scene, enum dom
         const struct point *p = k->corner;
         answer_row(
             answer,
-            ROW(cell_count((dom_real)k->number), cell_double(k->height), cell_double(k->foot),
+            ROW(cell_count((domq_real)k->number), cell_double(k->height), cell_double(k->foot),
                 cell_double(k->theta), cell_double(p[1].x), cell_double(p[1].y), cell_double(p[2].x),
                 cell_double(p[2].y), cell_double(p[3].x), cell_double(p[3].y), cell_double(k->contact.x),
                 cell_double(k->contact.y), cell_double(k->force), cell_double(k->of_own)),
@@ -290,7 +290,7 @@ static const char *forces_names(const void *context, int k)
 }
 
 /* Returns true if 'forces' may stand behind T; a word in the place of T is -1 or less. */
-static bool forces_follow(dom_real place)
+static bool forces_follow(domq_real place)
 {
     return place >= 0;
 }
@@ -302,19 +302,19 @@ static bool run_draw(struct session *session, const struct call *call)
     bool word = call->count > 0 && !forces_follow(call->number[0]), forces = word || call->count > 1;
     /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
     const struct walk *walk = call->count == 0 || word ? walk_now(session) : NULL;
-    const struct dom_train *train = walk ? &walk->train : &session->train;
-    dom_real theta = walk ? walk->theta : call->count > 0 && !word ? call->number[0] : 0;
+    const struct domq_compute *compute = walk ? &walk->compute : &session->compute;
+    domq_real theta = walk ? walk->theta : call->count > 0 && !word ? call->number[0] : 0;
     if (word && call->count > 1)
         return session_error(session, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
     bool people = answer_for_people(call->answer);
     if (!walk && !picture_comes_to(session, theta))
         return false;
-    enum dom_status status = scene_make(train, theta, 0, &scene);
+    enum dom_status status = scene_make(&session->train, compute, theta, 0, &scene);
     if (status != DOM_OK)
         return session_status(session, status);
     /* Data has forces where there are any; the margin may be too small for them. */
     if (forces || !people)
-        status = scene_forces(train, theta, &scene);
+        status = scene_forces(&session->train, compute, theta, &scene);
     if (status != DOM_OK && forces)
         return session_status(session, status);
     if (!people)

@@ -15,13 +15,13 @@
 static enum dom_status scene_answer(const struct session *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
-    struct dom_floor floor;
-    struct dom_barrier barrier;
-    struct dom_verdict verdict;
-    struct dom_study study;
+    struct domq_floor floor;
+    struct domq_barrier barrier;
+    struct domq_verdict verdict;
+    struct domq_study study;
+    struct domq_compute compute = scene->compute;
+    compute.work = work;
     if (scene->effect[DOM_EFFECT_row].on) {
-        struct dom_row asked = row->row;
-        asked.work = work;
         const struct effect_state *errors = &scene->effect[DOM_EFFECT_placement];
         if (!errors->on)
             return dom_row_run(&asked, false, NULL, NULL, &verdict);
@@ -29,11 +29,9 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
             .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1};
         return dom_placement_study(&asked, &p, &study, NULL);
     }
-    struct dom_train train = scene->train;
-    train.work = work;
-    enum dom_status status = dom_barrier_find(&train, &barrier, NULL);
+    enum dom_status status = domq_barrier_find(&scene->train, &compute, &barrier);
     if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
-        status = dom_cycle_floor(&train, &floor);
+        status = domq_cycle_floor(&scene->train, &compute, &floor);
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
@@ -151,14 +149,14 @@ static bool run_effects(struct session *session, const struct call *call)
     for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
         enum dom_effect_name name = (enum dom_effect_name)k;
-        const struct dom_effect *e = dom_effect(name);
+        const struct domq_effect *e = domq_effect(name);
         double without = price_with(session, name, false), with = price_with(session, name, true);
-        if (dom_raised(session->train.interrupt))
+        if (dom_raised(session->compute.interrupt))
             return session_status(session, DOM_INTERRUPTED);
         answer_row(a,
                    ROW(cell_word(e->name), cell_word(effect_setting(session, name, setting)),
                        cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
-                       cell_count((dom_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
+                       cell_count((domq_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
                    NULL);
     }
     effects_say(session, a);
@@ -178,7 +176,7 @@ static const struct column scene_columns[] = {
 static void plan_row(struct answer *a, const char *part, const char *solved, size_t dominoes, const char *why)
 {
     answer_row(a,
-               ROW(cell_word(part), dominoes ? cell_count((dom_real)dominoes) : cell_real(DOM_NAN),
+               ROW(cell_word(part), dominoes ? cell_count((domq_real)dominoes) : cell_real(DOMQ_NAN),
                    cell_word(why), cell_word(solved)),
                NULL);
 }
@@ -201,10 +199,10 @@ static void plan_of_row(const struct session *session, struct answer *a, size_t 
     bool rubs = dom_law(&session->train)->dissipates, pushed = session->effect[DOM_EFFECT_push].on;
     plan_row(a, "start", pushed ? dom_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
              pushed ? "push is on" : "no push");
-    plan_row(a, "row", dom_effect(DOM_EFFECT_row)->plan, n, "row is on");
+    plan_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
     plan_row(a, "motion",
-             rubs ? dom_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated", n,
-             rubs ? "friction is on" : "no losses");
+             rubs ? domq_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated",
+             n, rubs ? "friction is on" : "no losses");
     plan_row(a, "contact", "forces between dominoes, at four tilts each", n, "none may pull");
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
@@ -222,7 +220,7 @@ static bool run_scene(struct session *session, const struct call *call)
         if (session->effect[k].on && k != DOM_EFFECT_row)
             n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
                           effect_setting(session, (enum dom_effect_name)k, setting));
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     if (is_row)
         answer_say(a, "A row of %zu dominoes%s.", count, on);
     else
@@ -234,7 +232,8 @@ static bool run_scene(struct session *session, const struct call *call)
             plan_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
                      k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
     answer_say(a, "%zu passes down the %s give its verdict at tol = %g in %s precision.", work.passes,
-               is_row ? "row" : "train", (double)t->tol, dom_arithmetic(t->precision)->name);
+               is_row ? "row" : "train", (double)session->compute.tol,
+               domq_arithmetic(session->compute.precision)->name);
     return true;
 }
 

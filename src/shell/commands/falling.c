@@ -4,9 +4,9 @@
 const char locks_farther_on[] =
     "what is left of the motion does not carry it over, and farther on friction locks: no energy would";
 
-struct cell cell_narrow(dom_real value, int digits)
+struct cell cell_narrow(domq_real value, int digits)
 {
-    struct cell cell = cell_bound(value, DOM_NAN);
+    struct cell cell = cell_bound(value, DOMQ_NAN);
     cell.digits = digits;
     return cell;
 }
@@ -18,17 +18,17 @@ static const char *energy_unit(const struct session *session)
 
 bool row_status(struct session *session, enum dom_status status)
 {
-    if (status != DOM_BAD_PARAMETER)
+    if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return session_status(session, status);
     return session_no_answer(
         session,
         "the dominoes of this row become larger or smaller than %s precision can hold; fewer of "
         "them, a smaller r, or a wider precision",
-        dom_arithmetic(session->train.precision)->name);
+        domq_arithmetic(session->compute.precision)->name);
 }
 
 void verdict_say(struct session *session, struct answer *a, const struct scene_row *scene,
-                 const struct dom_verdict *v, bool timed)
+                 const struct domq_verdict *v, bool timed)
 {
     size_t count = scene->row.count;
     if (v->end == DOM_ROW_FALLS && !timed)

@@ -7,11 +7,11 @@
 #include "session/effects.h"
 
 /* A number that a narrow column shows with so many digits; its errors are not known. */
-struct cell cell_narrow(dom_real value, int digits);
+struct cell cell_narrow(domq_real value, int digits);
 
 /* How a row ends, as a sentence; timed: its times are known. */
 void verdict_say(struct session *session, struct answer *answer, const struct scene_row *scene,
-                 const struct dom_verdict *verdict, bool timed);
+                 const struct domq_verdict *verdict, bool timed);
 
 /* Also for a status of a row that is not DOM_OK. */
 bool row_status(struct session *session, enum dom_status status);

@@ -10,11 +10,12 @@
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, FRAMES_WIDTH = 900, CYCLES_MOST = 30 };
 #define GROWN_MOST 40 /* of the first head over the last: a smaller one would be nothing but a dot */
-#define FILM_TOL   ((dom_real)1 / 1000000000)
+#define FILM_TOL   ((domq_real)1 / 1000000000)
 
 /* The cycles one after the other, lengths in heights of the first head, times in its tau. */
 struct film {
-    struct dom_train train;
+    struct domq_train train;
+    struct domq_compute compute;
     int cycles, frames;
     double r, d, pitch, duration, step; /* duration of the first cycle; step from frame to frame */
     double left, right, top, tau;       /* tau of the first head in s */
@@ -31,7 +32,7 @@ struct moment {
 static struct moment moment_at(const struct film *film, double time)
 {
     struct moment m = {.slower = 1, .place = {1, 0}};
-    double root = (double)quad(sqrt)((dom_real)film->r);
+    double root = (double)quad(sqrt)((domq_real)film->r);
     while (m.cycle + 1 < film->cycles && time >= m.begun + film->duration * m.slower) {
         m.begun += film->duration * m.slower;
         m.place.shift += film->pitch * film->r * m.place.scale;
@@ -58,13 +59,13 @@ int film_most(const struct session *session)
 
 static bool film_make(struct session *session, const struct call *call, struct film *film)
 {
-    struct dom_event events[DOM_EVENTS_MAX];
+    struct domq_event events[DOM_EVENTS_MAX];
     int count = 0;
-    *film = (struct film){.train = session->train};
-    struct dom_train *t = &film->train;
+    *film = (struct film){.train = session->train, .compute = session->compute};
+    const struct domq_train *t = &film->train;
     /* More than that no eye sees. */
-    t->precision = DOM_DOUBLE;
-    t->tol = FILM_TOL;
+    film->compute.precision = DOM_DOUBLE;
+    film->compute.tol = FILM_TOL;
     film->r = (double)t->r;
     film->d = (double)t->d;
     film->pitch = (double)(t->s + t->d);
@@ -83,24 +84,25 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->stops = status == DOM_STOPS;
     film->cycles = film->stops ? 1 : film->cycles;
     film->duration = (double)events[count - 1].time;
-    film->top = 1.04 * (double)quad(pow)(t->r, (dom_real)film->cycles);
+    film->top = 1.04 * (double)quad(pow)(t->r, (domq_real)film->cycles);
     struct moment last = moment_at(film, (double)INFINITY);
     film->right = last.place.shift + last.place.scale * film->r * film->pitch + 0.1 * film->top;
     double behind = film->pitch * film->r / (film->r - 1); /* all that stood behind the first head */
     film->left = behind < 1.8 ? -1.05 * behind : -1.8;
     double whole = last.begun + film->duration * last.slower;
-    film->frames = (int)quad(ceil)((dom_real)(FRAMES_FIRST * whole / film->duration));
+    film->frames = (int)quad(ceil)((domq_real)(FRAMES_FIRST * whole / film->duration));
     film->step = whole / film->frames;
     return true;
 }
 
 /* The tilt of the head in a frame, and the moment. */
-static enum dom_status frame_tilt(const struct film *film, int frame, struct moment *m, dom_real *theta)
+static enum dom_status frame_tilt(const struct film *film, int frame, struct moment *m, domq_real *theta)
 {
     double time = film->step * frame;
     *m = moment_at(film, time);
     double own = (time - m->begun) / m->slower;
-    return dom_cycle_tilt(&film->train, (dom_real)(own < film->duration ? own : film->duration), theta);
+    return domq_cycle_tilt(&film->train, &film->compute,
+                           (domq_real)(own < film->duration ? own : film->duration), theta);
 }
 
 /* The dominoes beyond the next one, which wait. */
@@ -142,11 +144,11 @@ static bool film_script(struct session *session, const struct film *film, FILE *
             (double)(1000 * session->scale.h));
     for (int frame = 0; frame <= film->frames; frame++) {
         struct moment m;
-        dom_real theta;
+        domq_real theta;
         enum dom_status status = frame_tilt(film, frame, &m, &theta);
         double behind = (m.place.shift - film->left) / m.place.scale + 0.1;
         if (status == DOM_OK)
-            status = scene_make(&film->train, theta, behind, &scene);
+            status = scene_make(&film->train, &film->compute, theta, behind, &scene);
         progress_show(&progress, status == DOM_OK ? (frame + 1.0) / (film->frames + 1) : 1);
         if (status != DOM_OK)
             return session_status(session, status);
@@ -175,7 +177,7 @@ static bool film_file(struct session *session, const struct film *film, const ch
     if (!ending || strcasecmp(ending, ".gif") != 0)
         return session_error(session, "'%s' is no name of an animation: its ending is .gif",
                              names_shown(path, shown));
-    const char *wrong = redirect_open(&redirect, path, false, session->train.interrupt);
+    const char *wrong = redirect_open(&redirect, path, false, session->compute.interrupt);
     if (wrong)
         return session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     bool drawn = film_write(session, film, redirect.file);
@@ -196,12 +198,12 @@ static bool film_rows(struct session *session, const struct film *film, struct a
     answer->style.errors = 0;
     for (int frame = 0; frame <= film->frames; frame++) {
         struct moment m;
-        dom_real theta;
+        domq_real theta;
         enum dom_status status = frame_tilt(film, frame, &m, &theta);
         if (status != DOM_OK)
             return session_status(session, status);
         answer_row(answer,
-                   ROW(cell_real((dom_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
+                   ROW(cell_real((domq_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
                        cell_real(theta)),
                    NULL);
     }

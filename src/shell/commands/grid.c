@@ -61,7 +61,7 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
            session_error(session, "more than %d parameters; the others can be set before", AXES_MAX);
 }
 
-static bool read_one(struct reader *r, const struct axis *axis, const char *what, dom_real *value)
+static bool read_one(struct reader *r, const struct axis *axis, const char *what, domq_real *value)
 {
     const struct parameter *p = axis->parameter;
     r->at = skip_blanks(r->at);
@@ -76,14 +76,14 @@ static bool read_one(struct reader *r, const struct axis *axis, const char *what
 }
 
 /* The comma has been seen: values up to the one that has none behind it. */
-static bool read_list(struct reader *r, struct axis *axis, dom_real first)
+static bool read_list(struct reader *r, struct axis *axis, domq_real first)
 {
     size_t room = 0;
-    dom_real value = first;
+    domq_real value = first;
     for (;;) {
         if (axis->count == room) {
             room = 2 * room + 8;
-            dom_real *more = realloc(axis->list, room * sizeof *more);
+            domq_real *more = realloc(axis->list, room * sizeof *more);
             if (!more)
                 return session_status(r->session, DOM_NO_MEMORY);
             axis->list = more;
@@ -177,11 +177,11 @@ void grid_free(struct grid *grid)
 
 /* ---- Values ---- */
 
-dom_real axis_value(const struct axis *axis, size_t k)
+domq_real axis_value(const struct axis *axis, size_t k)
 {
     if (axis->list)
         return axis->list[k];
-    dom_real f = axis->count > 1 ? (dom_real)k / (dom_real)(axis->count - 1) : 0;
+    domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
     bool end = k == 0 || k == axis->count - 1; /* these are what was typed */
     dom_real value = axis->logarithmic && !end
                          ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
@@ -189,7 +189,7 @@ dom_real axis_value(const struct axis *axis, size_t k)
     return axis->parameter->value->whole ? quad(round)(value) : value;
 }
 
-struct cell axis_cell(const struct axis *axis, dom_real value)
+struct cell axis_cell(const struct axis *axis, domq_real value)
 {
     const char *word = parameter_is_number(axis->parameter) ? NULL : parameter_word(axis->parameter, value);
     if (word)
@@ -198,7 +198,7 @@ struct cell axis_cell(const struct axis *axis, dom_real value)
 }
 
 /* Words first: the precision has its own default of tol. */
-void grid_put(const struct grid *grid, const dom_real *value, struct session *session)
+void grid_put(const struct grid *grid, const domq_real *value, struct session *session)
 {
     for (int words = 1; words >= 0; words--)
         for (int i = 0; i < grid->axes; i++)

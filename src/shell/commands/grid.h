@@ -11,9 +11,9 @@ enum { AXES_MAX = 8 };
 struct axis {
     const struct parameter *parameter;
     size_t count;
-    dom_real from, to;
+    domq_real from, to;
     bool logarithmic; /* steps of equal ratio */
-    dom_real *list;   /* the values, where they are listed; else NULL */
+    domq_real *list;  /* the values, where they are listed; else NULL */
 };
 
 struct grid {
@@ -30,11 +30,11 @@ void grid_free(struct grid *grid);
 const char *grid_names(const void *context, int k);
 
 /* Value k, counted from 0; and as a cell. */
-dom_real axis_value(const struct axis *axis, size_t k);
-struct cell axis_cell(const struct axis *axis, dom_real value);
+domq_real axis_value(const struct axis *axis, size_t k);
+struct cell axis_cell(const struct axis *axis, domq_real value);
 
 /* Gives a session the value of each axis.  It borrows what others hold, so it must not be closed. */
-void grid_put(const struct grid *grid, const dom_real *value, struct session *session);
+void grid_put(const struct grid *grid, const domq_real *value, struct session *session);
 
 /* Do effects of the grid find in the session, once it has values, what they are about?  An error if not. */
 bool grid_check(const struct grid *grid, struct session *session);

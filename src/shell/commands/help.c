@@ -115,7 +115,7 @@ static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
     session_init(&fresh, session->out);
-    fresh.train.interrupt = session->train.interrupt;
+    fresh.compute.interrupt = session->compute.interrupt;
     fresh.source = "help";
     fresh.safe = fresh.bail = true;
     fprintf(session->out, "\nExample: %s\n\n", example);

@@ -6,7 +6,7 @@
 #include "parallel/points.h"
 
 /* The i-th argument, or what stands for it where it is missing. */
-static dom_real argument_or(const struct call *call, int i, dom_real fallback)
+static domq_real argument_or(const struct call *call, int i, domq_real fallback)
 {
     return i < call->count ? call->number[i] : fallback;
 }
@@ -19,19 +19,18 @@ static const char no_growth_stops[] =
 
 static const char no_growth_locks[] = "no growth possible: friction locks already equal dominoes (r = 1)";
 
-static const char *no_growth(struct dom_limit limit, enum dom_status why)
+static const char *no_growth(struct domq_limit limit)
 {
     if (limit.ends != DOM_END_NONE)
         return NULL;
-    return why == DOM_NO_FUEL ? no_growth_fuel : why == DOM_LOCKS ? no_growth_locks : no_growth_stops;
+    return limit.why == DOM_NO_FUEL ? no_growth_fuel
+           : limit.why == DOM_LOCKS ? no_growth_locks
+                                    : no_growth_stops;
 }
 
-/* A limit with the bound of its error. */
-struct bounded {
-    struct dom_limit is, error;
-};
-
-static struct cell cell_limit(const struct bounded *limit)
+/* Finds the limits with either fuel; with friction there is none with the paper's. */
+static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
+                                   struct domq_limit *exact, struct domq_limit *paper)
 {
     return cell_bound(limit->is.r_max, limit->error.r_max);
 }
@@ -63,16 +62,14 @@ static const struct column rmax_columns[] = {
 
 static bool run_rmax(struct session *session, const struct call *call)
 {
-    struct dom_train train = session->train;
-    struct bounded exact, paper;
-    enum dom_status why = DOM_OK;
+    const struct domq_compute compute = session_compute(session);
+    struct domq_train train = session->train;
+    struct domq_limit exact, paper;
     train.s = argument_or(call, 0, train.s);
-    enum dom_status status = limit_with(session->style.errors, train, DOM_FUEL_EXACT, &exact, &why);
-    if (status == DOM_OK)
-        status = limit_paper(session->style.errors, train, &paper, &why);
+    enum dom_status status = limits_find(train, &compute, &exact, &paper);
     if (status != DOM_OK)
         return session_status(session, status);
-    struct bounded used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     answer_row(call->answer,
                ROW(cell_real(train.s), cell_limit(&used), cell_word(dom_end_text(used.is.ends)),
                    cell_limit(&exact), cell_limit(&paper)),
@@ -86,7 +83,7 @@ static bool run_rmax(struct session *session, const struct call *call)
                    dom_dynamics(&train)->name);
     else if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
         answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
-    else if (used.is.ends != DOM_END_NONE)
+    else if (used.ends != DOM_END_NONE)
         answer_say(call->answer,
                    "they differ since (c7)'s closed form of the fuel leaves out the weights r^(-q i)");
     return true;
@@ -101,17 +98,18 @@ static const struct column pair_columns[] = {
 
 static bool run_pair(struct session *session, const struct call *call)
 {
-    struct dom_train train = session->train;
-    struct bounded limit = {.error = {.r_max = 0}};
+    const struct domq_compute compute = session_compute(session);
+    struct domq_train train = session->train;
+    struct domq_limit limit;
     train.s = argument_or(call, 0, train.s);
-    enum dom_status status = dom_limit_pair(&train, &limit.is, ERROR_OF(session, limit.error));
+    enum dom_status status = domq_limit_pair(&train, &compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
     answer_row(
-        call->answer, ROW(cell_real(train.s), cell_limit(&limit), cell_word(dom_end_text(limit.is.ends))),
-        limit.is.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
-                                        "the next one at this s and d"
-                                      : NULL);
+        call->answer, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
+        limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
+                                     "the next one at this s and d"
+                                   : NULL);
     return true;
 }
 
@@ -123,11 +121,12 @@ static const struct column best_columns[] = {
 
 static bool run_best(struct session *session, const struct call *call)
 {
-    struct dom_best best = {DOM_NAN, DOM_NAN}, e = {0};
-    enum dom_status status = dom_limit_best(&session->train, &best, ERROR_OF(session, e));
+    const struct domq_compute compute = session_compute(session);
+    struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
+    enum dom_status status = domq_limit_best(&session->train, &compute, &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return session_status(session, status);
-    answer_row(call->answer, ROW(cell_bound(best.s, e.s), cell_bound(best.r_max, e.r_max)),
+    answer_row(call->answer, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
                status == DOM_OK
                    ? NULL
                    : "no growth possible: dominoes this thick do not topple larger ones at any s");
@@ -145,9 +144,9 @@ static const struct column curve_columns[] = {
 
 /* A worker's; the first four are the same for all. */
 struct curve {
-    dom_real from, to, n;
-    bool errors;
-    struct dom_train train;
+    domq_real from, to, n;
+    struct domq_train train;
+    struct domq_compute compute;
     struct answer answer;
     bool gaps;
     enum dom_status status; /* of the point that ended it */
@@ -156,22 +155,20 @@ struct curve {
 static bool curve_point(void *own, size_t k, FILE *out)
 {
     struct curve *c = own;
-    struct bounded exact, paper, pair = {.error = {.r_max = 0}};
+    struct domq_limit exact, paper, pair;
     struct answer a = answer_part(&c->answer, out, k == 0);
-    dom_real f = c->n > 1 ? (dom_real)k / (c->n - 1) : 0;
+    domq_real f = c->n > 1 ? (domq_real)k / (c->n - 1) : 0;
     c->train.s = (1 - f) * c->from + f * c->to;
-    c->status = limit_with(c->errors, c->train, DOM_FUEL_EXACT, &exact, NULL);
+    c->status = limits_find(c->train, &c->compute, &exact, &paper);
     if (c->status == DOM_OK)
-        c->status = limit_paper(c->errors, c->train, &paper, NULL);
-    if (c->status == DOM_OK)
-        c->status = dom_limit_pair(&c->train, &pair.is, c->errors ? &pair.error : NULL);
+        c->status = domq_limit_pair(&c->train, &c->compute, &pair);
     if (c->status != DOM_OK)
         return false;
     answer_row(&a,
-               ROW(cell_real(c->train.s), cell_limit(&exact), cell_limit(&paper), cell_limit(&pair),
+               ROW(cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max), CELL_OF(pair, r_max),
                    cell_real(1 / c->train.s)),
                NULL);
-    c->gaps = c->gaps || exact.is.ends == DOM_END_NONE || pair.is.ends == DOM_END_NONE;
+    c->gaps = c->gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
 
@@ -186,8 +183,8 @@ static bool run_curve(struct session *session, const struct call *call)
     struct curve c = {.from = call->number[0],
                       .to = call->number[1],
                       .n = call->number[2],
-                      .errors = session->style.errors,
-                      .train = session->train};
+                      .train = session->train,
+                      .compute = session_compute(session)};
     struct answer *a = call->answer;
     struct cell number = cell_real(0);
     bool by_point;
@@ -217,7 +214,7 @@ static const struct column count_columns[] = {
 };
 
 /* "hollow", "massive", or "q = 3.5". */
-static const char *mass_name(dom_real q, char name[32])
+static const char *mass_name(domq_real q, char name[32])
 {
     const char *word = parameter_word(parameter_find("q"), q);
     if (word)
@@ -228,10 +225,11 @@ static const char *mass_name(dom_real q, char name[32])
 }
 
 /* Whether a train goes on; why is the reason where it does not. */
-static enum dom_status count_feasible(const struct dom_train *train, bool *feasible, const char **why)
+static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
+                                      bool *feasible, const char **why)
 {
-    struct dom_barrier barrier;
-    enum dom_status status = dom_barrier_find(train, &barrier, NULL);
+    struct domq_barrier barrier;
+    enum dom_status status = domq_barrier_find(train, compute, &barrier);
     *feasible = status == DOM_OK;
     *why = status == DOM_OUT_OF_REACH ? "r s > 1, each domino falls past the next one without touching it"
            : status == DOM_STOPS      ? "the train stops below its barrier"
@@ -243,24 +241,24 @@ static enum dom_status count_feasible(const struct dom_train *train, bool *feasi
 }
 
 /* For one kind of domino: is this growth possible, and what would the largest one make of the count? */
-static bool count_kind(struct session *session, const struct call *call, struct dom_train train,
-                       dom_real height)
+static bool count_kind(struct session *session, const struct call *call, struct domq_train train,
+                       domq_real height)
 {
-    struct dom_limit limit;
-    struct dom_count count = {DOM_NAN, DOM_NAN, DOM_NAN};
+    struct domq_limit limit;
+    struct domq_count count = {.dominoes = DOMQ_NAN, .exact = DOMQ_NAN, .last = DOMQ_NAN};
     char name[32], number[WIDE_TEXT], said[96] = "no number of them gets there";
     bool feasible;
     const char *why;
-    enum dom_status status = count_feasible(&train, &feasible, &why);
+    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
     if (status == DOM_OK)
-        status = dom_limit_rmax(&train, &limit, NULL, NULL);
+        status = domq_limit_rmax(&train, &session->compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
     if (limit.ends == DOM_END_NONE) {
         answer_say(call->answer, "  %-8s no; not even equal ones keep falling", mass_name(train.q, name));
         return true;
     }
-    if (dom_count_find(train.precision, session->scale.h, height, limit.r_max, &count, NULL) == DOM_OK &&
+    if (domq_count_find(session->scale.h, height, limit.r_max, &session->compute, &count) == DOM_OK &&
         isfinite(count.dominoes))
         snprintf(said, sizeof said, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
                  count.dominoes == 1 ? "" : "es");
@@ -270,14 +268,14 @@ static bool count_kind(struct session *session, const struct call *call, struct 
 }
 
 /* The quiz as a person asks it: what the rows do not say. */
-static bool count_explain(struct session *session, const struct call *call, const struct dom_train *train,
-                          dom_real height)
+static bool count_explain(struct session *session, const struct call *call, const struct domq_train *train,
+                          domq_real height)
 {
     bool named = false;
     answer_say(call->answer, "\nIs a growth of %.10g possible at s = %.6g?", (double)train->r,
                (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
-        struct dom_train kind = *train;
+        struct domq_train kind = *train;
         kind.q = w->value;
         named = named || kind.q == train->q;
         if (!count_kind(session, call, kind, height))
@@ -288,20 +286,21 @@ static bool count_explain(struct session *session, const struct call *call, cons
 
 static bool run_count(struct session *session, const struct call *call)
 {
-    dom_real height = call->number[0], first = session->scale.h;
-    struct dom_train train = session->train;
-    struct dom_count count, e = {0};
+    const struct domq_compute compute = session_compute(session);
+    domq_real height = call->number[0], first = session->scale.h;
+    struct domq_train train = session->train;
+    struct domq_count count;
     bool feasible;
     const char *why;
     char number[WIDE_TEXT], growth[WIDE_TEXT], tall[WIDE_TEXT];
     train.r = argument_or(call, 1, train.r);
-    if (dom_count_find(train.precision, first, height, train.r, &count, ERROR_OF(session, e)) != DOM_OK)
+    if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
         return session_no_answer(session,
                                  "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
                                  "in %s precision",
                                  quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
-                                 dom_arithmetic(train.precision)->name);
-    enum dom_status status = count_feasible(&train, &feasible, &why);
+                                 domq_arithmetic(compute.precision)->name);
+    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
     if (status != DOM_OK)
         return session_status(session, status);
 
@@ -325,9 +324,8 @@ static bool run_count(struct session *session, const struct call *call)
     else if (why)
         snprintf(reason, sizeof reason, "%s", why);
     answer_row(a,
-               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes),
-                   cell_bound(count.exact, e.exact), cell_real(first), cell_bound(count.last, e.last),
-                   cell_flag(feasible)),
+               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
+                   cell_real(first), CELL_OF(count, last), cell_flag(feasible)),
                why ? reason : NULL);
     return !answer_for_people(a) || count_explain(session, call, &train, height);
 }

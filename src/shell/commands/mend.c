@@ -22,7 +22,7 @@ static void mend_progress(size_t done, size_t of, void *context)
 }
 
 /* Is it the start that has too little, before any gap comes to matter? */
-static bool push_lacks(const struct dom_verdict *v)
+static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
 }
@@ -61,7 +61,7 @@ static void mend_say(struct answer *a, const struct dom_mend *m, size_t found, b
                (double)(1000 * m->gap), (double)(1000 * m->to));
     answer_say(a, "'place %zu %.7g' does it, just so.", m->domino, (double)m->to);
     double room = (double)(m->to + (m->until - m->to) / 3);
-    if (quad(fabs)(m->until - m->to) > (dom_real)1e-4 * m->to)
+    if (quad(fabs)(m->until - m->to) > (domq_real)1e-4 * m->to)
         answer_say(a, "All fall up to %.7g mm: 'place %zu %.6g' leaves room for errors.",
                    (double)(1000 * m->until), m->domino, room);
 }

@@ -13,7 +13,7 @@
 
 static const char *series_title(const struct cost_row *row, char title[64])
 {
-    const char *precision = dom_arithmetic(row->precision)->name;
+    const char *precision = domq_arithmetic(row->precision)->name;
     snprintf(title, 64, "%s",
              row->method == DOM_METHOD_PAPER ? "the paper's recipe"
              : row->method == DOM_METHOD_GSL ? "solvers of GSL"
@@ -47,7 +47,7 @@ static void cost_script(FILE *out, const struct session *session, const struct c
                         const struct cost *cost, bool text)
 {
     char title[64];
-    const struct dom_train *train = &session->train;
+    const struct domq_train *train = &session->train;
     fprintf(out,
             "set title \"What a digit costs: error of %s at s = %.6g, r = %.6g, d = %.4g, q = %.6g\"\n"
             "set logscale xy\nset format xy '%s'\nset xlabel 'time of one answer [s]'\n"
@@ -62,7 +62,7 @@ static void cost_script(FILE *out, const struct session *session, const struct c
         /* A logarithm has no 0: below a unit of its precision nothing is known. */
         if (row->status == DOM_OK)
             fprintf(out, "%.6g %.6g\n", row->seconds,
-                    (double)quad_larger(row->error, (dom_real)dom_arithmetic(row->precision)->epsilon / 4));
+                    (double)quad_larger(row->error, (domq_real)domq_arithmetic(row->precision)->epsilon / 4));
     }
     fprintf(out, "END\n");
     for (int k = 0; k < cost->rows; k++)
@@ -95,8 +95,8 @@ static bool plot_cost(struct session *session, const struct call *call)
 /* ---- The paper's figures ---- */
 
 enum { SAMPLES = 193 };
-#define S_LOW  ((dom_real)2 / 100)
-#define S_STEP ((dom_real)5 / 1000)
+#define S_LOW  ((domq_real)2 / 100)
+#define S_STEP ((domq_real)5 / 1000)
 
 /* One of the curves: r against s. */
 struct limit_curve {
@@ -122,23 +122,23 @@ enum { LIMIT_CURVES = sizeof growth_curves / sizeof *growth_curves };
 
 /* r of each curve at each s; NaN where not even r = 1 goes on. */
 struct limit_table {
-    dom_real s[SAMPLES], r[SAMPLES][LIMIT_CURVES];
+    domq_real s[SAMPLES], r[SAMPLES][LIMIT_CURVES];
 };
 
-static enum dom_status limit_point(struct dom_train train, const struct limit_curve *curve, dom_real s,
-                                   dom_real *r)
+static enum dom_status limit_point(struct domq_train train, const struct domq_compute *compute,
+                                   const struct limit_curve *curve, domq_real s, domq_real *r)
 {
-    struct dom_limit limit;
+    struct domq_limit limit;
     train.s = s;
     train.r = 1;
-    train.q = (dom_real)curve->q;
+    train.q = (domq_real)curve->q;
     train.fuel = curve->fuel;
     *r = DOM_NAN;
     if (dom_dynamics(&train) && train.fuel == DOM_FUEL_PAPER) /* which knows none of them */
         return DOM_OK;
     enum dom_status status =
-        curve->pair ? dom_limit_pair(&train, &limit, NULL) : dom_limit_rmax(&train, &limit, NULL, NULL);
-    *r = status == DOM_OK && limit.ends != DOM_END_NONE ? limit.r_max : DOM_NAN;
+        curve->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);
+    *r = status == DOM_OK && limit.ends != DOM_END_NONE ? limit.r_max : DOMQ_NAN;
     return status;
 }
 
@@ -147,9 +147,9 @@ static bool limits_find(struct session *session, const struct limit_curve *curve
     struct progress progress = {0, 0};
     for (int k = 0; k < SAMPLES; k++) {
         enum dom_status status = DOM_OK;
-        table->s[k] = S_LOW + (dom_real)k * S_STEP;
+        table->s[k] = S_LOW + (domq_real)k * S_STEP;
         for (int c = 0; c < LIMIT_CURVES && status == DOM_OK; c++)
-            status = limit_point(session->train, &curves[c], table->s[k], &table->r[k][c]);
+            status = limit_point(session->train, &session->compute, &curves[c], table->s[k], &table->r[k][c]);
         progress_show(&progress, status == DOM_OK ? (k + 1.0) / SAMPLES : 1);
         if (status != DOM_OK)
             return session_status(session, status);
@@ -170,19 +170,19 @@ static bool limit_rows(const struct call *call, const struct limit_table *table)
 /* The height of the picture: all curves, and the point of the session if it is not far above them. */
 static double limit_top(const struct session *session, const struct limit_table *table)
 {
-    dom_real top = 1, r = session->train.r;
+    domq_real top = 1, r = session->train.r;
     for (int k = 0; k < SAMPLES; k++)
         for (int c = 0; c < LIMIT_CURVES; c++)
             top = isfinite(table->r[k][c]) ? quad_larger(top, table->r[k][c]) : top;
     if (r > top && r < 2 * top)
         top = r;
-    return top > 1 ? (double)(1 + (dom_real)1.15 * (top - 1)) : 2;
+    return top > 1 ? (double)(1 + (domq_real)1.15 * (top - 1)) : 2;
 }
 
 static void limit_script(FILE *out, const struct session *session, const struct limit_curve *curves,
                          const struct limit_table *table)
 {
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     double top = limit_top(session, table);
     fprintf(out, "$limits << END\n");
     for (int k = 0; k < SAMPLES; k++) {
@@ -281,7 +281,7 @@ static const char *plot_names(const void *context, int k)
 }
 
 /* Returns true if the picture takes the name of an answer, as that of costs does. */
-static bool name_follows(dom_real plot)
+static bool name_follows(domq_real plot)
 {
     return plots[(int)plot].run == plot_cost;
 }

@@ -11,14 +11,14 @@ enum { STEPS = 160, SAMPLES = STEPS + 1 + DOM_EVENTS_MAX, ROWS_MAX = 3 };
 
 /* The cycle at one tilt. */
 struct sample {
-    dom_real theta, dH, J, omegasq; /* omegasq: NaN where the train does not come */
-    const char *event;              /* that happens here, or NULL */
+    domq_real theta, dH, J, omegasq; /* omegasq: NaN where the train does not come */
+    const char *event;               /* that happens here, or NULL */
 };
 
 struct cycle_samples {
     struct sample at[SAMPLES];
     int count;
-    struct dom_event events[DOM_EVENTS_MAX];
+    struct domq_event events[DOM_EVENTS_MAX];
     int event_count;
     struct dom_angles angles;
     dom_real end; /* of the picture */
@@ -31,7 +31,7 @@ static bool events_find(struct session *session, struct cycle_samples *c)
 {
     enum dom_status status = dom_angles_find(&session->train, &c->angles, NULL);
     if (status == DOM_OK)
-        status = dom_cycle_events(&session->train, c->events, &c->event_count);
+        status = domq_cycle_events(&session->train, &session->compute, c->events, &c->event_count);
     if (status == DOM_NO_FUEL)
         return picture_comes_to(session, 0);
     if (status == DOM_NO_MARGIN)
@@ -51,7 +51,7 @@ static void tilts_make(struct cycle_samples *c)
     int event = 0;
     c->count = c->lines = 0;
     for (int k = 0; k <= STEPS; k++) {
-        dom_real theta = k == STEPS ? c->end : c->end * k / STEPS;
+        domq_real theta = k == STEPS ? c->end : c->end * k / STEPS;
         bool taken = false;
         for (; event < c->event_count && c->events[event].theta <= theta; event++) {
             taken = c->events[event].theta == theta;
@@ -63,19 +63,20 @@ static void tilts_make(struct cycle_samples *c)
     }
 }
 
-static enum dom_status sample_find(const struct dom_train *train, bool beyond, struct sample *k)
+static enum dom_status sample_find(const struct session *session, bool beyond, struct sample *k)
 {
-    struct dom_energy energy;
-    enum dom_status status = dom_energy_find(train, k->theta, &energy, NULL);
+    struct domq_energy energy;
+    struct domq_value omegasq = {.value = DOMQ_NAN};
+    enum dom_status status = domq_energy_find(&session->train, &session->compute, k->theta, &energy);
     if (status != DOM_OK)
         return status;
     k->dH = energy.dH;
     k->J = energy.J;
-    k->omegasq = DOM_NAN;
     if (k->event && strcmp(k->event, "stop") == 0)
-        k->omegasq = 0;
+        omegasq.value = 0;
     else if (!beyond)
-        status = dom_cycle_omegasq(train, k->theta, &k->omegasq, NULL);
+        status = domq_cycle_omegasq(&session->train, &session->compute, k->theta, &omegasq);
+    k->omegasq = omegasq.value;
     return status == DOM_STOPS ? DOM_OK : status;
 }
 
@@ -85,9 +86,9 @@ static bool samples_find(struct session *session, struct cycle_samples *c)
     if (!events_find(session, c))
         return false;
     tilts_make(c);
-    dom_real end = c->events[c->event_count - 1].theta;
+    domq_real end = c->events[c->event_count - 1].theta;
     for (int k = 0; k < c->count; k++) {
-        enum dom_status status = sample_find(&session->train, c->at[k].theta > end, &c->at[k]);
+        enum dom_status status = sample_find(session, c->at[k].theta > end, &c->at[k]);
         progress_show(&progress, status == DOM_OK ? (k + 1.0) / c->count : 1);
         if (status != DOM_OK)
             return session_status(session, status);
@@ -97,7 +98,7 @@ static bool samples_find(struct session *session, struct cycle_samples *c)
 
 /* ---- What these pictures have in common ---- */
 
-static double shown_angle(const struct session *session, dom_real theta)
+static double shown_angle(const struct session *session, domq_real theta)
 {
     return (double)style_angle(&session->style, theta);
 }
@@ -106,9 +107,9 @@ static double shown_angle(const struct session *session, dom_real theta)
 static void script_events(FILE *out, const struct session *session, const struct cycle_samples *c, bool text)
 {
     double end = shown_angle(session, c->end);
-    dom_real last[ROWS_MAX] = {-1, -1, -1}, room = c->end / 7;
+    domq_real last[ROWS_MAX] = {-1, -1, -1}, room = c->end / 7;
     for (int k = 0; k < c->event_count; k++) {
-        const struct dom_event *e = &c->events[k];
+        const struct domq_event *e = &c->events[k];
         double at = shown_angle(session, e->theta);
         int row = 0;
         while (row + 1 < ROWS_MAX && e->theta - last[row] < room && last[row] >= 0)
@@ -126,7 +127,7 @@ static void script_cycle(const struct picture *picture, const struct session *se
                          const struct cycle_samples *c, const char *what)
 {
     FILE *out = picture->script;
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     fprintf(out, "set title \"%s over a cycle: s = %.4g, r = %.4g, d = %.4g, q = %.4g\" offset 0,%d\n", what,
             (double)t->s, (double)t->r, (double)t->d, (double)t->q, ROWS_MAX);
     fprintf(out, "set xlabel 'tilt of the head, %s [%s]'\nset xrange [0:%.8g]\nset tmargin %d\n",
@@ -195,7 +196,7 @@ bool plot_energy(struct session *session, const struct call *call)
 static bool omega_script(const struct picture *picture, struct session *session, struct cycle_samples *c)
 {
     FILE *out = picture->script;
-    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
     script_cycle(picture, session, c, picture->text ? "Angular velocity [1/s]" : "Angular velocity");
     fprintf(out, "set ylabel '%s [%s/s]'\nset yrange [0:*]\n$cycle << END\n", picture->omega,
             style_angle_unit(&session->style));
@@ -229,28 +230,27 @@ bool plot_omega(struct session *session, const struct call *call)
 /* ---- Angles ---- */
 
 enum { LINES = 5 };
-#define LINES_APART ((dom_real)2 / 100) /* of theta_f: closer to that, lines are not told apart */
+#define LINES_APART ((domq_real)2 / 100) /* of theta_f: closer to that, lines are not told apart */
 
 /* The tilts of the first dominoes at one tilt of the head. */
 struct angles {
-    dom_real theta[LINES];
+    domq_real theta[LINES];
     int count;
 };
 
-static bool angles_link(const struct dom_link *link, const struct dom_link *error, void *context)
+static bool angles_link(const struct domq_link *link, void *context)
 {
     struct angles *a = context;
-    (void)error;
     a->theta[a->count++] = link->theta;
     return a->count < LINES;
 }
 
 /* One that is too light to matter, or has fallen off, is at theta_f. */
-static enum dom_status angles_find(const struct dom_train *train, dom_real theta, dom_real theta_f,
+static enum dom_status angles_find(const struct session *session, domq_real theta, domq_real theta_f,
                                    struct angles *a)
 {
     a->count = 0;
-    enum dom_status status = dom_chain_walk(train, theta, false, angles_link, a);
+    enum dom_status status = domq_chain_walk(&session->train, &session->compute, theta, angles_link, a);
     while (a->count < LINES)
         a->theta[a->count++] = theta_f;
     return status;

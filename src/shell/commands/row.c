@@ -47,9 +47,9 @@ static bool run_row(struct session *session, const struct call *call)
     call->answer->columns = weighed ? row_columns : row_relative_columns;
     call->answer->units = true;
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
-        const struct dom_domino *d = &scene.domino[k];
+        const struct domq_domino *d = &scene.domino[k];
         answer_row(call->answer,
-                   ROW(cell_count((dom_real)k + 1), cell_real(d->height), cell_real(d->thickness),
+                   ROW(cell_count((domq_real)k + 1), cell_real(d->height), cell_real(d->thickness),
                        cell_real(d->gap), cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass)),
                    NULL);
     }
@@ -80,7 +80,7 @@ static const struct column fall_floor_columns[] = {
 
 /* A hinge that needs the floor's friction: whose, in the collision of which domino or while that falls. */
 struct slip {
-    dom_real needs;
+    domq_real needs;
     size_t domino, head;
     bool hit;
 };
@@ -92,21 +92,21 @@ struct falling {
     struct slip most, first; /* first: that the floor's friction does not meet; head = 0: none yet */
 };
 
-static struct slip slip_of(const struct dom_fall *f, bool hit)
+static struct slip slip_of(const struct domq_fall *f, bool hit)
 {
     return hit ? (struct slip){f->floor_hit, f->floor_hit_domino, f->domino, true}
                : (struct slip){f->floor_motion, f->floor_domino, f->domino, false};
 }
 
 /* The larger of what a domino's motion and its collision need of the floor. */
-static struct slip slip_most(const struct dom_fall *f)
+static struct slip slip_most(const struct domq_fall *f)
 {
     return slip_of(f, f->floor_hit > f->floor_motion);
 }
 
-static void floor_seen(struct falling *c, const struct dom_fall *f)
+static void floor_seen(struct falling *c, const struct domq_fall *f)
 {
-    dom_real floor = c->session->effect[DOM_EFFECT_floor].value[0];
+    domq_real floor = c->session->effect[DOM_EFFECT_floor].value[0];
     struct slip most = slip_most(f);
     if (most.needs > c->most.needs)
         c->most = most;
@@ -114,7 +114,7 @@ static void floor_seen(struct falling *c, const struct dom_fall *f)
         c->first = slip_of(f, f->floor_hit > floor); /* that comes first */
 }
 
-static bool floor_visit(const struct dom_fall *f, void *context)
+static bool floor_visit(const struct domq_fall *f, void *context)
 {
     floor_seen(context, f);
     return true;
@@ -123,21 +123,21 @@ static bool floor_visit(const struct dom_fall *f, void *context)
 static const char lifted[] = "a domino is lifted off the floor: no friction holds it";
 
 /* NaN where friction locks farther on, and no energy is enough. */
-static dom_real enough(dom_real energy)
+static domq_real enough(domq_real energy)
 {
-    return isfinite(energy) ? energy : DOM_NAN;
+    return isfinite(energy) ? energy : DOMQ_NAN;
 }
 
-static bool fall_row(const struct dom_fall *f, void *context)
+static bool fall_row(const struct domq_fall *f, void *context)
 {
     struct falling *c = context;
     floor_seen(c, f);
     answer_row(
         c->answer,
-        ROW(cell_count((dom_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 4),
+        ROW(cell_count((domq_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 4),
             cell_narrow(f->time, 4), cell_narrow(f->time + f->duration, 4), cell_narrow(f->omega, 4),
             cell_narrow(f->kinetic, 4), cell_narrow(enough(f->barrier), 4), cell_narrow(enough(f->margin), 4),
-            cell_narrow(c->scene->row.floor ? slip_most(f).needs : DOM_NAN, 3)),
+            cell_narrow(c->scene->row.floor ? slip_most(f).needs : DOMQ_NAN, 3)),
         !answer_for_people(c->answer) && slip_most(f).needs > 0 && !isfinite(slip_most(f).needs) ? lifted
                                                                                                  : NULL);
     return !answer_lost(c->answer);
@@ -151,7 +151,7 @@ static const char *slip_when(const struct slip *slip, char text[64])
 }
 
 /* "0.43", or that no friction is enough. */
-static const char *needs_text(dom_real needs, char text[WIDE_TEXT])
+static const char *needs_text(domq_real needs, char text[WIDE_TEXT])
 {
     if (!isfinite(needs))
         return "more than any friction, since it is lifted off";
@@ -176,7 +176,7 @@ static void floor_say(const struct session *session, struct answer *a, const str
 }
 
 /* Has the model an answer?  PASSES and PARTS are none. */
-static bool verdict_known(struct session *session, const struct dom_verdict *v)
+static bool verdict_known(struct session *session, const struct domq_verdict *v)
 {
     return (v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS) ||
            session_no_answer(session, "domino %zu: %s; what comes behind it is not known", v->domino,
@@ -233,7 +233,7 @@ static bool run_verdict(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.session = session};
-    enum dom_status status = dom_row_run(&scene.row, true, floor_visit, &c, &v);
+    enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, floor_visit, &c, &v);
     free(scene.domino);
     if (status != DOM_OK)
         return row_status(session, status);
@@ -242,11 +242,11 @@ static bool run_verdict(struct session *session, const struct call *call)
     if (scene_weighed(session))
         columns_in_joules(a);
     answer_row(a,
-               ROW(cell_word(end_word(v.end)), cell_count((dom_real)v.domino),
-                   cell_bound(enough(v.short_by), DOM_NAN),
-                   cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOM_NAN, DOM_NAN),
-                   v.weakest ? cell_count((dom_real)v.weakest) : cell_real(DOM_NAN),
-                   cell_bound(v.spare, DOM_NAN)),
+               ROW(cell_word(end_word(v.end)), cell_count((domq_real)v.domino),
+                   cell_bound(enough(v.short_by), DOMQ_NAN),
+                   cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOMQ_NAN, DOMQ_NAN),
+                   v.weakest ? cell_count((domq_real)v.weakest) : cell_real(DOMQ_NAN),
+                   cell_bound(v.spare, DOMQ_NAN)),
                v.end == DOM_ROW_FALLS ? NULL
                : isfinite(v.short_by) ? dom_row_end_text(v.end)
                                       : locks_farther_on);
@@ -293,7 +293,7 @@ static bool run_rowmax(struct session *session, const struct call *call)
                              "the row is from a file: it has no growth r; 'effect row N' is a row with one");
     enum dom_status status = dom_row_rmax(&scene.row, 1 / session->train.s, row_at, session, &growth);
     if (status == DOM_OK)
-        status = dom_limit_rmax(&session->train, &limit, NULL, NULL);
+        status = domq_limit_rmax(&session->train, &session->compute, &limit);
     if (status != DOM_OK)
         return row_status(session, status);
     answer_row(call->answer,

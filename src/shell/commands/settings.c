@@ -121,7 +121,7 @@ static bool run_save(struct session *session, const struct call *call)
     const struct parameter *p;
     if (!effects_savable(session))
         return false;
-    const char *wrong = redirect_open(&file, call->word[0], false, session->train.interrupt);
+    const char *wrong = redirect_open(&file, call->word[0], false, session->compute.interrupt);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
         for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++)
@@ -138,7 +138,7 @@ static bool run_source(struct session *session, const struct call *call)
     const char *name = call->word[0];
     if (session->depth == SOURCE_DEPTH)
         return session_error(session, "files are nested %d deep; does one source itself?", SOURCE_DEPTH);
-    FILE *in = io_read(name, session->train.interrupt);
+    FILE *in = io_read(name, session->compute.interrupt);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
     long errors = session->errors;

@@ -39,11 +39,12 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
         return true;
     if (w->count > 0)
         answer_say(answer, "The parameters have changed: the walk begins anew.");
-    *w = (struct walk){.train = session->train, .asked = session->train, .cycle = 1};
+    *w = (struct walk){
+        .train = session->train, .compute = session->compute, .tol = session->compute.tol, .cycle = 1};
     /* Its sentences have six digits: they are to be right at any tolerance. */
-    w->train.tol = quad_smaller(w->train.tol,
-                                quad_larger(dom_arithmetic(w->train.precision)->tol_floor, (dom_real)1e-9));
-    w->verdict = dom_cycle_events(&w->train, w->events, &w->count);
+    w->compute.tol = quad_smaller(
+        w->compute.tol, quad_larger(domq_arithmetic(w->compute.precision)->tol_floor, (domq_real)1e-9));
+    w->verdict = domq_cycle_events(&w->train, &w->compute, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
            session_status(session, w->verdict);
@@ -56,12 +57,12 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     struct dom_state s, e = {0};
     a->columns = dom_law(&w->train)->dissipates ? rubbing_columns : walk_columns;
     if (w->verdict == DOM_NO_FUEL) {
-        struct cell none = cell_real(DOM_NAN);
+        struct cell none = cell_real(DOMQ_NAN);
         answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none, none),
                    walk_no_start);
         return true;
     }
-    enum dom_status status = dom_cycle_state(&w->train, w->theta, &s, ERROR_OF(session, e));
+    enum dom_status status = domq_cycle_state(&w->train, &compute, w->theta, &s);
     if (status != DOM_OK)
         return session_status(session, status);
     struct walk_units u = walk_units(session, w->cycle);
@@ -69,24 +70,24 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
         walk_say(session, w, &s, a);
     walk_columns_in(session, a);
     struct cell energies[] = {
-        cell_bound(s.before * u.energy, e.before * u.energy),
-        cell_bound(s.lost * u.energy, e.lost * u.energy),
-        cell_bound((0 - s.climbed) * u.energy, e.climbed * u.energy),
-        cell_bound((0 - s.fallen) * u.energy, e.fallen * u.energy),
-        cell_bound(s.kinetic * u.energy, e.kinetic * u.energy),
-        cell_bound(s.climbed * u.energy, e.climbed * u.energy),
-        cell_bound(s.friction_work * u.energy, DOM_NAN),
+        CELL_TIMES(s, before, u.energy),
+        CELL_TIMES(s, lost, u.energy),
+        cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
+        cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy),
+        CELL_TIMES(s, kinetic, u.energy),
+        CELL_TIMES(s, climbed, u.energy),
+        cell_bound(s.friction_work * u.energy, DOMQ_NAN),
     };
     answer_row(a,
                ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
-                   cell_real(s.theta), cell_bound(s.time * u.tau, e.time * u.tau),
-                   cell_omega(s.omegasq, e.omegasq, u.tau), energies[0], energies[1], energies[2],
+                   cell_real(s.theta), CELL_TIMES(s, time, u.tau),
+                   cell_omega(s.omegasq, s.error.omegasq, u.tau), energies[0], energies[1], energies[2],
                    energies[3], energies[4], energies[5], energies[6]),
                NULL);
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
-    dom_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
-    if (quad(fabs)(open) > 100 * w->train.tol * (s.before + quad(fabs)(s.climbed)))
+    domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
+    if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
         answer_say(a, "The ledger is open by %.4g %s: the paper's fuel is no balance of energy.",
                    (double)(open * u.energy), u.energy_unit);
     return true;
@@ -184,7 +185,7 @@ static bool run_goto(struct session *session, const struct call *call)
 {
     bool begun;
     struct walk *w = &session->walk;
-    dom_real place = call->number[0];
+    domq_real place = call->number[0];
     if (!walk_ready(session, call->answer, &begun))
         return false;
     if (w->verdict == DOM_NO_FUEL)

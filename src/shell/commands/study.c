@@ -20,7 +20,7 @@ static bool study_make(struct session *session, dom_real rows, struct task_pool 
         session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
         return false;
     }
-    *p = (struct dom_placement){
+    *p = (struct domq_placement){
         .sigma = errors->value[0],
         .heights = errors->value[1],
         .seed = (unsigned long)session->seed,
@@ -36,9 +36,9 @@ static bool study_make(struct session *session, dom_real rows, struct task_pool 
 /* ---- placement ---- */
 
 static bool placement_all(struct session *session, const struct call *call, const struct scene_row *scene,
-                          const struct dom_placement *p)
+                          const struct domq_placement *p)
 {
-    struct dom_study study;
+    struct domq_study study;
     size_t *stops = calloc(scene->row.count, sizeof *stops);
     enum dom_status status = stops ? dom_placement_study(&scene->row, p, &study, stops) : DOM_NO_MEMORY;
     if (status == DOM_OK)
@@ -95,8 +95,8 @@ static bool run_budget(struct session *session, const struct call *call)
         return session_status(session, status);
     bool free_of_it = !isfinite(budget.sigma);
     answer_row(call->answer,
-               ROW(cell_real(share), cell_bound((dom_real)budget.sigma, DOM_NAN),
-                   cell_bound((dom_real)budget.low, DOM_NAN), cell_bound((dom_real)budget.high, DOM_NAN),
+               ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
+                   cell_bound((domq_real)budget.low, DOMQ_NAN), cell_bound((domq_real)budget.high, DOMQ_NAN),
                    cell_count(rows)),
                free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
     return true;
@@ -117,20 +117,20 @@ static const struct column slip_columns[] = {
 
 static bool run_slip(struct session *session, const struct call *call)
 {
-    struct dom_floor f;
+    struct domq_floor f;
     const struct effect_state *floor = &session->effect[DOM_EFFECT_floor];
-    enum dom_status status = dom_cycle_floor(&session->train, &f);
+    enum dom_status status = domq_cycle_floor(&session->train, &session->compute, &f);
     if (status != DOM_OK)
         return session_status(session, status);
     bool slips = f.motion > floor->value[0] || f.hit > floor->value[0];
     struct cell motion = cell_narrow(f.motion, 6);
-    answer_row(call->answer,
-               ROW(f.hit > f.motion ? cell_bound(f.hit, DOM_NAN) : motion, motion,
-                   cell_bound(f.theta, DOM_NAN), cell_count((dom_real)f.domino), cell_bound(f.hit, DOM_NAN),
-                   cell_count((dom_real)f.hit_domino), floor->on ? cell_flag(slips) : cell_real(DOM_NAN)),
-               !isfinite(f.motion) || !isfinite(f.hit)
-                   ? "a domino is lifted off the floor: no friction holds it"
-                   : NULL);
+    answer_row(
+        call->answer,
+        ROW(f.hit > f.motion ? cell_bound(f.hit, DOMQ_NAN) : motion, motion, cell_bound(f.theta, DOMQ_NAN),
+            cell_count((domq_real)f.domino), cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
+            floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN)),
+        !isfinite(f.motion) || !isfinite(f.hit) ? "a domino is lifted off the floor: no friction holds it"
+                                                : NULL);
     if (floor->on && !slips)
         answer_say(call->answer, "A floor with %.4g holds every hinge.", (double)floor->value[0]);
     else if (floor->on)

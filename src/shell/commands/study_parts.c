@@ -74,25 +74,25 @@ static size_t stops_say(struct answer *a, const size_t *stops, size_t count, siz
     return first;
 }
 
-void study_answer(const struct call *call, dom_real sigma, dom_real heights, const struct dom_study *study,
+void study_answer(const struct call *call, domq_real sigma, domq_real heights, const struct domq_study *study,
                   const size_t *stops, size_t count, const char *reason)
 {
     size_t others = study->rows - study->fall - study->unknown;
     size_t most = stops_say(call->answer, stops, count, others);
     answer_row(call->answer,
-               ROW(cell_real(sigma), cell_real(heights), cell_count((dom_real)study->rows),
-                   cell_count((dom_real)study->fall),
-                   cell_bound((dom_real)study->fall / (dom_real)study->rows, DOM_NAN),
-                   cell_bound((dom_real)study->low, DOM_NAN), cell_bound((dom_real)study->high, DOM_NAN),
-                   cell_count((dom_real)study->unknown),
-                   most ? cell_count((dom_real)most) : cell_real(DOM_NAN)),
+               ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
+                   cell_count((domq_real)study->fall),
+                   cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
+                   cell_bound((domq_real)study->low, DOMQ_NAN), cell_bound((domq_real)study->high, DOMQ_NAN),
+                   cell_count((domq_real)study->unknown),
+                   most ? cell_count((domq_real)most) : cell_real(DOMQ_NAN)),
                reason);
 }
 
 /* ---- Blocks ---- */
 
 /* FNV-1a (Fowler, Noll, Vo): tells studies of different rows apart, whose counts do not add up. */
-static void checksum_add(uint32_t *sum, dom_real value)
+static void checksum_add(uint32_t *sum, domq_real value)
 {
     unsigned char bytes[sizeof(double)];
     double near = (double)value;
@@ -101,7 +101,7 @@ static void checksum_add(uint32_t *sum, dom_real value)
         *sum = (*sum ^ bytes[i]) * 16777619u;
 }
 
-static uint32_t scene_checksum(const struct dom_row *row)
+static uint32_t scene_checksum(const struct domq_row *row, const struct domq_compute *compute)
 {
     uint32_t sum = 2166136261u;
 #define VALUE(name, member) row->member,
@@ -119,10 +119,11 @@ static uint32_t scene_checksum(const struct dom_row *row)
     return sum;
 }
 
-/* A worker's; the first five are the same for all. */
+/* A worker's; the first six are the same for all. */
 struct blocks {
-    const struct dom_row *row;
-    const struct dom_placement *placement; /* of all rows */
+    const struct domq_row *row;
+    const struct domq_compute *compute;
+    const struct domq_placement *placement; /* of all rows */
     char scene[16];
     const struct column *columns;
     struct answer answer;
@@ -143,8 +144,8 @@ static void stops_text(const size_t *stops, size_t count, char text[BLOCK_ROWS *
 static bool block_point(void *own, size_t block, FILE *out)
 {
     struct blocks *b = own;
-    struct dom_study study;
-    struct dom_placement p = *b->placement;
+    struct domq_study study;
+    struct domq_placement p = *b->placement;
     char text[BLOCK_ROWS * 16];
     size_t *stops = calloc(b->row->count, sizeof *stops), all = p.rows;
     p.first = block * BLOCK_ROWS;
@@ -155,10 +156,10 @@ static bool block_point(void *own, size_t block, FILE *out)
         struct answer a = answer_part(&b->answer, out, block == 0);
         stops_text(stops, b->row->count, text);
         answer_row(&a,
-                   ROW(cell_real(p.sigma), cell_real(p.heights), cell_count((dom_real)p.seed),
-                       cell_word(b->scene), cell_count((dom_real)b->row->count), cell_count((dom_real)all),
-                       cell_count((dom_real)p.first + 1), cell_count((dom_real)p.rows),
-                       cell_count((dom_real)study.fall), cell_count((dom_real)study.unknown),
+                   ROW(cell_real(p.sigma), cell_real(p.heights), cell_count((domq_real)p.seed),
+                       cell_word(b->scene), cell_count((domq_real)b->row->count), cell_count((domq_real)all),
+                       cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
+                       cell_count((domq_real)study.fall), cell_count((domq_real)study.unknown),
                        cell_word(text)),
                    NULL);
     }
@@ -167,10 +168,10 @@ static bool block_point(void *own, size_t block, FILE *out)
 }
 
 bool study_blocks(struct session *session, const struct call *call, const struct scene_row *scene,
-                  const struct dom_placement *placement)
+                  const struct domq_placement *placement)
 {
     struct answer *a = call->answer;
-    struct blocks b = {.row = &scene->row, .placement = placement};
+    struct blocks b = {.row = &scene->row, .compute = &scene->compute, .placement = placement};
     bool by_point;
     snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row));
     a->columns = block_columns;
@@ -199,8 +200,8 @@ struct pool {
     const char *path; /* as it is shown */
     long line;
     char same[SAME_SIZE]; /* the common fields, as the first block has them; "" before it */
-    dom_real sigma, heights;
-    struct dom_study study;
+    domq_real sigma, heights;
+    struct domq_study study;
     size_t of, dominoes, *stops;
     struct part *part;
     size_t parts, room;
@@ -349,14 +350,14 @@ bool pool_run(struct session *session, const struct call *call)
     char missing[128], shown[NAMES_SHOWN];
     struct pool p = {.session = session, .path = call->word[0]};
     bool standard = strcmp(p.path, "-") == 0;
-    const volatile sig_atomic_t *interrupt = session->train.interrupt;
+    const volatile sig_atomic_t *interrupt = session->compute.interrupt;
     FILE *in = standard ? io_stdin(interrupt) : io_read(p.path, interrupt);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
     p.path = names_shown(p.path, shown); /* from here on for messages */
     bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
     if (good) {
-        enum dom_status status = dom_study_interval(&p.study);
+        enum dom_status status = domq_study_interval(&p.study);
         if (status == DOM_OK)
             study_answer(call, p.sigma, p.heights, &p.study, p.stops, p.dominoes, *missing ? missing : NULL);
         good = status == DOM_OK || session_status(session, status);

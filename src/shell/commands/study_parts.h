@@ -10,7 +10,7 @@
  * The answer of 'placement' from what was counted: stops[k] of the rows ended at domino k + 1, of `count`.
  * reason, unless NULL, says what is missing.
  */
-void study_answer(const struct call *call, dom_real sigma, dom_real heights, const struct dom_study *study,
+void study_answer(const struct call *call, domq_real sigma, domq_real heights, const struct domq_study *study,
                   const size_t *stops, size_t count, const char *reason);
 extern const struct column placement_columns[];
 
@@ -19,7 +19,7 @@ extern const struct column placement_columns[];
  * the same, and those of all parts are all.
  */
 bool study_blocks(struct session *session, const struct call *call, const struct scene_row *scene,
-                  const struct dom_placement *placement);
+                  const struct domq_placement *placement);
 
 /* The command pool, which adds up the blocks of such parts. */
 bool pool_run(struct session *session, const struct call *call);

@@ -77,7 +77,7 @@ struct sweeper {
     struct swept swept;
     struct captured_error captured_error;
     size_t index[AXES_MAX]; /* of the values below */
-    dom_real value[AXES_MAX];
+    domq_real value[AXES_MAX];
     size_t reasons; /* points that have one; the first of them, and what it is */
     size_t first;
     char reason[SWEPT_REASON];
@@ -295,7 +295,7 @@ static void point_text(const struct sweep *sweep, size_t k, char *text, size_t s
 /* What a point heard, as the session says it. */
 static bool sweep_error(struct session *session, const struct sweeper *w)
 {
-    if (dom_raised(session->train.interrupt))
+    if (dom_raised(session->compute.interrupt))
         return session_status(session, DOM_INTERRUPTED);
     const char *command = session->command;
     session->column = w->captured_error.column;

@@ -6,15 +6,15 @@
 
 struct walk_units walk_units(const struct session *session, int cycle)
 {
-    const struct dom_train *t = &session->train;
-    dom_real mass = session_mass(session), grown = quad(pow)(t->r, (dom_real)(cycle - 1)),
-             heavier = quad(pow)(grown, t->q);
-    struct dom_scale scale = session->scale;
+    const struct domq_train *t = &session->train;
+    domq_real mass = session_mass(session), grown = quad(pow)(t->r, (domq_real)(cycle - 1)),
+              heavier = quad(pow)(grown, t->q);
+    struct domq_scale scale = session->scale;
     scale.h *= grown;
     bool known = mass > 0;
     return (struct walk_units){
         .height = scale.h,
-        .tau = dom_scale_tau(&scale, t->d),
+        .tau = domq_scale_tau(&scale, t->d),
         .energy = known ? heavier * mass * scale.g * session->scale.h / 2 : heavier,
         .energy_unit = known       ? "J"
                        : cycle > 1 ? "mgh/2 of the first head"
@@ -26,8 +26,8 @@ struct walk_units walk_units(const struct session *session, int cycle)
     };
 }
 
-/* Compares everything that an answer depends on. */
-static bool same_train(const struct dom_train *a, const struct dom_train *b)
+/* Compares everything that an answer depends on with what the session had when the walk began. */
+static bool same_train(const struct walk *walk, const struct session *session)
 {
     return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->tol == b->tol &&
 #define SAME(name, member) a->member == b->member &&
@@ -40,7 +40,7 @@ static bool same_train(const struct dom_train *a, const struct dom_train *b)
 const struct walk *walk_now(const struct session *session)
 {
     const struct walk *walk = &session->walk;
-    return walk->count > 0 && same_train(&walk->asked, &session->train) ? walk : NULL;
+    return walk->count > 0 && same_train(walk, session) ? walk : NULL;
 }
 
 const char walk_no_start[] =
@@ -61,7 +61,7 @@ void walk_columns_in(const struct session *session, struct answer *a)
 
 /* ---- In words ---- */
 
-static double percent(dom_real part, dom_real whole)
+static double percent(domq_real part, domq_real whole)
 {
     return (double)(100 * part / whole);
 }
@@ -74,7 +74,7 @@ struct impulses {
     bool bounded;
 };
 
-static bool impulse_seen(const struct dom_force *f, void *context)
+static bool impulse_seen(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
     size_t used = strlen(i->text);
@@ -91,7 +91,7 @@ struct spoken {
     char text[WIDE_TEXT + 8];
 };
 
-static struct spoken spoken_omega(const struct session *session, dom_real omega)
+static struct spoken spoken_omega(const struct session *session, domq_real omega)
 {
     struct spoken s;
     snprintf(s.text, sizeof s.text, "%.6g %s/s", (double)style_angle(&session->style, omega),
@@ -99,16 +99,16 @@ static struct spoken spoken_omega(const struct session *session, dom_real omega)
     return s;
 }
 
-static void say_launch(const struct session *session, const struct walk *w, const struct dom_state *s,
+static void say_launch(const struct session *session, const struct walk *w, const struct domq_state *s,
                        struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle);
-    struct dom_launch l;
-    struct dom_barrier b;
+    struct domq_launch l;
+    struct domq_barrier b;
     struct impulses impulses = {.units = &u, .bounded = true};
-    enum dom_status found = dom_barrier_find(&w->train, &b, NULL);
-    if (dom_launch_find(&w->train, &l, NULL) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
-        dom_cycle_forces(&w->train, 0, impulse_seen, &impulses) != DOM_OK)
+    enum dom_status found = domq_barrier_find(&w->train, &w->compute, &b);
+    if (domq_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
+        domq_cycle_forces(&w->train, &w->compute, 0, impulse_seen, &impulses) != DOM_OK)
         return;
     dom_real omega = quad(sqrt)(l.omegasq) / u.tau;
     bool rubs = dom_law(&w->train)->dissipates;
@@ -146,7 +146,7 @@ static void say_launch(const struct session *session, const struct walk *w, cons
             (double)(quad(fabs)(b.margin) * u.energy), u.energy_unit);
 }
 
-static void say_top(const struct session *session, const struct walk *w, const struct dom_state *s,
+static void say_top(const struct session *session, const struct walk *w, const struct domq_state *s,
                     struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle);
@@ -168,16 +168,16 @@ static void say_top(const struct session *session, const struct walk *w, const s
         (double)(s->climbed * u.energy), u.energy_unit, (double)(s->kinetic * u.energy), u.energy_unit);
 }
 
-static void say_fall(const struct session *session, const struct walk *w, const struct dom_state *s,
+static void say_fall(const struct session *session, const struct walk *w, const struct domq_state *s,
                      struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle);
-    struct dom_angles angles;
+    struct domq_angles angles;
     size_t domino = w->events[w->event].domino;
-    if (dom_angles_find(&w->train, &angles, NULL) != DOM_OK)
+    if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
     double cosine = (double)quad(cos)(angles.theta_f), sine = (double)quad(sin)(angles.theta_f);
-    double velocity_ratio = (double)(quad(pow)(w->train.r, -w->train.q * (dom_real)domino) * u.energy) *
+    double velocity_ratio = (double)(quad(pow)(w->train.r, -w->train.q * (domq_real)domino) * u.energy) *
                             (cosine + (double)w->train.d * sine);
     answer_say(
         a,
@@ -190,12 +190,12 @@ static void say_fall(const struct session *session, const struct walk *w, const 
         velocity_ratio);
 }
 
-static void say_stop(const struct session *session, const struct walk *w, const struct dom_state *s,
+static void say_stop(const struct session *session, const struct walk *w, const struct domq_state *s,
                      struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle);
-    struct dom_barrier b;
-    if (dom_barrier_find(&w->train, &b, NULL) != DOM_STOPS)
+    struct domq_barrier b;
+    if (domq_barrier_find(&w->train, &w->compute, &b) != DOM_STOPS)
         return;
     answer_say(
         a,
@@ -208,7 +208,7 @@ static void say_stop(const struct session *session, const struct walk *w, const 
         (double)(-b.margin * u.energy), u.energy_unit);
 }
 
-static void say_hit(const struct session *session, const struct walk *w, const struct dom_state *s,
+static void say_hit(const struct session *session, const struct walk *w, const struct domq_state *s,
                     struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle), next = walk_units(session, w->cycle + 1);
@@ -230,7 +230,7 @@ static void say_hit(const struct session *session, const struct walk *w, const s
         (double)(s->time * next.tau));
 }
 
-static void say_between(const struct session *session, const struct walk *w, const struct dom_state *s,
+static void say_between(const struct session *session, const struct walk *w, const struct domq_state *s,
                         struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle);
@@ -241,15 +241,15 @@ static void say_between(const struct session *session, const struct walk *w, con
                spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text);
 }
 
-void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
+void walk_say(const struct session *session, const struct walk *walk, const struct domq_state *state,
               struct answer *answer)
 {
-    static void (*const say[])(const struct session *, const struct walk *, const struct dom_state *,
+    static void (*const say[])(const struct session *, const struct walk *, const struct domq_state *,
                                struct answer *) = {
         [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_FALL] = say_fall, [DOM_EVENT_TOP] = say_top,
         [DOM_EVENT_STOP] = say_stop,     [DOM_EVENT_HIT] = say_hit,
     };
-    const struct dom_event *e = &walk->events[walk->event];
+    const struct domq_event *e = &walk->events[walk->event];
     answer_say(answer, "Cycle %d, event %d of %d", walk->cycle, walk->event + 1, walk->count);
     (walk->theta == e->theta ? say[e->kind] : say_between)(session, walk, state, answer);
 }

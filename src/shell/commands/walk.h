@@ -8,11 +8,11 @@
 
 /* What a length, a time and an energy of the model are in the cycle of a walk. */
 struct walk_units {
-    dom_real height; /* of the head, in m */
-    dom_real tau;    /* in s */
-    dom_real energy; /* m g h / 2 of the head: in J, or in that of the first head where no mass is known */
+    domq_real height; /* of the head, in m */
+    domq_real tau;    /* in s */
+    domq_real energy; /* m g h / 2 of the head: in J, or in that of the first head where no mass is known */
     const char *energy_unit;
-    dom_real weight; /* m g of the head, in N or in that of the first head */
+    domq_real weight; /* m g of the head, in N or in that of the first head */
     const char *weight_unit;
 };
 
@@ -39,7 +39,7 @@ bool cycle_run(struct session *session, const struct call *call);
 bool why_run(struct session *session, const struct call *call);
 
 /* The event in words, with the paper's symbols and the numbers of its equations. */
-void walk_say(const struct session *session, const struct walk *walk, const struct dom_state *state,
+void walk_say(const struct session *session, const struct walk *walk, const struct domq_state *state,
               struct answer *answer);
 
 #endif

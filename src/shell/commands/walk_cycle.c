@@ -19,19 +19,18 @@ const struct column cycle_columns[] = {
 
 /* The first followers of the head. */
 struct followers {
-    dom_real theta[3];
+    domq_real theta[3];
 };
 
-static bool follower_seen(const struct dom_link *k, const struct dom_link *error, void *context)
+static bool follower_seen(const struct domq_link *k, void *context)
 {
-    (void)error;
     struct followers *f = context;
     f->theta[k->i] = k->theta;
     return k->i < 2;
 }
 
 /* An angle that a narrow column shows with four digits. */
-static struct cell cell_angle(dom_real theta)
+static struct cell cell_angle(domq_real theta)
 {
     struct cell cell = cell_real(theta);
     cell.digits = 4;
@@ -42,29 +41,26 @@ static struct cell cell_angle(dom_real theta)
 struct cycle_table {
     const struct session *session;
     struct answer *answer;
-    struct dom_angles angles;
-    struct dom_state last;
+    struct domq_angles angles;
+    struct domq_state last;
     enum dom_status status;
 };
 
-static bool cycle_row(const struct dom_state *s, const struct dom_state *error, const struct dom_event *event,
-                      void *context)
+static bool cycle_row(const struct domq_state *s, const struct domq_event *event, void *context)
 {
     struct cycle_table *table = context;
     const struct session *session = table->session;
     struct walk_units u = walk_units(session, 1);
-    const struct dom_state none = {0}, *e = error ? error : &none;
     /* Whoever is not leaned on any more lies at theta_f. */
     struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
-    table->status = dom_chain_walk(&session->train, s->theta, false, follower_seen, &f);
+    table->status = domq_chain_walk(&session->train, &session->compute, s->theta, follower_seen, &f);
     if (table->status != DOM_OK)
         return false;
     answer_row(table->answer,
-               ROW(cell_word(event ? dom_event_text(event->kind) : ""),
-                   cell_bound(s->time * u.tau, e->time * u.tau), cell_angle(s->theta), cell_angle(f.theta[1]),
-                   cell_angle(f.theta[2]), cell_omega(s->omegasq, e->omegasq, u.tau),
-                   cell_bound(s->kinetic * u.energy, e->kinetic * u.energy),
-                   cell_bound(s->climbed * u.energy, e->climbed * u.energy)),
+               ROW(cell_word(event ? dom_event_text(event->kind) : ""), CELL_TIMES(*s, time, u.tau),
+                   cell_angle(s->theta), cell_angle(f.theta[1]), cell_angle(f.theta[2]),
+                   cell_omega(s->omegasq, s->error.omegasq, u.tau), CELL_TIMES(*s, kinetic, u.energy),
+                   CELL_TIMES(*s, climbed, u.energy)),
                NULL);
     table->last = *s;
     return !answer_lost(table->answer);
@@ -86,9 +82,9 @@ bool cycle_run(struct session *session, const struct call *call)
     walk_columns_in(session, a);
     enum dom_status verdict = dom_angles_find(&session->train, &table.angles, NULL);
     if (verdict == DOM_OK)
-        verdict = dom_cycle_walk(&session->train, rows, by, session->style.errors, cycle_row, &table);
+        verdict = domq_cycle_walk(&session->train, &compute, rows, by, cycle_row, &table);
     if (verdict == DOM_NO_FUEL) {
-        struct cell none = cell_real(DOM_NAN);
+        struct cell none = cell_real(DOMQ_NAN);
         answer_row(a, ROW(cell_word(""), none, none, none, none, none, none, none), walk_no_start);
         return true;
     }
@@ -98,8 +94,9 @@ bool cycle_run(struct session *session, const struct call *call)
         answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
                    (double)(table.last.friction_work * walk_units(session, 1).energy),
                    walk_units(session, 1).energy_unit);
-    struct dom_least_force contact;
-    if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK &&
+    struct domq_least_force contact;
+    if (answer_for_people(a) &&
+        domq_cycle_least_force(&session->train, &session->compute, &contact) == DOM_OK &&
         isfinite(contact.force))
         answer_say(
             a, "Dominoes stay in contact: the smallest contact force is %.4g times the weight of its domino.",

@@ -29,9 +29,9 @@ static const struct column why_rubbing_columns[] = {
 };
 
 static void why_say(const struct session *session, struct answer *a, enum dom_status verdict,
-                    const struct dom_barrier *b, const struct dom_limit *limit)
+                    const struct domq_barrier *b, const struct domq_limit *limit)
 {
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     if (verdict == DOM_NO_FUEL) {
         answer_say(
             a,
@@ -72,7 +72,7 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
 }
 
 /* The paper's assumption along the cycle. */
-static void contact_say(const struct session *session, struct answer *a, const struct dom_least_force *c)
+static void contact_say(const struct session *session, struct answer *a, const struct domq_least_force *c)
 {
     bool holds = c->force > 0 && c->impulse > 0;
     if (!isfinite(c->force) || !isfinite(c->impulse))
@@ -94,21 +94,21 @@ static void contact_say(const struct session *session, struct answer *a, const s
 bool why_run(struct session *session, const struct call *call)
 {
     struct walk_units u = walk_units(session, 1);
-    struct dom_launch l, l_error = {0};
-    struct dom_barrier b, b_error = {0};
-    struct dom_limit limit, limit_error = {.r_max = 0};
+    struct domq_launch l;
+    struct domq_barrier b;
+    struct domq_limit limit;
     struct answer *a = call->answer;
-    enum dom_status verdict = dom_barrier_find(&session->train, &b, ERROR_OF(session, b_error)),
-                    status = verdict;
+    enum dom_status verdict = domq_barrier_find(&session->train, &compute, &b), status = verdict;
     if (verdict == DOM_OK || verdict == DOM_STOPS || verdict == DOM_NO_FUEL)
-        status = dom_launch_find(&session->train, &l, ERROR_OF(session, l_error));
+        status = domq_launch_find(&session->train, &compute, &l);
     if (status == DOM_OK || status == DOM_NO_FUEL)
-        status = dom_limit_rmax(&session->train, &limit, ERROR_OF(session, limit_error), NULL);
+        status = domq_limit_rmax(&session->train, &compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
     why_say(session, a, verdict, &b, &limit);
-    struct dom_least_force contact;
-    if (answer_for_people(a) && dom_cycle_least_force(&session->train, &contact) == DOM_OK)
+    struct domq_least_force contact;
+    if (answer_for_people(a) &&
+        domq_cycle_least_force(&session->train, &session->compute, &contact) == DOM_OK)
         contact_say(session, a, &contact);
     if (dom_law(&session->train)->dissipates)
         a->columns = why_rubbing_columns;
@@ -117,11 +117,8 @@ bool why_run(struct session *session, const struct call *call)
                ROW(cell_word(verdict == DOM_OK      ? "goes on"
                              : verdict == DOM_STOPS ? "stops"
                                                     : "no fuel"),
-                   cell_bound(l.fuel * u.energy, l_error.fuel * u.energy), cell_bound(l.J0, l_error.J0),
-                   cell_bound(b.kinetic * u.energy, b_error.kinetic * u.energy),
-                   cell_bound(b.barrier * u.energy, b_error.barrier * u.energy),
-                   cell_bound(b.margin * u.energy, b_error.margin * u.energy),
-                   cell_bound(limit.r_max, limit_error.r_max)),
+                   CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0), CELL_TIMES(b, kinetic, u.energy),
+                   CELL_TIMES(b, barrier, u.energy), CELL_TIMES(b, margin, u.energy), CELL_OF(limit, r_max)),
                NULL);
     return true;
 }

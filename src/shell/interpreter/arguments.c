@@ -114,7 +114,7 @@ static bool known_word(struct session *session, struct reader *r, const char *at
     return known;
 }
 
-bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, dom_real *number)
+bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, domq_real *number)
 {
     struct session *session = r->session;
     struct expression e = {.text = r->at,
@@ -200,7 +200,7 @@ static bool is_expression_topic(const char *word)
 }
 
 /* One of the argument's names; what is none of them hears which there are. */
-static bool read_choice(struct reader *r, const struct argument *a, char **word, dom_real *number)
+static bool read_choice(struct reader *r, const struct argument *a, char **word, domq_real *number)
 {
     char message[NAMES_MESSAGE] = NO_MEMORY, shown[NAMES_SHOWN], all[128] = "";
     *word = read_word(r, false);

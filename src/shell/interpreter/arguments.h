@@ -36,7 +36,7 @@ bool read_value(struct reader *reader, const struct parameter *parameter, int i,
 
 /* An expression for an argument. */
 bool read_quantity(struct reader *reader, const struct argument *argument, struct quantity *quantity,
-                   dom_real *number);
+                   domq_real *number);
 
 /* All of a command, up to the end of the command or a '>'; what is wrong is an error of the session. */
 bool read_arguments(struct reader *reader, const struct command *command, struct call *call);

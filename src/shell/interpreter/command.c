@@ -74,16 +74,17 @@ const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
     return usage;
 }
 
-static bool tilt_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
+static bool tilt_check(struct session *session, const struct argument *a, struct quantity q,
+                       domq_real *number)
 {
-    struct dom_angles angles;
+    struct domq_angles angles;
     /* A number without a unit is in the session's unit of angles. */
-    dom_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
-    enum dom_status status = dom_angles_find(&session->train, &angles, NULL);
+    domq_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
+    enum dom_status status = domq_angles_find(&session->train, &session->compute, &angles);
     if (status != DOM_OK)
         return session_status(session, status);
     /* Its end as it was answered, in degrees and with all digits, may have been rounded up. */
-    dom_real slack = 2 * (dom_real)dom_arithmetic(session->train.precision)->epsilon * angles.theta_c;
+    domq_real slack = 2 * (domq_real)domq_arithmetic(session->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return session_no_answer(session,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
@@ -123,7 +124,7 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
         return session_no_answer(session, "%s = %s is no height; %s is a length in metres, larger than 0",
                                  a->name, quad_shown(q.value).text, a->name);
-    if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (dom_real)1e9))
+    if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (domq_real)1e9))
         return session_no_answer(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
                                  quad_shown(q.value).text, a->name);
     int most = a->most ? a->most(session) : COUNT_MAX;
@@ -179,7 +180,7 @@ bool command_keep(struct session *session, const struct command *c, struct call 
     return done;
 }
 
-struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau)
+struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau)
 {
     return cell_bound(quad(sqrt)(omegasq) / tau,
                       (omegasq > error ? error / (2 * quad(sqrt)(omegasq - error)) : quad(sqrt)(error)) /

@@ -45,7 +45,7 @@ struct argument {
     names_list *choices; /* the names that it takes, or that completion offers for it */
     bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
     /* Unless NULL, tells whether it may stand behind the argument before it, given as its choice or place. */
-    bool (*follows)(dom_real before);
+    bool (*follows)(domq_real before);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                        /* what that is the largest number of */
 };
@@ -55,7 +55,7 @@ enum { ARGUMENTS_MAX = 3 };
 /* The arguments of one call, read. */
 struct call {
     int count; /* of those that were given */
-    dom_real number[ARGUMENTS_MAX];
+    domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
     const struct parameter *parameter; /* that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
@@ -115,7 +115,7 @@ const char *command_usage(const struct command *command, char usage[USAGE_SIZE])
 
 /* A value for an argument of this kind; what is wrong with it is an error of the session. */
 bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
-                    dom_real *number);
+                    domq_real *number);
 
 /*
  * The most arguments that a command may have as a name in expressions, those before the first that is no
@@ -137,10 +137,14 @@ bool command_keep(struct session *session, const struct command *command, struct
 void command_run_text(struct session *session, const char *text);
 
 /* omega from tau^2 omega^2 and the bound of that; at rest the bound is that of a root near 0. */
-struct cell cell_omega(dom_real omegasq, dom_real error, dom_real tau);
+struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
-/* Where a function is to put the bounds of its errors: nowhere, unless the session asks for them. */
-#define ERROR_OF(session, error) ((session)->style.errors ? &(error) : NULL)
+/* The cell of a member of a result, with the bound of its error. */
+#define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
+
+/* The same in another unit: both times a factor. */
+#define CELL_TIMES(result, member, factor)                                                                   \
+    cell_bound((result).member *(factor), (result).error.member *(factor))
 
 #define ROW(...) ((const struct cell[]){__VA_ARGS__})
 

@@ -89,7 +89,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
     else if (!c->draws && picture_named(path))
         session_error(session, "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
                       names_shown(path, shown), c->name);
-    else if ((wrong = redirect_open(&redirect, path, append, session->train.interrupt)) != NULL)
+    else if ((wrong = redirect_open(&redirect, path, append, session->compute.interrupt)) != NULL)
         session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     else {
         FILE *out = session->out;

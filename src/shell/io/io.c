@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/io.h"
-#include "domino.h"
+#include "domino_quad.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>

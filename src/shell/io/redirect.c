@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/redirect.h"
-#include "domino.h"
+#include "domino_quad.h"
 #include "io/escape.h"
 #include "io/io.h"
 #include <errno.h>

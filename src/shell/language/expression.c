@@ -18,8 +18,8 @@ enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 struct function {
     const char *name;
     enum function_kind kind;
-    dom_real (*one)(dom_real);
-    dom_real (*two)(dom_real, dom_real);
+    domq_real (*one)(domq_real);
+    domq_real (*two)(domq_real, domq_real);
 };
 
 static const struct function functions[] = {

@@ -24,7 +24,7 @@ struct expression {
                    const struct quantity *arguments, int count, struct quantity *result);
     void *context;       /* for lookup */
     const char *no_unit; /* a unit's name that is none behind a blank; NULL for none */
-    dom_real angle;      /* what 1 is in radians where a bare number stands for an angle */
+    domq_real angle;     /* what 1 is in radians where a bare number stands for an angle */
     int depth;
 };
 

@@ -3,10 +3,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#if defined DOM_REAL_FLOAT128
+#if defined DOMQ_REAL_FLOAT128
 /* glibc has these whatever the compiler; its header shows them to gcc alone. */
-extern int strfromf128(char *restrict text, size_t size, const char *restrict format, dom_real value);
-extern dom_real strtof128(const char *restrict text, char **restrict end);
+extern int strfromf128(char *restrict text, size_t size, const char *restrict format, domq_real value);
+extern domq_real strtof128(const char *restrict text, char **restrict end);
 #endif
 
 const char *quad_text(dom_real value, int digits, char text[WIDE_TEXT])
@@ -25,23 +25,23 @@ const char *quad_text(dom_real value, int digits, char text[WIDE_TEXT])
     return text;
 }
 
-struct quad_shown quad_shown(dom_real value)
+struct quad_shown quad_shown(domq_real value)
 {
     struct quad_shown shown = {""};
     quad_text(value, 10, shown.text);
     return shown;
 }
 
-dom_real quad_read(const char *text, char **end)
+domq_real quad_read(const char *text, char **end)
 {
-#if defined DOM_REAL_FLOAT128
+#if defined DOMQ_REAL_FLOAT128
     return strtof128(text, end);
 #else
     return strtold(text, end);
 #endif
 }
 
-const char *quad_exact(dom_real value, char text[WIDE_TEXT])
+const char *quad_exact(domq_real value, char text[WIDE_TEXT])
 {
     int digits = 15;
     quad_text(value, digits, text);

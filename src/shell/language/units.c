@@ -16,7 +16,7 @@ struct unit {
 #define DEGREE (QUAD_PI / 180)
 
 /* As quotients of whole numbers, so that they are right in the widest arithmetic. */
-#define PART(n, m) ((dom_real)(n) / (m))
+#define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
     {"m", {1, 1, 0, 0}},
@@ -103,7 +103,7 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
 {
     q->value = power == 1    ? q->value * by.value
                : power == -1 ? q->value / by.value
-                             : q->value * quad(pow)(by.value, (dom_real)power);
+                             : q->value * quad(pow)(by.value, (domq_real)power);
     q->length += power * by.length;
     q->time += power * by.time;
     q->angle += power * by.angle;

@@ -6,13 +6,13 @@
 #ifndef SHELL_UNITS_H
 #define SHELL_UNITS_H
 
-#include "domino.h"
+#include "domino_quad.h"
 #include <stdbool.h>
 #include <stddef.h>
 
 /* In SI units and radians; exponents of metre, second and radian. */
 struct quantity {
-    dom_real value;
+    domq_real value;
     int length, time, angle;
 };
 

@@ -16,7 +16,7 @@ bool points_answer(struct session *session, struct answer *a, const struct point
         .count = workers_count(session->threads, part.count),
         .out = a->out,
         .progress = !(a->out && terminal_width(a->out)), /* rows on the terminal are progress enough */
-        .interrupt = session->train.interrupt,
+        .interrupt = session->compute.interrupt,
     };
     struct workers_end end = workers_run(&w);
     *by_point = end.how == WORKERS_ENDED;

@@ -8,7 +8,7 @@
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
 
-#include "domino.h"
+#include "domino_quad.h"
 #include <stdio.h>
 
 struct workers {

@@ -125,26 +125,26 @@ bool picture_animation(struct session *session, struct picture *picture, FILE *o
     return script_begin(session, picture, terminal);
 }
 
-bool picture_comes_to(struct session *session, dom_real theta)
+bool picture_comes_to(struct session *session, domq_real theta)
 {
-    dom_real omegasq, stop = DOM_NAN;
+    struct domq_value omegasq, stop = {.value = DOMQ_NAN};
     const struct output_style *style = &session->style;
-    enum dom_status status = dom_cycle_omegasq(&session->train, theta, &omegasq, NULL);
+    enum dom_status status = domq_cycle_omegasq(&session->train, &session->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
         return session_error(session,
                              "no domino effect: the fuel P is not positive, nothing moves; 'fuel' says "
                              "why, 'rmax' how large r may be");
     if (status == DOM_STOPS)
-        status = dom_cycle_stop(&session->train, &stop, NULL);
+        status = domq_cycle_stop(&session->train, &session->compute, &stop);
     if (status != DOM_OK)
         return session_status(session, status);
     /* As it was answered, with 10 digits, the end may have been rounded up. */
-    if (stop < theta * (1 - (dom_real)1e-9))
+    if (stop.value < theta * (1 - (domq_real)1e-9))
         return session_error(session,
                              "the train does not come to T = %.10g %s: it stops at %.10g %s, below the "
                              "barrier",
                              (double)style_angle(style, theta), style_angle_unit(style),
-                             (double)style_angle(style, stop), style_angle_unit(style));
+                             (double)style_angle(style, stop.value), style_angle_unit(style));
     return true;
 }
 
@@ -155,7 +155,7 @@ static int gnuplot_wait(const struct session *session, pid_t child)
     int status = 0;
     pid_t ended;
     while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
-        if (dom_raised(session->train.interrupt))
+        if (dom_raised(session->compute.interrupt))
             kill(-child, SIGKILL); /* the whole group */
         nanosleep(&moment, NULL);
     }
@@ -226,7 +226,7 @@ static bool draw(struct session *session, const struct picture *picture, FILE *d
     int wrong = gnuplot_run(session, picture->script, drawing, complaints);
     if (wrong > 0)
         return session_error(session, "cannot run gnuplot: %s", strerror(wrong));
-    if (wrong && dom_raised(session->train.interrupt))
+    if (wrong && dom_raised(session->compute.interrupt))
         return session_status(session, DOM_INTERRUPTED);
     rewind(complaints);
     while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n^") == strlen(line))

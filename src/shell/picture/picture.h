@@ -34,6 +34,6 @@ bool picture_is_text(const struct session *session);
 void picture_room(const struct session *session, int *width, int *height);
 
 /* Does the train move, and come as far as theta?  False: an error was reported. */
-bool picture_comes_to(struct session *session, dom_real theta);
+bool picture_comes_to(struct session *session, domq_real theta);
 
 #endif

@@ -17,7 +17,7 @@ struct drawn drawn_at(int number, double height, double foot, double theta, doub
                       .contact = {(double)NAN, (double)NAN},
                       .force = (double)NAN,
                       .of_own = (double)NAN};
-    double x = (double)quad(sin)((dom_real)theta), y = (double)quad(cos)((dom_real)theta);
+    double x = (double)quad(sin)((domq_real)theta), y = (double)quad(cos)((domq_real)theta);
     k.corner[0] = (struct point){foot, 0};
     k.corner[1] = along(k.corner[0], height, x, y);
     k.corner[2] = along(k.corner[1], d * height, -y, x);
@@ -51,10 +51,9 @@ static void scene_add(struct filling *f, double theta)
     scene->domino[scene->count++] = own;
 }
 
-static bool scene_link(const struct dom_link *link, const struct dom_link *error, void *context)
+static bool scene_link(const struct domq_link *link, void *context)
 {
     struct filling *f = context;
-    (void)error;
     if (link->i > 0)
         scene_add(f, (double)link->theta);
     else
@@ -63,29 +62,30 @@ static bool scene_link(const struct dom_link *link, const struct dom_link *error
     return !scene_full(f->scene);
 }
 
-enum dom_status scene_make(const struct dom_train *train, dom_real theta, double behind, struct scene *scene)
+enum dom_status scene_make(const struct domq_train *train, const struct domq_compute *compute,
+                           domq_real theta, double behind, struct scene *scene)
 {
-    struct dom_train fine = *train;
-    struct dom_angles angles;
+    struct domq_compute fine = *compute;
+    struct domq_angles angles;
     struct filling f = {.scene = scene, .s = (double)train->s, .r = (double)train->r, .d = (double)train->d};
     double pitch = (f.s + f.d) * f.r;
-    fine.tol = dom_arithmetic(train->precision)->tol_floor; /* what is light is not always small */
+    fine.tol = domq_arithmetic(fine.precision)->tol_floor; /* what is light is not always small */
     scene->top = 1.04 * (f.r < TALLEST ? f.r : TALLEST);
     scene->right = pitch + 0.12 * scene->top;
     scene->left = behind > 0 ? -behind : scene->right - WIDEST * scene->top;
     scene->left = scene->left > -1 ? -1 : scene->left; /* the head is in it, however far the next one is */
     scene->count = 1;
     scene->domino[0] = drawn_at(-1, f.r, pitch, 0, f.d);
-    enum dom_status status = dom_angles_find(train, &angles, NULL);
+    enum dom_status status = domq_angles_find(train, compute, &angles);
     if (status == DOM_OK)
-        status = dom_chain_walk(&fine, theta, false, scene_link, &f);
+        status = domq_chain_walk(train, &fine, theta, scene_link, &f);
     if (status != DOM_OK)
         return status;
     while (!scene_full(scene)) {
         scene_add(&f, (double)angles.theta_f); /* these lie, as far as anybody can see */
         f.leans = f.leans && !angles.detaches;
     }
-    if (theta >= angles.theta_c * (1 - 4 * (dom_real)1e-10)) {
+    if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {
         scene->domino[0].touched = true; /* the head hits it */
         scene->domino[0].contact = scene->domino[1].corner[1];
     }
@@ -94,7 +94,7 @@ enum dom_status scene_make(const struct dom_train *train, dom_real theta, double
     return DOM_OK;
 }
 
-static bool scene_force(const struct dom_force *f, void *context)
+static bool scene_force(const struct domq_force *f, void *context)
 {
     struct scene *scene = context;
     if (f->i + 1 >= (size_t)scene->count)
@@ -107,9 +107,10 @@ static bool scene_force(const struct dom_force *f, void *context)
     return true;
 }
 
-enum dom_status scene_forces(const struct dom_train *train, dom_real theta, struct scene *scene)
+enum dom_status scene_forces(const struct domq_train *train, const struct domq_compute *compute,
+                             domq_real theta, struct scene *scene)
 {
-    return dom_cycle_forces(train, theta, scene_force, scene);
+    return domq_cycle_forces(train, compute, theta, scene_force, scene);
 }
 
 /* ---- By gnuplot ---- */

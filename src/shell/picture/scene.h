@@ -4,7 +4,7 @@
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 
-#include "domino.h"
+#include "domino_quad.h"
 #include <stdio.h>
 
 enum { DOMINOES = 200, CORNERS = 4 };
@@ -42,10 +42,12 @@ struct drawn drawn_at(int number, double height, double foot, double theta, doub
  * The train at one tilt, with the next domino in front; as far back as `behind` heights, 0 for what fits a
  * picture.  0 <= theta <= theta_c.
  */
-enum dom_status scene_make(const struct dom_train *train, dom_real theta, double behind, struct scene *scene);
+enum dom_status scene_make(const struct domq_train *train, const struct domq_compute *compute,
+                           domq_real theta, double behind, struct scene *scene);
 
-/* The contact forces into the scene; a status as of dom_cycle_forces. */
-enum dom_status scene_forces(const struct dom_train *train, dom_real theta, struct scene *scene);
+/* The contact forces into the scene; a status as of domq_cycle_forces. */
+enum dom_status scene_forces(const struct domq_train *train, const struct domq_compute *compute,
+                             domq_real theta, struct scene *scene);
 
 /* Where a scene is in the picture, and how large: an animation's heads grow and go on. */
 struct place {

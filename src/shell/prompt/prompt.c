@@ -131,7 +131,7 @@ void line_prompt(struct session *session)
     sigaction(SIGTTOU, &ignore, &ttou);
     prompt_session = session;
     session->source = NULL;
-    session->train.interrupt = &interrupted;
+    session->compute.interrupt = &interrupted;
     history_load(session);
     readline_begin();
     fprintf(session->out,
@@ -164,7 +164,7 @@ void line_prompt(struct session *session)
         }
     }
     rl_callback_handler_remove();
-    session->train.interrupt = NULL;
+    session->compute.interrupt = NULL;
     session->prompt_width = 0;
     for (int i = 0; i < WATCHED; i++)
         sigaction(watched[i], &before[i], NULL);

@@ -25,7 +25,7 @@ bool effect_hint(const char *word, char message[NAMES_MESSAGE])
 
 const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE])
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     int n = snprintf(usage, EFFECT_USAGE, "%s", e->name);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         n += snprintf(usage + n, (size_t)(EFFECT_USAGE - n),
@@ -280,10 +280,11 @@ bool scene_weighed(const struct session *session)
 }
 
 /* Masses of which only the ratios are known become such that m g h / 2 of the first is 1, or what is set. */
-static void row_weigh(const struct session *session, struct dom_domino *domino, size_t count)
+static void row_weigh(const struct session *session, struct domq_domino *domino, size_t count)
 {
-    dom_real mass = session_block_mass(session, domino[0].height, domino[0].thickness);
-    dom_real first = mass > 0 ? mass : 2 / (session->scale.g * domino[0].height), by = first / domino[0].mass;
+    domq_real mass = session_block_mass(session, domino[0].height, domino[0].thickness);
+    domq_real first = mass > 0 ? mass : 2 / (session->scale.g * domino[0].height),
+              by = first / domino[0].mass;
     for (size_t k = 0; k < count; k++)
         domino[k].mass *= by;
 }
@@ -329,10 +330,11 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
         .precision = session->train.precision,
         .interrupt = session->train.interrupt,
     };
+    scene->compute = session->compute;
     return true;
 }
 
-bool scene_row_place(struct session *session, size_t k, dom_real gap)
+bool scene_row_place(struct session *session, size_t k, domq_real gap)
 {
     struct scene_row scene;
     struct listed_row *listed = &session->listed;

@@ -69,8 +69,9 @@ void effect_save(const struct session *session, enum dom_effect_name name, FILE 
  * unit that session_energy_unit names.
  */
 struct scene_row {
-    struct dom_row row;
-    struct dom_domino *domino;
+    struct domq_row row;
+    struct domq_compute compute;
+    struct domq_domino *domino;
 };
 
 /* False: there is no row, or no memory, which was reported. */
@@ -83,6 +84,6 @@ void scene_row_fill(const struct session *session, struct dom_domino *domino, si
 bool scene_weighed(const struct session *session);
 
 /* Changes the gap before domino k, from 1, until another row is taken. */
-bool scene_row_place(struct session *session, size_t k, dom_real gap);
+bool scene_row_place(struct session *session, size_t k, domq_real gap);
 
 #endif

@@ -3,16 +3,17 @@
 #ifndef SHELL_PLACE_H
 #define SHELL_PLACE_H
 
-#include "domino.h"
+#include "domino_quad.h"
 
 /* Where the walk stands: at an event of a cycle, or between two. */
 struct walk {
-    struct dom_train train; /* of the walk */
-    struct dom_train asked; /* what the session had then; another one begins anew */
-    struct dom_event events[DOM_EVENTS_MAX];
+    struct domq_train train;     /* that the session had when the walk began; another one begins anew */
+    struct domq_compute compute; /* to a finer tolerance than the session's */
+    domq_real tol;               /* the session's then */
+    struct domq_event events[DOM_EVENTS_MAX];
     int count; /* of the events; 0: no walk has begun */
     int event; /* the last one that was passed */
-    dom_real theta;
+    domq_real theta;
     int cycle;               /* from 1 */
     enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
 };

@@ -55,7 +55,7 @@ struct reader {
     const char *separator, *between, *blanks; /* between: the separator for people */
     int columns;                              /* 0: the head is still to come */
     int column[KINDS];                        /* of a kind, from 1; 0 for none */
-    dom_real unit[KINDS];                     /* in SI; 0 where the head has none */
+    domq_real unit[KINDS];                    /* in SI; 0 where the head has none */
     const char *then;                         /* what an error leads to, behind its message; "" for nothing */
     int cells;                                /* of this line; only CELLS of them are kept */
     char *cell[CELLS];
@@ -69,11 +69,11 @@ static const char *kind_names(const void *context, int k)
 }
 
 /* The unit of that name in SI; 0 if it is none of this kind. */
-static dom_real unit_value(const struct kind *k, const char *name)
+static domq_real unit_value(const struct kind *k, const char *name)
 {
     struct quantity q = expression_unit(name);
     if (strcmp(name, k->unit) == 0 || strcmp(name, k->more) == 0)
-        return strcmp(name, k->unit) == 0 ? 1 : (dom_real)k->times / k->over;
+        return strcmp(name, k->unit) == 0 ? 1 : (domq_real)k->times / k->over;
     return *k->unit == 'm' && q.length == 1 && q.time == 0 && q.angle == 0 ? q.value : 0;
 }
 
@@ -229,7 +229,7 @@ static bool no_names(struct expression *e, const char *name, const char *key,
     return expression_fail(e, "'%s' has no value in a file", name);
 }
 
-static bool value_check(const struct reader *r, int kind, dom_real value, const char *at)
+static bool value_check(const struct reader *r, int kind, domq_real value, const char *at)
 {
     const struct kind *k = &kinds[kind];
     double near = (double)value; /* bounds are decimals, and these in double: they are inside */
@@ -252,7 +252,7 @@ static bool no_unit(const struct reader *r, int kind, const char *cell)
 }
 
 /* What the cell says, in SI; its range is not judged. */
-static bool cell_value(const struct reader *r, int kind, const char *cell, dom_real *value)
+static bool cell_value(const struct reader *r, int kind, const char *cell, domq_real *value)
 {
     const struct kind *k = &kinds[kind];
     char shown[NAMES_SHOWN], text[48];
@@ -276,34 +276,34 @@ static bool cell_value(const struct reader *r, int kind, const char *cell, dom_r
     return true;
 }
 
-static bool row_keep(struct reader *r, struct rowfile *rows, const dom_real value[KINDS])
+static bool row_keep(struct reader *r, struct rowfile *rows, const domq_real value[KINDS])
 {
-    dom_real ratio = value[THICKNESS] / value[HEIGHT];
-    dom_real width = r->column[WIDTH] ? value[WIDTH] : value[HEIGHT] / 2;
-    dom_real mass = r->column[MASS] ? value[MASS]
-                    : r->column[RELATIVE] && !r->column[DENSITY]
-                        ? value[RELATIVE]
-                        : value[DENSITY] * value[HEIGHT] * value[THICKNESS] * width;
+    domq_real ratio = value[THICKNESS] / value[HEIGHT];
+    domq_real width = r->column[WIDTH] ? value[WIDTH] : value[HEIGHT] / 2;
+    domq_real mass = r->column[MASS] ? value[MASS]
+                     : r->column[RELATIVE] && !r->column[DENSITY]
+                         ? value[RELATIVE]
+                         : value[DENSITY] * value[HEIGHT] * value[THICKNESS] * width;
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
         return wrong(r, r->cell[r->column[THICKNESS] - 1], "thickness / height = %s; it is 1e-12 .. 100",
                      quad_shown(ratio).text);
     if (!value_check(r, MASS, mass, NULL))
         return false;
     if ((rows->count & (rows->count - 1)) == 0) { /* it is full at 0, 1, 2, 4, ... */
-        struct dom_domino *more = realloc(rows->domino, 2 * (rows->count + 1) * sizeof *more);
+        struct domq_domino *more = realloc(rows->domino, 2 * (rows->count + 1) * sizeof *more);
         if (!more)
             return wrong(r, NULL, "out of memory");
         rows->domino = more;
     }
-    dom_real gap = rows->count > 0 ? value[GAP] : 0;
-    rows->domino[rows->count++] =
-        (struct dom_domino){.height = value[HEIGHT], .thickness = value[THICKNESS], .gap = gap, .mass = mass};
+    domq_real gap = rows->count > 0 ? value[GAP] : 0;
+    rows->domino[rows->count++] = (struct domq_domino){
+        .height = value[HEIGHT], .thickness = value[THICKNESS], .gap = gap, .mass = mass};
     return true;
 }
 
 static bool row_read(struct reader *r, struct rowfile *rows)
 {
-    dom_real value[KINDS] = {[DENSITY] = 1};
+    domq_real value[KINDS] = {[DENSITY] = 1};
     if (!cells_cut(r))
         return false;
     if (r->cells != r->columns)
@@ -342,7 +342,7 @@ static bool lines_read(struct reader *r, struct rowfile *rows)
 bool rowfile_read(struct session *session, const char *path, const char *then, struct rowfile *rows)
 {
     char shown[NAMES_SHOWN];
-    struct reader r = {.session = session, .then = then, .in = io_read(path, session->train.interrupt)};
+    struct reader r = {.session = session, .then = then, .in = io_read(path, session->compute.interrupt)};
     *rows = (struct rowfile){NULL, 0, false};
     if (r.in && !(r.buffer = malloc(LINE_MOST))) {
         fclose(r.in);

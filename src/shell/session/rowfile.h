@@ -21,7 +21,7 @@
 #include "session/session.h"
 
 struct rowfile {
-    struct dom_domino *domino; /* in the order of the file; the gap of the first is 0 */
+    struct domq_domino *domino; /* in the order of the file; the gap of the first is 0 */
     size_t count;
     bool weighed; /* masses are known: else all are relative, as for solid blocks of density 1 */
 };

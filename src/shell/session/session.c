@@ -41,14 +41,14 @@ void session_close(struct session *session)
     effects_reset(session);
 }
 
-dom_real session_block_mass(const struct session *session, dom_real height, dom_real thickness)
+domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness)
 {
     return session->mass > 0 ? session->mass : session->density * height * height * thickness / 2;
 }
 
-dom_real session_mass(const struct session *session)
+domq_real session_mass(const struct session *session)
 {
-    dom_real h = session->scale.h;
+    domq_real h = session->scale.h;
     return session_block_mass(session, h, session->train.d * h);
 }
 
@@ -66,7 +66,7 @@ struct range session_part(const struct session *session, size_t points)
 bool session_stops(const struct session *session, long errors)
 {
     return session->quit || ferror(session->out) || (session->bail && session->errors > errors) ||
-           dom_raised(session->train.interrupt);
+           dom_raised(session->compute.interrupt);
 }
 
 struct output_style session_style(const struct session *session)
@@ -76,7 +76,7 @@ struct output_style session_style(const struct session *session)
     style.format = format_number(style.output);
     style.precision = session->train.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->train.tol) + (dom_real)1e-6), 1);
+    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }

@@ -7,7 +7,7 @@
 #define SHELL_SESSION_H
 
 #include "answer/output.h"
-#include "domino.h"
+#include "domino_quad.h"
 #include "language/expression.h"
 #include "session/place.h"
 
@@ -18,7 +18,7 @@ enum { ANSWER_CELLS = 12, SOURCE_DEPTH = 16 };
 /* What the session asks of an effect. */
 struct effect_state {
     bool on;
-    dom_real value[DOM_EFFECT_ARGUMENTS];
+    domq_real value[DOM_EFFECT_ARGUMENTS];
 };
 
 /* The message of a session that is not to write it, and what it is about. */
@@ -36,24 +36,25 @@ struct shard {
 
 /* Dominoes that are listed in a file, and gaps that were changed since. */
 struct listed_row {
-    struct dom_domino *domino; /* NULL for none */
+    struct domq_domino *domino; /* NULL for none */
     size_t count;
     bool weighed; /* masses are in kg; else they are relative */
     char *path;
     struct placed {
         size_t k; /* from 1 */
-        dom_real gap;
+        domq_real gap;
     } * placed;
     size_t changes;
 };
 
 struct session {
-    struct dom_train train;
-    struct dom_scale scale;
-    dom_real mass, density;    /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
+    struct domq_train train;
+    struct domq_compute compute; /* without bounds of errors: see session_compute */
+    struct domq_scale scale;
+    domq_real mass, density;   /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
     struct output_style style; /* output, digits, angle */
     unsigned timing;
-    dom_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
+    domq_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
     struct effect_state effect[DOM_EFFECT_COUNT];
     struct listed_row listed; /* the row, where it is not counted */
     struct walk walk;
@@ -103,8 +104,8 @@ void listed_free(struct listed_row *row);
 
 /* The mass of the first domino in kg; 0 where it is not known.  As a block of these sizes in m, or as h and d
  * say. */
-dom_real session_block_mass(const struct session *session, dom_real height, dom_real thickness);
-dom_real session_mass(const struct session *session);
+domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness);
+domq_real session_mass(const struct session *session);
 
 /* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
 bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Questions with all that their answers depend on: what is asked about, and how to compute. */
+#ifndef DOM_REQUEST_H
+#define DOM_REQUEST_H
+
+#include "numerics/api.h"
+#include <string.h>
+
+#define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
+
+/* The members of struct request and of struct dom_compute. */
+struct request {
+    DOM_TRAIN_PARAMETERS(MEMBER)
+    DOM_COMPUTE_PARAMETERS(MEMBER)
+    enum dom_fuel fuel;
+    dom_real mu;
+    enum dom_precision precision;
+    enum dom_method method;
+    bool errors;
+    struct dom_work *work;
+    const volatile sig_atomic_t *interrupt;
+};
+
+/* The members of struct dom_row and of struct dom_compute. */
+struct row_request {
+    const struct dom_domino *domino;
+    size_t count;
+    dom_real g, push, mu;
+    bool floor;
+    DOM_COMPUTE_PARAMETERS(MEMBER)
+    enum dom_precision precision;
+    struct dom_work *work;
+    const volatile sig_atomic_t *interrupt;
+};
+
+#undef MEMBER
+
+/* Sets every member of a structure of bounds to NaN. */
+static inline void no_bounds(void *bounds, size_t size)
+{
+    const dom_real none = DOM_NAN;
+    for (size_t at = 0; at < size; at += sizeof none)
+        memcpy((char *)bounds + at, &none, sizeof none);
+}
+
+#endif

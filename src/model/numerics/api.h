@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The public API as the sources see it. They are compiled twice: plain, where dom_real is double, and with
+ * DOMQ, where each name of domino.h is that of domino_quad.h (domq_names.h says "#define dom_train
+ * domq_train").
+ */
+#ifndef DOM_API_H
+#define DOM_API_H
+
+#include "domino_quad.h"
+
+#include <float.h>
+
+#if !defined DOMQ
+#define DOM_REAL_EPSILON DBL_EPSILON
+#else
+#include "domq_names.h"
+#if defined DOMQ_REAL_FLOAT128
+#define DOM_REAL_EPSILON 0x1p-112
+#else
+#define DOM_REAL_EPSILON LDBL_EPSILON
+#endif
+#endif
+
+#endif

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Statuses and choices in words: what has no numbers in it, and so is one in all precisions. */
+#include "domino.h"
+
+const char *dom_status_text(enum dom_status status)
+{
+    switch (status) {
+#define TEXT(name, text)                                                                                     \
+    case DOM_##name:                                                                                         \
+        return text;
+        DOM_STATUSES(TEXT)
+#undef TEXT
+    }
+    return "unknown status";
+}
+
+const char *dom_end_text(enum dom_end end)
+{
+    static const char *const text[] = {
+        [DOM_END_NONE] = "none", [DOM_END_BARRIER] = "barrier", [DOM_END_REACH] = "reach"};
+    return text[end];
+}
+
+const char *dom_event_text(enum dom_event_kind kind)
+{
+    static const char *const text[] = {[DOM_EVENT_LAUNCH] = "launch",
+                                       [DOM_EVENT_FALL] = "fall",
+                                       [DOM_EVENT_TOP] = "top",
+                                       [DOM_EVENT_STOP] = "stop",
+                                       [DOM_EVENT_HIT] = "hit"};
+    return text[kind];
+}
+
+const char *dom_row_end_text(enum dom_row_end end)
+{
+    static const char *const text[] = {
+#define END_TEXT(name, text) [DOM_ROW_##name] = text,
+        DOM_ROW_ENDS(END_TEXT)
+#undef END_TEXT
+    };
+    return text[end];
+}

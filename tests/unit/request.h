@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The kernel's own functions in double, for tests of what the public ones are made of. */
+#ifndef TEST_REQUEST_H
+#define TEST_REQUEST_H
+
+#include "precision/kernel.inc"
+
+#include "ask.h"
+
+/* Returns the request that the kernel gets for the train. */
+static inline struct request request_of(const struct asked *a)
+{
+    return (struct request){.s = (double)a->s,
+                            .r = (double)a->r,
+                            .d = (double)a->d,
+                            .q = (double)a->q,
+                            .tol = (double)a->tol,
+                            .fuel = a->fuel,
+                            .mu = (double)a->mu,
+                            .precision = a->precision,
+                            .method = a->method,
+                            .work = a->work,
+                            .interrupt = a->interrupt};
+}
+
+#endif

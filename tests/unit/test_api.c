@@ -1,0 +1,385 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The public API: <domino.h> and <domino_quad.h> give the same numbers, bounds come where they are asked for,
+ * NULL means the default, and the simple functions give what the others do.  What is refused is in
+ * test_refusals.c.
+ */
+#include "support.h"
+#include <float.h>
+
+/* A question to both headers. */
+struct both {
+    struct dom_train train;
+    struct dom_compute compute;
+    struct domq_train trainq;
+    struct domq_compute computeq;
+};
+
+/* Trains that go on, that stop, that have no fuel, at the reach, and with friction: s, r, d, q, mu. */
+static const double trains[][5] = {{0.4, 1.5, 0.15, 4, 0},  {0.5, 1.9, 0.15, 3, 0}, {0.3, 2.5, 0.15, 4, 0},
+                                   {0.3, 1.1, 1.5, 3, 0},   {0.5, 2, 0.1, 3, 0},    {0.9, 1, 0.02, 5, 0},
+                                   {0.4, 1.3, 0.15, 4, 0.2}};
+enum { TRAINS = sizeof trains / sizeof *trains };
+
+static struct both both_of(const double p[5], enum dom_precision precision, bool errors)
+{
+    struct both b = {dom_train_default(), dom_compute_default(), domq_train_default(),
+                     domq_compute_default()};
+    b.train.s = p[0];
+    b.train.r = p[1];
+    b.train.d = p[2];
+    b.train.q = p[3];
+    b.train.mu = p[4];
+    b.compute.precision = b.computeq.precision = precision;
+    b.compute.tol = precision == DOM_FLOAT ? 1e-5 : 1e-11;
+    b.compute.errors = b.computeq.errors = errors;
+    b.trainq.s = b.train.s;
+    b.trainq.r = b.train.r;
+    b.trainq.d = b.train.d;
+    b.trainq.q = b.train.q;
+    b.trainq.mu = b.train.mu;
+    b.computeq.tol = b.compute.tol;
+    return b;
+}
+
+/* What numbers may differ by, relatively. */
+static const double rounding = DBL_EPSILON;
+
+#define SAME(member) assert_in_both(#member, d.member, q.member, rounding);
+
+/* The same of a member that has a bound where that is asked for; with friction it may be unknown. */
+#define SAME_BOUND(member)                                                                                   \
+    SAME(member)                                                                                             \
+    assert_in_both("the bound of " #member, d.error.member, q.error.member, rounding);                       \
+    assert_true(b->compute.errors ? d.error.member >= 0 || isnan(d.member) || b->train.mu > 0                \
+                                  : isnan(d.error.member));
+
+/* Asks both for a result, and compares the members that a list has. */
+#define FIND(name, type, MEMBERS)                                                                            \
+    static enum dom_status both_##name(const struct both *b)                                                 \
+    {                                                                                                        \
+        struct dom_##type d = {0};                                                                           \
+        struct domq_##type q = {0};                                                                          \
+        enum dom_status status = dom_##name(&b->train, &b->compute, &d);                                     \
+        assert_status(status, domq_##name(&b->trainq, &b->computeq, &q));                                    \
+        if (status == DOM_OK || status == DOM_STOPS) {                                                       \
+            MEMBERS(SAME_BOUND)                                                                              \
+        }                                                                                                    \
+        return status;                                                                                       \
+    }
+#define FIND_AT(name, type, MEMBERS)                                                                         \
+    static enum dom_status both_##name(const struct both *b, double theta)                                   \
+    {                                                                                                        \
+        struct dom_##type d = {0};                                                                           \
+        struct domq_##type q = {0};                                                                          \
+        enum dom_status status = dom_##name(&b->train, &b->compute, theta, &d);                              \
+        assert_status(status, domq_##name(&b->trainq, &b->computeq, theta, &q));                             \
+        if (status == DOM_OK) {                                                                              \
+            MEMBERS(SAME_BOUND)                                                                              \
+        }                                                                                                    \
+        return status;                                                                                       \
+    }
+
+#define ANGLES(X)  X(theta_c) X(theta_u) X(theta_inf) X(theta_f) X(theta_leave)
+#define CONTACT(X) X(theta_1) X(slope) X(arm_a) X(arm_b)
+#define ENERGY(X)  X(dH) X(J) X(J0)
+#define FUELS(X)   X(exact) X(paper)
+#define LAUNCH(X)  X(fuel) X(J0) X(velocity_ratio) X(omegasq) X(kinetic)
+#define BARRIER(X) X(theta_m) X(barrier) X(kinetic) X(margin)
+#define STATE(X)                                                                                             \
+    X(theta)                                                                                                 \
+    X(time) X(omegasq) X(kinetic) X(climbed) X(fallen) X(before) X(lost) X(friction_work) SAME(acceleration)
+#define VALUE(X)                                                                                             \
+    assert_in_both("value", d.value, q.value, rounding), assert_in_both("error", d.error, q.error, rounding);
+#define LIMIT(X) X(r_max) SAME(ends) SAME(why)
+#define BEST(X)  X(s) X(r_max)
+
+/* clang-format off: to it these are no functions. */
+FIND(angles_find, angles, ANGLES)
+FIND_AT(contact_find, contact, CONTACT)
+FIND_AT(energy_find, energy, ENERGY)
+FIND(fuel_find, fuels, FUELS)
+FIND(launch_find, launch, LAUNCH)
+FIND(barrier_find, barrier, BARRIER)
+FIND_AT(cycle_omegasq, value, VALUE)
+FIND(cycle_stop, value, VALUE)
+FIND(cycle_duration, value, VALUE)
+FIND_AT(cycle_state, state, STATE)
+FIND(limit_rmax, limit, LIMIT)
+FIND(limit_pair, limit, LIMIT)
+FIND(limit_best, best, BEST)
+/* clang-format on */
+
+/* Does something for every train in every precision that there is, with and without bounds. */
+static void for_all(void (*check)(const struct both *b))
+{
+    for (int i = 0; i < TRAINS; i++)
+        for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
+            for (int errors = 0; errors <= 1 && dom_arithmetic(p)->bits; errors++) {
+                struct both b = both_of(trains[i], p, errors);
+                check(&b);
+            }
+}
+
+static void check_tilts(const struct both *b)
+{
+    struct dom_angles angles;
+    assert_status(both_angles_find(b), DOM_OK);
+    assert_status(dom_angles_find(&b->train, &b->compute, &angles), DOM_OK);
+    for (int k = 0; k < 4; k++) {
+        double theta = angles.theta_c * k / 4;
+        assert_status(both_contact_find(b, theta), DOM_OK);
+        assert_status(both_energy_find(b, theta), DOM_OK);
+        both_cycle_omegasq(b, theta);
+        both_cycle_state(b, theta);
+    }
+}
+
+static void tilts(void **state)
+{
+    (void)state;
+    for_all(check_tilts);
+}
+
+static void check_cycle(const struct both *b)
+{
+    both_fuel_find(b);
+    both_launch_find(b);
+    both_barrier_find(b);
+    both_cycle_stop(b);
+    both_cycle_duration(b);
+}
+
+static void cycles(void **state)
+{
+    (void)state;
+    for_all(check_cycle);
+}
+
+static void check_growth(const struct both *b)
+{
+    assert_status(both_limit_rmax(b), DOM_OK);
+    assert_status(both_limit_pair(b), b->train.mu > 0 ? both_limit_pair(b) : DOM_OK);
+    if (b->compute.precision == DOM_DOUBLE && b->train.mu == 0)
+        both_limit_best(b);
+}
+
+static void growth(void **state)
+{
+    (void)state;
+    for_all(check_growth);
+}
+
+/* ---- Events, walks and forces ---- */
+
+enum { KEPT = 64 };
+
+/* What visitors see, from either header. */
+struct seen {
+    struct dom_link link[KEPT];
+    struct dom_state state[KEPT];
+    struct dom_force force[KEPT];
+    int event[KEPT], count;
+};
+
+struct seenq {
+    struct domq_link link[KEPT];
+    struct domq_state state[KEPT];
+    struct domq_force force[KEPT];
+    int event[KEPT], count;
+};
+
+static bool link_seen(const struct dom_link *link, void *context)
+{
+    struct seen *seen = context;
+    seen->link[seen->count++] = *link;
+    return seen->count < KEPT;
+}
+
+static bool link_seenq(const struct domq_link *link, void *context)
+{
+    struct seenq *seen = context;
+    seen->link[seen->count++] = *link;
+    return seen->count < KEPT;
+}
+
+static bool state_seen(const struct dom_state *state, const struct dom_event *event, void *context)
+{
+    struct seen *seen = context;
+    seen->event[seen->count] = event ? (int)event->kind : -1;
+    seen->state[seen->count++] = *state;
+    return seen->count < KEPT;
+}
+
+static bool state_seenq(const struct domq_state *state, const struct domq_event *event, void *context)
+{
+    struct seenq *seen = context;
+    seen->event[seen->count] = event ? (int)event->kind : -1;
+    seen->state[seen->count++] = *state;
+    return seen->count < KEPT;
+}
+
+static bool force_seen(const struct dom_force *force, void *context)
+{
+    struct seen *seen = context;
+    seen->force[seen->count++] = *force;
+    return seen->count < KEPT;
+}
+
+static bool force_seenq(const struct domq_force *force, void *context)
+{
+    struct seenq *seen = context;
+    seen->force[seen->count++] = *force;
+    return seen->count < KEPT;
+}
+
+static void check_chain(const struct both *b)
+{
+    static struct seen seen;
+    static struct seenq seenq;
+    seen.count = seenq.count = 0;
+    assert_status(dom_chain_walk(&b->train, &b->compute, 0, link_seen, &seen), DOM_OK);
+    assert_status(domq_chain_walk(&b->trainq, &b->computeq, 0, link_seenq, &seenq), DOM_OK);
+    assert_int_equal(seen.count, seenq.count);
+    for (int k = 0; k < seen.count; k++) {
+        struct dom_link d = seen.link[k];
+        struct domq_link q = seenq.link[k];
+        assert_int_equal(d.i, q.i);
+        bool bounds = b->compute.errors; /* geometry has bounds with friction, too */
+        SAME(theta)
+        SAME(slope)
+        SAME(arm_a)
+        SAME(arm_b)
+        SAME(weight)
+        SAME(error.theta)
+        SAME(error.slope)
+        SAME(error.weight) assert_true(bounds == !isnan(d.error.theta) && bounds == !isnan(d.error.weight));
+    }
+}
+
+static void check_walk(const struct both *b)
+{
+    static struct seen seen;
+    static struct seenq seenq;
+    seen.count = seenq.count = 0;
+    enum dom_status status = dom_cycle_walk(&b->train, &b->compute, 6, DOM_BY_TILT, state_seen, &seen);
+    assert_status(domq_cycle_walk(&b->trainq, &b->computeq, 6, DOM_BY_TILT, state_seenq, &seenq), status);
+    assert_int_equal(seen.count, seenq.count);
+    for (int k = 0; k < seen.count; k++) {
+        struct dom_state d = seen.state[k];
+        struct domq_state q = seenq.state[k];
+        STATE(SAME)
+        assert_int_equal(seen.event[k], seenq.event[k]);
+        assert_true(b->compute.errors ? d.error.climbed >= 0 || b->train.mu > 0 : isnan(d.error.climbed));
+        assert_int_equal(isnan(d.error.climbed), isnan((double)q.error.climbed));
+    }
+    seen.count = seenq.count = 0;
+    status = dom_cycle_forces(&b->train, &b->compute, 0, force_seen, &seen);
+    assert_status(domq_cycle_forces(&b->trainq, &b->computeq, 0, force_seenq, &seenq), status);
+    assert_int_equal(seen.count, seenq.count);
+    for (int k = 0; k < seen.count; k++) {
+        struct dom_force d = seen.force[k];
+        struct domq_force q = seenq.force[k];
+        SAME(i) SAME(force) SAME(of_own) SAME(impulse)
+    }
+}
+
+static void check_events(const struct both *b)
+{
+    struct dom_event events[DOM_EVENTS_MAX];
+    struct domq_event eventsq[DOM_EVENTS_MAX];
+    int count = 0, countq = 0;
+    enum dom_status status = dom_cycle_events(&b->train, &b->compute, events, &count);
+    assert_status(domq_cycle_events(&b->trainq, &b->computeq, eventsq, &countq), status);
+    assert_int_equal(count, countq);
+    for (int k = 0; k < count; k++) {
+        struct dom_event d = events[k];
+        struct domq_event q = eventsq[k];
+        SAME(kind) SAME(theta) SAME(time) SAME(domino) double theta = -1;
+        domq_real wide = -1;
+        assert_status(dom_cycle_tilt(&b->train, &b->compute, d.time, &theta),
+                      domq_cycle_tilt(&b->trainq, &b->computeq, (domq_real)d.time, &wide));
+        assert_in_both("tilt", theta, wide, rounding);
+    }
+}
+
+static void check_forces(const struct both *b)
+{
+    struct dom_least_force d = {0};
+    struct domq_least_force q = {0};
+    assert_status(dom_cycle_least_force(&b->train, &b->compute, &d),
+                  domq_cycle_least_force(&b->trainq, &b->computeq, &q));
+    SAME(force) SAME(theta) SAME(domino) SAME(impulse)
+    {
+        struct dom_floor f = {0};
+        struct domq_floor fq = {0};
+        assert_status(dom_cycle_floor(&b->train, &b->compute, &f),
+                      domq_cycle_floor(&b->trainq, &b->computeq, &fq));
+        assert_in_both("motion", f.motion, fq.motion, rounding);
+        assert_in_both("hit", f.hit, fq.hit, rounding);
+        assert_int_equal(f.domino, fq.domino);
+    }
+    assert_status(dom_train_check(&b->train, &b->compute), domq_train_check(&b->trainq, &b->computeq));
+}
+
+static void walks(void **state)
+{
+    (void)state;
+    for_all(check_chain);
+    for_all(check_walk);
+    for_all(check_events);
+    for_all(check_forces);
+}
+
+/* ---- NULL in the place of how to compute ---- */
+
+#define SAME_AS_DEFAULT(member) assert_in_both(#member, d.member, q.member, rounding);
+#define DEFAULT(name, type, MEMBERS, ...)                                                                    \
+    do {                                                                                                     \
+        struct dom_##type d = {0}, q = {0};                                                                  \
+        assert_status(dom_##name(&train, NULL, __VA_ARGS__ &d), DOM_OK);                                     \
+        assert_status(dom_##name(&train, &compute, __VA_ARGS__ &q), DOM_OK);                                 \
+        MEMBERS(SAME_AS_DEFAULT)                                                                             \
+    } while (0)
+#define AT_TILT 0.1,
+
+static void null_is_the_default(void **state)
+{
+    (void)state;
+    const struct dom_compute compute = dom_compute_default();
+    const struct dom_train train = dom_train_default();
+    assert_true(compute.tol == 1e-12 && compute.precision == DOM_DOUBLE && !compute.errors);
+    assert_true(compute.method == DOM_METHOD_OURS && !compute.work && !compute.interrupt);
+    assert_true(domq_compute_default().tol == 1 / (domq_real)1e12);
+    assert_status(dom_train_check(&train, NULL), DOM_OK);
+    DEFAULT(angles_find, angles, ANGLES, );
+    DEFAULT(contact_find, contact, CONTACT, AT_TILT);
+    DEFAULT(energy_find, energy, ENERGY, AT_TILT);
+    DEFAULT(fuel_find, fuels, FUELS, );
+    DEFAULT(launch_find, launch, LAUNCH, );
+    DEFAULT(barrier_find, barrier, BARRIER, );
+    DEFAULT(cycle_omegasq, value, VALUE, AT_TILT);
+    DEFAULT(cycle_stop, value, VALUE, );
+    DEFAULT(cycle_duration, value, VALUE, );
+    DEFAULT(cycle_state, state, STATE, AT_TILT);
+    DEFAULT(limit_rmax, limit, LIMIT, );
+    DEFAULT(limit_pair, limit, LIMIT, );
+    DEFAULT(limit_best, best, BEST, );
+    struct both b = {train, compute, domq_train_default(), domq_compute_default()};
+    static struct seen seen, of_null;
+    assert_status(dom_chain_walk(&b.train, NULL, 0.1, link_seen, &of_null), DOM_OK);
+    assert_status(dom_chain_walk(&b.train, &compute, 0.1, link_seen, &seen), DOM_OK);
+    assert_int_equal(of_null.count, seen.count);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tilts),
+        cmocka_unit_test(cycles),
+        cmocka_unit_test(growth),
+        cmocka_unit_test(walks),
+        cmocka_unit_test(null_is_the_default),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,349 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Each status DOM_BAD_... is returned by every function that gets the bad parameter, and names it. */
+#include "support.h"
+
+static bool returned[DOM_INTERRUPTED + 1];
+
+/* Fails unless the status is the expected one, which is then known to be returned by something. */
+#define assert_named(status, expected)                                                                       \
+    do {                                                                                                     \
+        enum dom_status status_ = (status);                                                                  \
+        assert_status(status_, expected);                                                                    \
+        returned[status_] = true;                                                                            \
+    } while (0)
+
+static bool never_link(const struct dom_link *link, void *context)
+{
+    (void)link, (void)context;
+    fail();
+    return false;
+}
+
+static bool never_state(const struct dom_state *state, const struct dom_event *event, void *context)
+{
+    (void)state, (void)event, (void)context;
+    fail();
+    return false;
+}
+
+static bool never_force(const struct dom_force *force, void *context)
+{
+    (void)force, (void)context;
+    fail();
+    return false;
+}
+
+static bool never_fall(const struct dom_fall *fall, void *context)
+{
+    (void)fall, (void)context;
+    fail();
+    return false;
+}
+
+/* ---- Every function of a train ---- */
+
+/* A result of any of them. */
+union result {
+    struct dom_angles angles;
+    struct dom_contact contact;
+    struct dom_energy energy;
+    struct dom_fuels fuels;
+    struct dom_launch launch;
+    struct dom_barrier barrier;
+    struct dom_value value;
+    struct dom_state state;
+    struct dom_event events[DOM_EVENTS_MAX];
+    struct dom_least_force least;
+    struct dom_floor floor;
+    struct dom_limit limit;
+    struct dom_best best;
+};
+
+/* Functions by number; the last three have an r of their own, the last an s, too. */
+enum { LIMITS = 18, BEST = 20, FUNCTIONS };
+
+static enum dom_status ask(int function, const struct dom_train *t, const struct dom_compute *c,
+                           union result *to)
+{
+    int count;
+    double theta;
+    switch (function) {
+    case 0:
+        return dom_train_check(t, c);
+    case 1:
+        return dom_angles_find(t, c, &to->angles);
+    case 2:
+        return dom_contact_find(t, c, 0.1, &to->contact);
+    case 3:
+        return dom_chain_walk(t, c, 0.1, never_link, NULL);
+    case 4:
+        return dom_energy_find(t, c, 0.1, &to->energy);
+    case 5:
+        return dom_fuel_find(t, c, &to->fuels);
+    case 6:
+        return dom_launch_find(t, c, &to->launch);
+    case 7:
+        return dom_barrier_find(t, c, &to->barrier);
+    case 8:
+        return dom_cycle_omegasq(t, c, 0.1, &to->value);
+    case 9:
+        return dom_cycle_stop(t, c, &to->value);
+    case 10:
+        return dom_cycle_duration(t, c, &to->value);
+    case 11:
+        return dom_cycle_events(t, c, to->events, &count);
+    case 12:
+        return dom_cycle_state(t, c, 0.1, &to->state);
+    case 13:
+        return dom_cycle_tilt(t, c, 0.1, &theta);
+    case 14:
+        return dom_cycle_walk(t, c, 3, DOM_BY_TIME, never_state, NULL);
+    case 15:
+        return dom_cycle_forces(t, c, 0.1, never_force, NULL);
+    case 16:
+        return dom_cycle_least_force(t, c, &to->least);
+    case 17:
+        return dom_cycle_floor(t, c, &to->floor);
+    case 18:
+        return dom_limit_rmax(t, c, &to->limit);
+    case 19:
+        return dom_limit_pair(t, c, &to->limit);
+    default:
+        return dom_limit_best(t, c, &to->best);
+    }
+}
+
+/* Asks every function, and the quad header's check, with a train that is bad in one member. */
+static void refused(const struct dom_train *train, const struct dom_compute *compute, char member,
+                    enum dom_status expected)
+{
+    for (int k = 0; k < FUNCTIONS; k++) {
+        union result result = {.limit.ends = DOM_END_REACH};
+        if ((member == 'r' && k >= LIMITS) || (member == 's' && k == BEST))
+            continue;
+        assert_named(ask(k, train, compute, &result), expected);
+    }
+    const struct domq_train wide = {
+        .s = train->s, .r = train->r, .d = train->d, .q = train->q, .fuel = train->fuel, .mu = train->mu};
+    const struct domq_compute wide_compute = {
+        .tol = compute->tol, .precision = compute->precision, .method = compute->method};
+    assert_status(domq_train_check(&wide, &wide_compute), expected);
+}
+
+#define BAD_s   DOM_BAD_S
+#define BAD_r   DOM_BAD_R
+#define BAD_d   DOM_BAD_D
+#define BAD_q   DOM_BAD_Q
+#define BAD_tol DOM_BAD_TOL
+
+static void parameters(void **state)
+{
+    (void)state;
+    struct dom_train train;
+    struct dom_compute compute = dom_compute_default();
+#define BAD(owner, name, lowest, highest)                                                                    \
+    for (int k = 0; k < 5; k++) {                                                                            \
+        const double bad[] = {nextafter(lowest, -1), nextafter(highest, 1e9), (double)NAN, (double)INFINITY, \
+                              -(double)INFINITY};                                                            \
+        train = dom_train_default();                                                                         \
+        compute = dom_compute_default();                                                                     \
+        owner.name = bad[k];                                                                                 \
+        refused(&train, &compute, #name[0], BAD_##name);                                                     \
+    }
+#define OF_TRAIN(name, default_, lowest, highest, unit, meaning)   BAD(train, name, lowest, highest)
+#define OF_COMPUTE(name, default_, lowest, highest, unit, meaning) BAD(compute, name, lowest, highest)
+    DOM_TRAIN_PARAMETERS(OF_TRAIN)
+    DOM_COMPUTE_PARAMETERS(OF_COMPUTE)
+#define BAD_mu DOM_BAD_MU
+    BAD(train, mu, 0.0, (double)DOM_MU_HIGHEST)
+#undef BAD
+    for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
+        if (dom_arithmetic(p)->bits) {
+            train = dom_train_default();
+            compute = dom_compute_default();
+            compute.precision = p;
+            compute.tol = dom_arithmetic(p)->tol_floor * 0.999;
+            refused(&train, &compute, 't', DOM_BAD_TOL);
+        }
+}
+
+static void choices(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct dom_compute compute = dom_compute_default();
+    train.fuel = (enum dom_fuel)(DOM_FUEL_PAPER + 1);
+    refused(&train, &compute, '\0', DOM_BAD_FUEL);
+    train = dom_train_default();
+    compute.precision = (enum dom_precision)(DOM_QUAD + 1);
+    refused(&train, &compute, '\0', DOM_BAD_PRECISION);
+    compute = dom_compute_default();
+    compute.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
+    refused(&train, &compute, '\0', DOM_BAD_METHOD);
+}
+
+/* ---- Tilts and times ---- */
+
+static void tilts_and_times(void **state)
+{
+    (void)state;
+    const struct dom_train t = dom_train_default();
+    struct dom_angles angles;
+    struct dom_value whole, value;
+    union result result;
+    double theta = -7;
+    assert_status(dom_angles_find(&t, NULL, &angles), DOM_OK);
+    assert_status(dom_cycle_duration(&t, NULL, &whole), DOM_OK);
+    const double bad[] = {-1e-300, angles.theta_c * (1 + 1e-9), (double)NAN, (double)INFINITY,
+                          -(double)INFINITY};
+    for (int k = 0; k < 5; k++) {
+        assert_named(dom_contact_find(&t, NULL, bad[k], &result.contact), DOM_BAD_TILT);
+        assert_named(dom_chain_walk(&t, NULL, bad[k], never_link, NULL), DOM_BAD_TILT);
+        assert_named(dom_energy_find(&t, NULL, bad[k], &result.energy), DOM_BAD_TILT);
+        assert_named(dom_cycle_omegasq(&t, NULL, bad[k], &value), DOM_BAD_TILT);
+        assert_named(dom_cycle_state(&t, NULL, bad[k], &result.state), DOM_BAD_TILT);
+        assert_named(dom_cycle_forces(&t, NULL, bad[k], never_force, NULL), DOM_BAD_TILT);
+        double time = k == 1 ? whole.value * (1 + 1e-9) : bad[k];
+        assert_named(dom_cycle_tilt(&t, NULL, time, &theta), DOM_BAD_TIME);
+        assert_true(theta == -7);
+    }
+}
+
+/* ---- Rows ---- */
+
+enum { ROW = 4, BAD_ONE = 2 };
+
+/* A row that falls, in which a test makes one number a bad one. */
+struct some_row {
+    struct dom_domino domino[ROW];
+    struct dom_row row;
+};
+
+static void row_make(struct some_row *r)
+{
+    struct dom_train train = dom_train_default();
+    const struct dom_scale scale = dom_scale_default();
+    dom_row_of_train(&train, &scale, 1, r->domino, ROW);
+    r->row = (struct dom_row){.domino = r->domino, .count = ROW, .g = scale.g, .push = (double)NAN};
+}
+
+static void row_refused(const struct dom_row *row, const struct dom_compute *compute, size_t domino,
+                        enum dom_status expected)
+{
+    struct dom_verdict verdict = {.domino = 99, .seconds = -1};
+    struct dom_study study = {.rows = 7};
+    struct dom_budget budget = {.sigma = -1};
+    const struct dom_placement placement = {.sigma = 1e-3, .seed = 1, .rows = 4};
+    assert_named(dom_row_run(row, compute, true, never_fall, NULL, &verdict), expected);
+    assert_true(verdict.seconds == -1);
+    if (domino)
+        assert_int_equal(verdict.domino, domino);
+    if (expected == DOM_BAD_GAP) /* a study narrows or widens gaps itself, and takes one below 0 as 0 */
+        return;
+    assert_named(dom_placement_study(row, compute, &placement, &study, NULL), expected);
+    assert_int_equal(study.rows, 7);
+    assert_named(dom_placement_budget(row, compute, &placement, 0.5, &budget), expected);
+    assert_true(budget.sigma == -1);
+}
+
+static void rows(void **state)
+{
+    (void)state;
+    struct some_row r;
+    struct dom_compute compute = dom_compute_default();
+    const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
+    for (int k = 0; k < 4; k++) {
+        for (int member = 0; member < 6; member++) {
+            static const enum dom_status named[] = {DOM_BAD_HEIGHT, DOM_BAD_THICKNESS, DOM_BAD_MASS,
+                                                    DOM_BAD_G,      DOM_BAD_GAP,       DOM_BAD_MU};
+            row_make(&r);
+            struct dom_domino *d = &r.domino[BAD_ONE];
+            double *of[] = {&d->height, &d->thickness, &d->mass, &r.row.g, &d->gap, &r.row.mu};
+            *of[member] = bad[k];
+            if (member < 4 || bad[k] != 0)
+                row_refused(&r.row, &compute, member < 3 || member == 4 ? BAD_ONE + 1 : 0, named[member]);
+        }
+        row_make(&r);
+        r.row.push = bad[k];
+        if (k == 1 || k == 3)
+            row_refused(&r.row, NULL, 0, DOM_BAD_PUSH);
+        compute.tol = bad[k];
+        row_make(&r);
+        struct dom_verdict verdict; /* a study takes any tolerance that is too fine as 1e-9 */
+        assert_named(dom_row_run(&r.row, &compute, true, never_fall, NULL, &verdict), DOM_BAD_TOL);
+        compute = dom_compute_default();
+    }
+    r.row.mu = nextafter(DOM_MU_HIGHEST, 1e9);
+    row_refused(&r.row, NULL, 0, DOM_BAD_MU);
+    row_make(&r);
+    r.row.count = 0;
+    row_refused(&r.row, NULL, 0, DOM_BAD_COUNT);
+    row_make(&r);
+    compute.precision = (enum dom_precision)(DOM_QUAD + 1);
+    row_refused(&r.row, &compute, 0, DOM_BAD_PRECISION);
+}
+
+static void placements(void **state)
+{
+    (void)state;
+    struct some_row r;
+    struct dom_study study;
+    struct dom_budget budget;
+    const double bad[] = {-1e-9, (double)NAN, (double)INFINITY, -(double)INFINITY};
+    row_make(&r);
+    for (int k = 0; k < 4; k++) {
+        struct dom_placement p = {.sigma = bad[k], .seed = 1, .rows = 4};
+        assert_named(dom_placement_study(&r.row, NULL, &p, &study, NULL), DOM_BAD_SIGMA);
+        p.sigma = 1e-3;
+        p.heights = bad[k];
+        assert_named(dom_placement_study(&r.row, NULL, &p, &study, NULL), DOM_BAD_HEIGHTS);
+        assert_named(dom_placement_budget(&r.row, NULL, &p, 0.5, &budget), DOM_BAD_HEIGHTS);
+        p.heights = 0;
+        assert_named(dom_placement_budget(&r.row, NULL, &p, bad[k], &budget), DOM_BAD_PROBABILITY);
+        assert_named(dom_placement_budget(&r.row, NULL, &p, k % 2, &budget), DOM_BAD_PROBABILITY);
+    }
+    struct dom_placement none = {.sigma = 1e-3, .seed = 1, .rows = 0};
+    assert_named(dom_placement_study(&r.row, NULL, &none, &study, NULL), DOM_BAD_ROWS);
+    assert_named(dom_placement_budget(&r.row, NULL, &none, 0.5, &budget), DOM_BAD_ROWS);
+    study = (struct dom_study){.rows = 0};
+    assert_named(dom_study_interval(&study), DOM_BAD_ROWS);
+    study = (struct dom_study){.rows = 5, .fall = 4, .unknown = 2};
+    assert_named(dom_study_interval(&study), DOM_BAD_ROWS);
+}
+
+static void counts(void **state)
+{
+    (void)state;
+    const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
+    struct dom_compute compute = dom_compute_default();
+    struct dom_count count = {.dominoes = -1};
+    for (int k = 0; k < 4; k++) {
+        assert_named(dom_count_find(bad[k], 112, 1.5, NULL, &count), DOM_BAD_HEIGHT);
+        assert_named(dom_count_find(0.048, bad[k], 1.5, NULL, &count), DOM_BAD_HEIGHT);
+        assert_named(dom_count_find(0.048, 112, bad[k], NULL, &count), DOM_BAD_R);
+    }
+    assert_named(dom_count_find(0.048, 112, nextafter(1, 0), NULL, &count), DOM_BAD_R);
+    compute.precision = (enum dom_precision)(DOM_QUAD + 1);
+    assert_named(dom_count_find(0.048, 112, 1.5, &compute, &count), DOM_BAD_PRECISION);
+    assert_true(count.dominoes == -1);
+}
+
+/* Runs last. */
+static void all_were_returned(void **state)
+{
+    (void)state;
+    for (int k = DOM_BAD_S; k <= DOM_BAD_PROBABILITY; k++)
+        if (!returned[k])
+            fail_msg("nothing returns: %s", dom_status_text((enum dom_status)k));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parameters),        cmocka_unit_test(choices),
+        cmocka_unit_test(tilts_and_times),   cmocka_unit_test(rows),
+        cmocka_unit_test(placements),        cmocka_unit_test(counts),
+        cmocka_unit_test(all_were_returned),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
