@@ -20,7 +20,7 @@
  *
  * Errors: if compute.errors is set, the member `error` of a result holds bounds of the absolute errors of its
  * numbers: of rounding, from the parameters as rounded to the precision, and of what the tolerance cuts off.
- * Otherwise the bounds are NaN; with friction they always are, since none are known.
+ * Otherwise the bounds are NaN; with friction so are those of motion and of limits, for which none are known.
  *
  * Precision: this header takes parameters and gives answers in double. <domino_quad.h>, which includes this
  * header, has the same functions, structures and lists in the widest type of the machine, with domq_ in the
@@ -257,7 +257,7 @@ struct dom_compute {
     DOM_COMPUTE_PARAMETERS(DOM_MEMBER)
 #undef DOM_MEMBER
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to it */
-    enum dom_method method;       /* default DOM_METHOD_OURS */
+    enum dom_method method;       /* default DOM_METHOD_OURS; others give few answers, and no bounds */
     bool errors;                  /* true: results get bounds of their errors, which takes more time */
     struct dom_work *work;        /* unless NULL, counts the work of the answer */
     /* Unless NULL, a long computation ends with DOM_INTERRUPTED soon after *interrupt becomes non-zero. */
@@ -326,7 +326,7 @@ struct dom_contact {
     struct dom_contact_error error;
 };
 
-/* Finds the contact at 0 <= theta <= theta_c; other tilts, here and in all functions below: DOM_BAD_TILT. */
+/* Finds the contact at 0 <= theta <= theta_c; other tilts, here and in every function below: DOM_BAD_TILT. */
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
 
@@ -609,7 +609,7 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 
 /* ---- A finite row of any dominoes ---- */
 
-/* A solid block. The gap is the free distance to the domino before it; that of the first is not used. */
+/* A solid block. The gap is the free distance to the domino before it; 0 for the first, which has none. */
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
