@@ -52,7 +52,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev
-DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq
+DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3
 DEPS_quick    := $(DEPS_test)
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)

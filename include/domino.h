@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * libdomino: how far can a domino train grow?
+ * libdomino computes how a row of dominoes falls, and how much larger each may be than the one before.
  *
  * Introduction
  *
  * A train is an endless row of dominoes, each r times larger than the one before, that lean on each other
- * while they fall (J. M. J. van Leeuwen, "Domino Magnification"). The library answers whether a train keeps
- * falling, how large r may be, how fast it runs and which forces act; and the same for a finite row of any
- * dominoes. To ask, describe the train, and call the function of the answer:
+ * while they fall (J. M. J. van Leeuwen, "Domino Magnification"). The library finds whether a train keeps
+ * falling, how large r may be, how fast the train runs and which forces act; and the same for a finite row of
+ * dominoes of any sizes. Describe the train, call the function of the answer, and check the status:
  *
  *     struct dom_train train = dom_train_default();
  *     struct dom_limit limit;
@@ -15,23 +15,25 @@
  *     if (dom_limit_rmax(&train, NULL, &limit) == DOM_OK)
  *         printf("%.12g\n", limit.r_max);
  *
- * The second argument says how to compute: tolerance, precision, method, counts of the work, an interrupt.
- * NULL takes the defaults, which are double precision and a relative tolerance of 1e-12. Where
- * compute.errors is set, the `error` in a result holds a bound of the absolute error of each member: of
- * rounding on the way from the parameters, as rounded to the precision, and of what the tolerance cuts off.
- * Else, and with friction, for which no bounds are known, these bounds are NaN.
+ * The second argument says how to compute (struct dom_compute). NULL means the defaults: double precision and
+ * a relative tolerance of 1e-12.
  *
- * This header is the library in double. <domino_quad.h> has the same functions, structures and lists in the
- * widest arithmetic of the machine, with domq_ in the place of dom_; it includes this header. Both compute in
- * any precision: these headers differ only in the type that parameters and answers travel in.
+ * Errors: if compute.errors is set, the member `error` of a result holds bounds of the absolute errors of its
+ * numbers: of rounding, from the parameters as rounded to the precision, and of what the tolerance cuts off.
+ * Otherwise the bounds are NaN; with friction so are those of motion and of limits, for which none are known.
  *
- * Units: lengths in the height h of the head (the foremost falling domino, number 0; its pushers are
- * 1, 2, ... down the train), energies in m g h / 2 of the head, angles in radians from the vertical,
- * time in tau (a1). Only struct dom_scale and rows are in metres, kilograms and seconds.
+ * Precision: this header takes parameters and gives answers in double. <domino_quad.h>, which includes this
+ * header, has the same functions, structures and lists in the widest type of the machine, with domq_ in the
+ * place of dom_. Both compute in any precision; they differ only in the type of parameters and answers.
  *
- * Functions have no global state and no input or output, and may run in any number of threads. A function
- * that can fail returns a status. A status DOM_BAD_... names the parameter that is refused. Unless the status
- * is DOM_OK, or a comment says otherwise, nothing is written to the result but its bounds.
+ * Units: lengths in the height h of the head (the foremost falling domino, number 0; the dominoes that push
+ * it, its followers, are 1, 2, ... down the train), energies in m g h / 2 of the head, angles in radians from
+ * the vertical, time in tau (a1). Only struct dom_scale and rows are in metres, kilograms and seconds.
+ *
+ * Statuses: a function that can fail returns a status; DOM_BAD_... names the parameter that is outside its
+ * range. Unless the status is DOM_OK, or a comment says otherwise, only the bounds of the result are written.
+ *
+ * Threads: functions keep nothing between calls, do no input or output, and may run in any number of threads.
  *
  * "(24; c6)" in a comment is an equation: the number that the paper prints, and the label of its source;
  * "(c6)" is the label alone. "corrected" marks where the paper has a slip.
@@ -103,10 +105,10 @@ const char *dom_status_text(enum dom_status status);
 
 /* ---- Choices ---- */
 
-/* The arithmetic that computes: quad is __float128 where there is one, else long double if that is wider. */
+/* The arithmetic that computes. Quad is __float128 where the machine has it, else long double if wider. */
 enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 
-/* The fuel P that enters (c6): see dom_fuel_find. */
+/* Which fuel P enters (c6): see dom_fuel_find. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
@@ -138,7 +140,7 @@ enum dom_effect_name {
 /* The most arguments that an effect has. */
 enum { DOM_EFFECT_ARGUMENTS = 2 };
 
-/* What limits the growth: no growth at all, the barrier, or r = 1/s, the reach of the head. */
+/* What limits the growth: NONE, no growth is possible; the barrier; or r = 1/s, the reach of the head. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
 /* Returns "none", "barrier" or "reach". */
@@ -158,7 +160,7 @@ enum { DOM_EVENTS_MAX = 5 };
 /* Returns "launch", "fall", "top", "stop" or "hit". */
 const char *dom_event_text(enum dom_event_kind kind);
 
-/* How the states of dom_cycle_walk are spaced. */
+/* The spacing of the states of dom_cycle_walk. */
 enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 
 /* How a row ends: X(name, meaning). */
@@ -178,23 +180,20 @@ enum dom_row_end {
 #undef DOM_ROW_ENUM
 };
 
-/* Returns the meaning, as a phrase about the domino where the row ends. */
+/* Returns the meaning of an end: a phrase about the domino where the row ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
 /* ---- Work and interrupts ---- */
 
-/* The work that answers took: every answer adds its own. */
+/* Counts the work of answers; every answer adds its own. Begin with {0}. */
 struct dom_work {
-    size_t passes;                    /* evaluations: passes down the train */
-    size_t dominoes;                  /* followed in all of them */
-    size_t longest;                   /* in one pass */
-    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of an effect was entered */
+    size_t passes;                    /* passes down the train */
+    size_t dominoes;                  /* dominoes visited in all passes */
+    size_t longest;                   /* dominoes in the longest pass */
+    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect was entered */
 };
 
-/*
- * Returns true if *flag is not 0; a NULL flag is never raised. A signal handler in one thread may raise a flag
- * that others read: both accesses are atomic here, so that it is no race.
- */
+/* Returns true if *flag, read atomically since another thread may set it, is not 0; false if flag is NULL. */
 static inline bool dom_raised(const volatile sig_atomic_t *flag)
 {
 #if defined __GNUC__
@@ -212,15 +211,15 @@ typedef double dom_real;
 /* Marks a value that does not exist. */
 #define DOM_NAN ((dom_real)NAN)
 
-/* ---- Simple API: one question, one number; NaN where there is no answer ---- */
+/* ---- Simple API: one question, one number. NaN: no answer, or a parameter outside its range ---- */
 
-/* Returns the largest growth at separation s, thickness d and mass exponent q (3 hollow, 4 solid). */
+/* Returns the largest growth for separation s, thickness d (in h), mass exponent q (3 hollow, 4 solid). */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
 /* Returns the smallest n with first r^n >= height: how many dominoes topple one of that height. */
 dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
 
-/* Returns the speed in m/s of the front of a row of equal dominoes, of height h in m. */
+/* Returns the front speed in m/s of equal solid dominoes of height h in m; s and d in h; g = 9.81 m/s^2. */
 dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
 /* ---- The train: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
@@ -231,7 +230,7 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
     X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness over height")                                         \
     X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, massive = 4")
 
-/* The largest friction coefficient that is taken. */
+/* The largest friction coefficient between dominoes. */
 #define DOM_MU_HIGHEST 100
 
 /* A self-similar train. Start from dom_train_default() and change what differs. */
@@ -255,11 +254,12 @@ struct dom_train {
     X(h, (dom_real)48 / 1000, (dom_real)1 / 1000000000, 1e9, "m", "height of the first domino")              \
     X(g, (dom_real)981 / 100, (dom_real)1 / 1000000000, 1e9, "m/s^2", "acceleration of gravity")
 
-/* Size of the head and gravity, in SI units. */
+/* The height of the head and gravity, in SI units. */
 struct dom_scale {
     DOM_SCALE_PARAMETERS(DOM_MEMBER)
 };
 
+/* Return the defaults of the lists above. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
@@ -268,40 +268,43 @@ struct dom_scale dom_scale_default(void);
 #define DOM_COMPUTE_PARAMETERS(X)                                                                            \
     X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
 
-/* Start from dom_compute_default() and change what differs; NULL in its place means the default. */
+/* How to compute. Start from dom_compute_default() and change what differs; NULL means these defaults. */
 struct dom_compute {
     DOM_COMPUTE_PARAMETERS(DOM_MEMBER)
 #undef DOM_MEMBER
-    enum dom_precision precision; /* in which answers are computed; parameters are rounded to it */
-    enum dom_method method;
-    bool errors;           /* whether results get bounds of their errors, which costs time */
-    struct dom_work *work; /* where not NULL, counts */
-    /* Where not NULL, long computations end with DOM_INTERRUPTED soon after it becomes non-zero. */
+    enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to it */
+    enum dom_method method;       /* default DOM_METHOD_OURS; others give few answers, and no bounds */
+    bool errors;                  /* true: results get bounds of their errors, which takes more time */
+    struct dom_work *work;        /* unless NULL, counts the work of the answer */
+    /* Unless NULL, a long computation ends with DOM_INTERRUPTED soon after *interrupt becomes non-zero. */
     const volatile sig_atomic_t *interrupt;
 };
 
+/* Returns the defaults. */
 struct dom_compute dom_compute_default(void);
 
+/* A precision. */
 struct dom_arithmetic {
-    const char *name; /* of the precision: "float", "double", "quad" */
-    const char *type; /* of C that it is made of */
-    int bits;         /* of the significand; 0 where this machine has no such arithmetic */
+    const char *name; /* "float", "double" or "quad" */
+    const char *type; /* the type of C that computes */
+    int bits;         /* of the significand; 0: this machine has no such arithmetic, DOM_NO_PRECISION */
     double epsilon;   /* twice the unit roundoff */
-    dom_real tol_default, tol_floor;
-    int digits; /* of an answer, worth printing at tol_default */
+    dom_real tol_default, tol_floor; /* a sensible tolerance, and the smallest that is allowed */
+    int digits;                      /* of an answer that are worth printing at tol_default */
 };
 
+/* Returns the description of a precision. */
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 
 /*
- * Returns DOM_OK where every parameter is in its range, tol is not below the floor of the precision, and the
- * head reaches the next domino, r s <= 1; else DOM_BAD_..., OUT_OF_REACH, UNDERFLOW or NO_PRECISION.
- * r = 1/s rounded to the precision counts as r s = 1.
- * Every function below that takes a train makes this check itself.
+ * Checks a train: DOM_OK if every parameter is in its range, tol is not below the tol_floor of the precision,
+ * and the head reaches the next domino, r s <= 1; else DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW,
+ * DOM_NO_METHOD or DOM_NO_PRECISION. r = 1/s rounded to the precision counts as r s = 1.
+ * Every function below that takes a train makes this check, and returns these statuses too.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
 
-/* A number and the bound of its error. */
+/* A number and the bound of its absolute error. */
 struct dom_value {
     dom_real value, error;
 };
@@ -313,15 +316,16 @@ struct dom_angles_error {
 };
 
 struct dom_angles {
-    dom_real theta_c;     /* the head hits the next domino, sin theta_c = r s          (a2) */
-    dom_real theta_u;     /* a single domino tips over, tan theta_u = d                (b1) */
-    dom_real theta_inf;   /* far followers approach it, cos theta_inf = d / (s + d)    (A16) */
+    dom_real theta_c;     /* the head hits the next domino here: sin theta_c = r s (a2) */
+    dom_real theta_u;     /* a single domino tips over here: tan theta_u = d (b1) */
+    dom_real theta_inf;   /* far followers approach this angle: cos theta_inf = d / (s + d) (A16) */
     dom_real theta_f;     /* the last angle of a follower: (A18) if it detaches, else theta_inf */
-    dom_real theta_leave; /* leader's angle at which its follower detaches; NaN if none does */
-    bool detaches;        /* (A17) */
+    dom_real theta_leave; /* the leader's angle at which its follower detaches; NaN if none does */
+    bool detaches;        /* true if followers detach from their leaders (A17) */
     struct dom_angles_error error;
 };
 
+/* Finds the angles that bound a cycle. */
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles);
 
@@ -331,14 +335,14 @@ struct dom_contact_error {
 
 /* A domino at tilt theta and the follower that leans on it. */
 struct dom_contact {
-    dom_real theta_1; /* angle of the follower (b8); theta_f where it is detached */
-    dom_real slope;   /* d theta_1 / d theta (b10); 0 where it is detached */
-    dom_real arm_a;   /* arm of the contact force on the leader, in h; NaN where detached */
-    dom_real arm_b;   /* arm of the contact force on the follower, in h; NaN where detached */
+    dom_real theta_1; /* angle of the follower (b8); theta_f once the follower has detached */
+    dom_real slope;   /* d theta_1 / d theta (b10); 0 once detached */
+    dom_real arm_a;   /* arm of the contact force on the leader, in h; NaN once detached */
+    dom_real arm_b;   /* arm of the contact force on the follower, in h; NaN once detached */
     struct dom_contact_error error;
 };
 
-/* 0 <= theta <= theta_c, else DOM_BAD_TILT. */
+/* Finds the contact at 0 <= theta <= theta_c; other tilts, here and in every function below: DOM_BAD_TILT. */
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
 
@@ -348,18 +352,19 @@ struct dom_link_error {
     dom_real theta, slope, arm_a, arm_b, weight;
 };
 
+/* Domino i of the train. */
 struct dom_link {
     size_t i;              /* number of the domino, 0 = head */
-    dom_real theta;        /* its angle (A2) */
+    dom_real theta;        /* the angle theta_i of the domino (A2) */
     dom_real slope;        /* d theta_i / d theta (A9) */
-    dom_real arm_a, arm_b; /* of the contact with its own follower; NaN without one (table 1) */
-    dom_real weight;       /* r^(-q i): its share in H (c1) */
+    dom_real arm_a, arm_b; /* of the contact with the follower of domino i, in h; NaN without one (table 1) */
+    dom_real weight;       /* r^(-q i), the weight of the domino in H (c1) */
     struct dom_link_error error;
 };
 
 /*
- * Calls visit for the head and for each follower that matters at the tolerance, in order; visit returns false
- * to stop the walk early (the status is still DOM_OK).
+ * Calls visit for the head, which leans at theta, and for each follower that matters at the tolerance, in
+ * order. visit returns false to end the walk early; the status is still DOM_OK.
  */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
@@ -372,12 +377,13 @@ struct dom_energy_error {
 };
 
 struct dom_energy {
-    dom_real dH; /* H(theta) - H(0), H the potential energy of the train (c1), in m g h / 2 */
-    dom_real J;  /* inertia of the train: kinetic energy = J tau^2 omega^2 (c2) */
+    dom_real dH; /* H(theta) - H(0); H is the potential energy of the train (c1), in m g h / 2 */
+    dom_real J;  /* inertia of the train: its kinetic energy is J tau^2 omega^2 (c2) */
     dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (d8, corrected) */
     struct dom_energy_error error;
 };
 
+/* Finds the energy of the train where the head leans at theta. */
 enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_energy *energy);
 
@@ -386,12 +392,12 @@ struct dom_fuels_error {
 };
 
 struct dom_fuels {
-    dom_real exact; /* what all dominoes lose in one cycle, with their weights: H(0) - H(theta_c) */
+    dom_real exact; /* the potential energy that all dominoes lose in one cycle: H(0) - H(theta_c) */
     dom_real paper; /* 1 - h(theta_f): the second equality of (c7), which holds only for r = 1 */
     struct dom_fuels_error error;
 };
 
-/* Both fuels, in m g h / 2; they may be zero or negative (no domino effect). */
+/* Finds both fuels, in m g h / 2. They may be zero or negative: then the train does not move on. */
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels);
 
@@ -402,17 +408,18 @@ struct dom_launch_error {
 };
 
 struct dom_launch {
-    dom_real fuel;           /* P, the one that train->fuel selects, less what friction takes of it */
+    dom_real fuel;           /* P, as train->fuel selects it, less what friction takes */
     dom_real J0;             /* J(0) */
-    dom_real velocity_ratio; /* omega(0) over omega_1(theta_c): the share of momentum, (J(0) - 1) / J(0) (c4) */
+    dom_real velocity_ratio; /* omega(0) / omega_1(theta_c), just after / before: (J(0) - 1) / J(0) (c4) */
     dom_real omegasq;        /* tau^2 omega(0)^2 after the collision (c6) */
     dom_real kinetic;        /* J(0) tau^2 omega(0)^2 */
     struct dom_launch_error error;
 };
 
 /*
- * DOM_NO_FUEL where P <= 0: then fuel, J0 and velocity_ratio are written, omegasq and kinetic are NaN.
- * DOM_LOCKS, from here on also of the others: friction lets no cycle begin; nothing is written.
+ * Finds the motion just after a collision. DOM_NO_FUEL: P <= 0; fuel, J0 and velocity_ratio are written,
+ * omegasq and kinetic are NaN. DOM_LOCKS, here and in all functions of a cycle below: friction lets no cycle
+ * begin; nothing is written.
  */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);
@@ -424,19 +431,19 @@ struct dom_barrier_error {
 };
 
 struct dom_barrier {
-    dom_real theta_m; /* where the barrier is highest, 0 <= theta_m <= theta_c */
-    /* max over the cycle of H(theta) - H(0), a global maximum, >= 0; with friction the kinetic energy that it
-     * takes to get there */
+    dom_real theta_m; /* the tilt where the barrier is highest, 0 <= theta_m <= theta_c */
+    /* The global maximum of H(theta) - H(0) over the cycle, >= 0; with friction, the kinetic energy after the
+     * collision that just suffices to pass every tilt. */
     dom_real barrier;
-    dom_real kinetic; /* after the collision; NaN without fuel */
+    dom_real kinetic; /* just after the collision; NaN without fuel */
     dom_real margin;  /* kinetic - barrier (c8, corrected); NaN without fuel */
     struct dom_barrier_error error;
 };
 
 /*
- * DOM_OK: the train goes on (margin >= 0).  DOM_STOPS: it does not; all members are written.  Every function
- * of one cycle gives this same verdict, also where a rough tolerance does not show it: then it is refined.
- * DOM_NO_FUEL: theta_m and barrier are written, the others are NaN.
+ * Finds whether the train goes on. DOM_OK: margin >= 0, it does. DOM_STOPS: it does not; all members are
+ * written. DOM_NO_FUEL: theta_m and barrier are written, the other members are NaN. Every function of one
+ * cycle gives the same verdict: where a rough tolerance does not decide it, the tolerance is refined.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
@@ -444,23 +451,23 @@ enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom
 /* ---- One cycle ---- */
 
 /*
- * tau^2 omega(theta)^2 on the way from one collision to the next (c3).  DOM_NO_FUEL: no cycle, NaN.
- * DOM_STOPS: the head does not come as far as theta; NaN.
+ * Finds tau^2 omega(theta)^2 between one collision and the next (c3). The value is NaN unless the status is
+ * DOM_OK. DOM_NO_FUEL: there is no cycle. DOM_STOPS: the train stops before theta.
  */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, struct dom_value *omegasq);
 
 /*
- * Where a train that does not go on comes to rest: the smallest tilt at which H(theta) - H(0) has used up
- * the kinetic energy.  DOM_OK with NaN where it does go on; DOM_NO_FUEL where it does not start.
+ * Finds the tilt at which a train that stops comes to rest: the smallest at which H(theta) - H(0) has used up
+ * the kinetic energy. DOM_OK with NaN: the train goes on. DOM_NO_FUEL: the train does not start.
  */
 enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_value *theta);
 
 /*
- * Duration of a cycle t_f / tau = integral of 1/(tau omega) over [0, theta_c].  It diverges like
- * ln(1 / margin): where the margin is 0 to rounding it is NO_MARGIN, and before that its relative error
- * grows like kinetic / margin times the unit roundoff.  NO_FUEL or STOPS without a whole cycle.
+ * Finds the duration of a cycle in tau, t_f / tau = the integral of 1/(tau omega) over [0, theta_c]. It grows
+ * like ln(1 / margin), and its relative error like kinetic / margin times the unit roundoff; where the margin
+ * is 0 to rounding the status is DOM_NO_MARGIN. DOM_NO_FUEL, DOM_STOPS: there is no whole cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    struct dom_value *duration);
@@ -471,12 +478,13 @@ struct dom_event {
     enum dom_event_kind kind;
     dom_real theta; /* tilt of the head */
     dom_real time;  /* since the launch, in tau */
-    size_t domino;  /* that detaches; else 0, the head */
+    size_t domino;  /* the domino that detaches; for other events 0, the head */
 };
 
 /*
- * The events of the cycle in their order, at most DOM_EVENTS_MAX.  DOM_STOPS: the last is DOM_EVENT_STOP.
- * DOM_NO_FUEL: there are none.  DOM_NO_MARGIN, of all that have a time: see dom_cycle_duration.
+ * Finds the events of the cycle in order; `events` has room for DOM_EVENTS_MAX. DOM_STOPS: all are written,
+ * the last is DOM_EVENT_STOP. DOM_NO_FUEL: *count is 0. DOM_NO_MARGIN, here and in every function that finds
+ * a time: see dom_cycle_duration.
  */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
@@ -486,83 +494,82 @@ struct dom_state_error {
 };
 
 /*
- * The train at one tilt on its way, and the ledger of its energy in m g h / 2 of the head:
- * before - lost - climbed - friction_work = kinetic.  With the paper's fuel it does not close, since that is
- * no balance.
+ * The train at one tilt of a cycle, and its energies in m g h / 2 of the head. They balance, but not with the
+ * paper's fuel: before - lost - climbed - friction_work = kinetic.
  */
 struct dom_state {
-    dom_real theta;
+    dom_real theta;         /* tilt of the head */
     dom_real time;          /* since the launch, in tau */
     dom_real omegasq;       /* tau^2 omega^2 (c3) */
-    dom_real acceleration;  /* tau^2 times that of the head, (c3) differentiated */
+    dom_real acceleration;  /* tau^2 times the angular acceleration of the head, from (c3) */
     dom_real kinetic;       /* J(theta) tau^2 omega^2 */
-    dom_real climbed;       /* H(theta) - H(0); what is negative was set free */
-    dom_real fallen;        /* the part of it in dominoes that detached in this cycle */
-    dom_real before;        /* kinetic energy of the hitting train, just before the collision */
-    dom_real lost;          /* of that in the collision: without friction the share 1 / J(0) (c4) */
-    dom_real friction_work; /* what friction has taken since the launch */
+    dom_real climbed;       /* H(theta) - H(0); negative where the train has come down */
+    dom_real fallen;        /* the part of `climbed` in dominoes that detached in this cycle */
+    dom_real before;        /* kinetic energy of the train just before the collision */
+    dom_real lost;          /* in the collision; without friction before / J(0) (c4) */
+    dom_real friction_work; /* energy that friction has taken since the launch */
     struct dom_state_error error;
 };
 
-/* 0 <= theta <= theta_c.  DOM_STOPS: the head does not come as far; DOM_NO_FUEL: it does not start. */
+/* Finds the state at theta. DOM_STOPS: the train stops before theta. DOM_NO_FUEL: it does not start. */
 enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_state *state);
 
-/* The tilt at a time after the launch, in tau, up to the next hit or the stop; else DOM_BAD_TIME. */
+/* Finds the tilt at a time since the launch, in tau, up to the next hit or the stop; else DOM_BAD_TIME. */
 enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real time, dom_real *theta);
 
 /*
- * Calls visit for `rows` states of the cycle evenly in time or in tilt, and for each event (else NULL), in
- * order; it returns false to end the walk early.  Statuses as dom_cycle_events, DOM_STOPS after all rows; many
- * states cost far less than as many dom_cycle_state.
+ * Calls visit, in order, for `rows` states evenly spaced over the cycle and for each of its events; event is
+ * NULL for the former. visit returns false to end the walk early. Many states cost far less than as many
+ * calls of dom_cycle_state. Statuses as dom_cycle_events; DOM_STOPS comes after all rows.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
 
-/* Domino i, and the contact of the follower that leans on it. */
+/* The force and impulse between domino i and its follower, in contact while it is > 0 (section 5). */
 struct dom_force {
-    size_t i;
+    size_t i;         /* number of the domino, 0 = head */
     dom_real force;   /* in m g of the head; NaN without a follower */
-    dom_real of_own;  /* the same in the weight of domino i */
-    dom_real impulse; /* in the collision (NaN unless theta = 0), in m g tau of the head: > 0 presses them */
+    dom_real of_own;  /* the same force in the weight of domino i */
+    dom_real impulse; /* of the collision, in m g tau of the head; NaN unless theta = 0 */
 };
 
 /*
- * Calls visit for the dominoes that matter at the tilt theta of a moving train, from the head down (model of
- * section 5: they stay in contact as long as every force is > 0).  Statuses as dom_cycle_state.
+ * Calls visit for the dominoes that matter at the tilt theta of a moving train, from the head down; visit
+ * returns false to end the walk early. Statuses as dom_cycle_state.
  */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, dom_force_visit *visit, void *context);
 
-/* Whether the dominoes stay in contact: > 0 where they do.  Infinite where there is no contact in the cycle. */
+/* The smallest contact force. Dominoes stay in contact if force and impulse are > 0; infinite: no contact. */
 struct dom_least_force {
-    dom_real force;   /* the smallest of the cycle, in the weight of the domino that it pushes */
+    dom_real force;   /* the smallest of the cycle, in the weight of the domino that the force pushes */
     dom_real theta;   /* the tilt of the head then */
-    size_t domino;    /* that is pushed, 0 = head */
+    size_t domino;    /* the domino that is pushed, 0 = head */
     dom_real impulse; /* the smallest of the collision, in m g tau of the head */
 };
 
-/* Over the cycle, or up to where the train stops, to about 1e-5 of that weight.  Statuses as dom_cycle_state. */
+/* Finds the smallest over the cycle, or up to a stop, to 1e-5 of that weight. DOM_NO_FUEL: no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
 /*
- * The friction coefficient that the floor needs so that no hinge slips: |R_x| / R_z of the floor's force, and
- * of its impulse in the collision; infinite where a domino would be lifted off it.
+ * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z of the floor's
+ * force, and of its impulse in the collision; infinite where a domino would be lifted off the floor.
  */
 struct dom_floor {
-    dom_real motion, theta; /* the most in motion, and the tilt of the head then */
-    size_t domino;          /* whose hinge, 0 = head */
-    dom_real hit;           /* the most in the collision */
-    size_t hit_domino;
+    dom_real motion, theta; /* the largest in motion, and the tilt of the head then */
+    size_t domino;          /* the domino of that foot, 0 = head */
+    dom_real hit;           /* the largest in the collision */
+    size_t hit_domino;      /* the domino of that foot */
 };
 
 /*
- * Over the cycle, or up to where the train stops, of the dominoes that move with a thousandth of the head's
- * speed at least; a smooth maximum is right to a millionth.  DOM_NO_FUEL, DOM_LOCKS: no cycle.
+ * Finds what the floor needs over the cycle, or up to where the train stops, of dominoes with at least a
+ * thousandth of the head's speed. A smooth maximum is right to a millionth. DOM_NO_FUEL: there is no cycle.
  */
 enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_floor *floor);
@@ -574,26 +581,26 @@ struct dom_limit_error {
 };
 
 struct dom_limit {
-    dom_real r_max;      /* NaN with DOM_END_NONE */
-    enum dom_end ends;   /* by what growth is limited */
-    enum dom_status why; /* with DOM_END_NONE: NO_FUEL, STOPS or LOCKS at r = 1; else DOM_OK */
+    dom_real r_max;      /* the largest growth; NaN with DOM_END_NONE */
+    enum dom_end ends;   /* what limits the growth */
+    enum dom_status why; /* with DOM_END_NONE: DOM_NO_FUEL, DOM_STOPS or DOM_LOCKS at r = 1; else DOM_OK */
     struct dom_limit_error error;
 };
 
 /*
- * The first r, raised from 1, at which the margin reaches 0; 1/s where that never happens.  train->r is
- * not used.  DOM_OK with DOM_END_NONE where already r = 1 does not go on.  Without friction bounds cover every
- * growth up to r_max: what can be missed is a dip of the margin narrower than 1e-6 in ln r (1e-4 just before
- * r_max; more where 1,500 intervals do not decide).  With friction there are samples alone.  DOM_TOO_LONG, also
- * of the next two: more work than a second or two in double.
+ * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0; 1/s if it never does.
+ * train->r is not used. DOM_OK with DOM_END_NONE: already equal dominoes, r = 1, do not go on. DOM_TOO_LONG,
+ * here and in the next two: it would take more than a second or two in double. Without friction, bounds cover
+ * every growth up to r_max; they can miss a dip of the margin narrower than 1e-6 in ln r (1e-4 just before
+ * r_max; more where 1,500 intervals do not decide). With friction, growths are only sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
 /*
- * The same for two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry domino 0
- * over the barrier of the pair.  train->r and train->fuel are not used.  Where equal dominoes fail, but
- * larger ones succeed ((b0) is a lower bound on r), the first band of r that succeeds counts.
+ * Finds the largest growth of two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry
+ * domino 0 over the barrier of the pair. train->r and train->fuel are not used. Where equal dominoes fail but
+ * larger ones succeed ((b0) is a lower bound on r), r_max is the end of the first band of r that succeeds.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -609,24 +616,24 @@ struct dom_best {
 };
 
 /*
- * train->s and train->r are not used.  DOM_NO_GROWTH where no separation allows r > 1.  Without friction
- * bounds exclude larger growths elsewhere, but for tops of r_max(s) narrower than 0.2 % of s; with friction
- * there are samples alone.
+ * Finds the best separation. train->s and train->r are not used. DOM_NO_GROWTH: no separation allows r > 1.
+ * Without friction, bounds exclude a larger growth at another s, except in a peak of r_max(s) narrower than
+ * 0.2 % of s; with friction, separations are only sampled.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
 
 /* ---- A finite row of any dominoes ---- */
 
-/* A solid block; the gap is the free one to the domino before it, of which the first has none. */
+/* A solid block. The gap is the free distance to the domino before it; 0 for the first, which has none. */
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
 };
 
 /*
- * Dominoes 1, 2, ... in the order in which they fall, of any sizes.  They start one after the other as a
- * train does: a head that all before it lean on, until it hits the next.
+ * Dominoes 1, 2, ... of any sizes, in the order in which they fall. As in a train, the foremost falling
+ * domino is the head, and all before it lean on it, until it hits the next.
  */
 struct dom_row {
     const struct dom_domino *domino; /* count of them: domino[0] is number 1 */
@@ -642,32 +649,32 @@ struct dom_row {
     const volatile sig_atomic_t *interrupt; /* as of a train */
 };
 
-/* One domino of the row, from when it is hit to when it hits the next, or lies on the floor. */
+/* One domino of the row as head: from when it is hit to when it hits the next or lies on the floor. */
 struct dom_fall {
-    size_t domino;          /* its number, from 1 */
-    dom_real time;          /* s, when it was hit; the clock starts with the push, or else with the first hit */
-    dom_real duration;      /* s, until it hits the next one, or lies on the floor; NaN where it does not */
-    dom_real omega;         /* rad/s, just after it was hit */
-    dom_real kinetic;       /* J, of all that move, just after it was hit */
-    dom_real barrier;       /* J, that it takes to go on; infinite where friction locks on the way */
-    dom_real margin;        /* J, kinetic - barrier */
-    dom_real lost;          /* J, in the collision */
-    dom_real friction_work; /* J, to friction between dominoes since it was hit; NaN where it does not go on */
-    dom_real theta_m;       /* where it is hardest to go on */
-    dom_real theta;         /* where it hits the next, lies on the floor, or comes to rest */
-    size_t moving;          /* dominoes that moved with it */
-    /* Where the floor is asked for, as of a train; by numbers in the row.  Else NaN and 0. */
+    size_t domino;     /* number of this domino, from 1 */
+    dom_real time;     /* s, when it was hit; the clock starts with the push, or else with the first hit */
+    dom_real duration; /* s, until it hits the next or lies on the floor; NaN if it does neither */
+    dom_real omega;    /* rad/s, just after it was hit */
+    dom_real kinetic;  /* J, of all dominoes that move, just after it was hit */
+    dom_real barrier;  /* J, the kinetic energy needed to go on; infinite if friction locks on the way */
+    dom_real margin;   /* J, kinetic - barrier */
+    dom_real lost;     /* J, in the collision */
+    dom_real friction_work; /* J, to friction between dominoes since it was hit; NaN if the row ends here */
+    dom_real theta_m;       /* rad, the tilt where it is hardest to go on */
+    dom_real theta;         /* rad, the tilt where it hits the next, lies on the floor, or comes to rest */
+    size_t moving;          /* how many dominoes move when it is hit, itself included */
+    /* As in struct dom_floor, with numbers from 1; NaN and 0 unless row->floor is set. */
     dom_real floor_motion, floor_hit;
     size_t floor_domino, floor_hit_domino;
 };
 
 struct dom_verdict {
     enum dom_row_end end;
-    size_t domino;     /* the last that was hit: where the row ends; with DOM_BAD_... the one that is wrong */
-    dom_real short_by; /* J, of what is missing there: > 0 for STOPS, infinite where friction locks farther on */
-    dom_real seconds;  /* until all lie, or until the last hit */
-    size_t weakest;    /* of those that go on the one that does so with the smallest margin / barrier */
-    dom_real spare;    /* that ratio; infinite where nothing has to be climbed */
+    size_t domino;     /* the last domino that was hit, where the row ends; with DOM_BAD_... the wrong one */
+    dom_real short_by; /* J, missing there: > 0 for DOM_ROW_STOPS, infinite if friction locks farther on */
+    dom_real seconds;  /* until all dominoes lie, or until the last hit; NaN without times */
+    size_t weakest;    /* the domino that goes on with the smallest margin / barrier; 0: none */
+    dom_real spare;    /* that ratio; infinite if there is no barrier */
 };
 
 /*
@@ -679,7 +686,7 @@ typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 
-/* Of a train: domino k = 1 ... count, each r times as large, gap s of its own height; the first weighs mass. */
+/* Writes `count` dominoes of a train, with gaps of s times own height and the first mass in kg. No checks. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -744,10 +751,7 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 
 /* ---- Errors of placement: the same row, set up again and again ---- */
 
-/*
- * Every gap gets an error of its own, normal with the standard deviation sigma; where it would overlap, the
- * dominoes touch.  Heights may get relative errors; masses follow them.
- */
+/* Normal errors of every gap and height. Masses follow the heights; dominoes that would overlap touch. */
 struct dom_placement {
     dom_real sigma;         /* m */
     dom_real heights;       /* relative */
@@ -757,10 +761,11 @@ struct dom_placement {
     void *pool;             /* what `parallel` works with */
 };
 
+/* How many rows of a placement fall. */
 struct dom_study {
-    size_t rows, fall;
-    size_t unknown;   /* of which the model does not tell: PASSES or PARTS */
-    double low, high; /* 95 % interval of the probability (Clopper and Pearson); unknown ones widen it */
+    size_t rows, fall; /* all rows, and those in which every domino falls */
+    size_t unknown;    /* rows that the model cannot decide, PASSES and PARTS; they widen the interval */
+    double low, high;  /* 95 % interval of the probability that all fall (Clopper and Pearson) */
 };
 
 /*
@@ -772,19 +777,19 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
                                     const struct dom_placement *placement, struct dom_study *study,
                                     size_t *stops);
 
-/* low and high from the counts: studies of other rows of one placement add up to a study of all of them. */
+/* Sets low and high from the counts, also from the sums of the counts of other rows of one placement. */
 enum dom_status dom_study_interval(struct dom_study *study);
 
-/* How precisely must it be placed? */
+/* How precisely the dominoes must be placed. */
 struct dom_budget {
-    /* m, with its 95 % interval; infinite where no error up to the largest gap matters; low is 0 where so few
-     * rows do not tell. */
+    /* m, with its 95 % interval; infinite if no error up to the largest gap matters; low is 0 if there are
+     * too few rows for a bound. */
     double sigma, low, high;
 };
 
 /*
- * The sigma at which the whole row falls with the given probability; placement->sigma is not used.
- * DOM_STOPS: even without any error it does not.
+ * Finds the sigma at which the whole row falls with the given probability, 0 < probability < 1.
+ * placement->sigma is not used. DOM_STOPS: even with sigma = 0 too few rows fall.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, double probability,
@@ -792,13 +797,14 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
 
 /* ---- Effects ---- */
 
+/* A number that an effect takes. */
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
-    dom_real lowest, highest;
-    dom_real usual;      /* where it is left out, and what its price is measured with */
-    bool optional;       /* may be left out; those after it too */
-    bool whole;          /* a whole number */
-    const char *or_file; /* what a file may give in its place; NULL for nothing */
+    dom_real lowest, highest; /* its range, both ends allowed */
+    dom_real usual;           /* the value when the argument is left out, and when its cost is measured */
+    bool optional;            /* true: this argument and those after it may be left out */
+    bool whole;               /* true: a whole number */
+    const char *or_file;      /* what a file may give instead; NULL: nothing */
 };
 
 enum { DOM_EFFECT_ARGUMENTS = 2 };
@@ -833,10 +839,10 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
 
-/* tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (a1), for solid blocks; d in h. */
+/* Returns tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (a1), for solid blocks; d in h. Checks nothing. */
 dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d);
 
-/* Front speed of a cycle in m/s: (s + d) r h over its duration (given in tau). */
+/* Returns the front speed in m/s: (s + d) r h over the duration of a cycle, in tau. Checks nothing. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count_error {
@@ -844,17 +850,17 @@ struct dom_count_error {
 };
 
 struct dom_count {
-    dom_real dominoes; /* n, the smallest integer with first r^n >= height; infinite for r = 1 < height/first */
+    dom_real dominoes; /* n, the smallest integer with first r^n >= height; infinite: r = 1 < height/first */
     dom_real exact;    /* ln(height / first) / ln r */
-    dom_real last;     /* first r^n, in the unit of first; NaN where n is infinite */
+    dom_real last;     /* first r^n, in the unit of first; NaN if n is infinite */
     struct dom_count_error error;
 };
 
 /*
- * How many dominoes topple one at least `height` tall, the first of them being `first` tall and each r
- * times the one before.  A power that meets the height up to the rounding of the typed numbers, half a
- * unit of the precision for each of 4 + n of them, counts as exact.  Both heights > 0 in one unit, else
- * DOM_BAD_HEIGHT; r >= 1, else DOM_BAD_R.  Of compute the precision and errors are used.
+ * Finds how many dominoes topple one at least `height` tall, if the first is `first` tall and each r times as
+ * tall as the one before. A power that meets the height up to rounding, half a unit of the precision for each
+ * of 4 + n numbers, counts as exact. Both heights are > 0 and in one unit, else DOM_BAD_HEIGHT; r >= 1, else
+ * DOM_BAD_R. Of compute only precision and errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

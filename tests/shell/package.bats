@@ -5,6 +5,11 @@ load common
 
 root=$BATS_TEST_DIRNAME/../..
 build=$(dirname "$DOMINO")
+soname=libdomino.so.$(sed -n 's/^#define DOM_VERSION "\([0-9]*\.[0-9]*\).*"/\1/p' "$root/include/domino.h")
+
+# The compiler on each of the public headers.
+header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }
+header_quad() { cc -std=c17 "$@" -I"$root/include" -I"$build/include" -include domino_quad.h -x c /dev/null -E -P; }
 
 # As from a shell of its own: nothing of the 'make' that runs the tests.
 plain_make() {
@@ -17,23 +22,44 @@ checked() {
     if nm "$1" 2>/dev/null | grep -q __gcov_init; then echo --coverage; fi
 }
 
+# Installs into $dest, where pkg-config and the loader of shared libraries then find the library.
+install_there() {
+    dest=$BATS_TEST_TMPDIR/dest
+    plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
+    export PKG_CONFIG_SYSROOT_DIR=$dest PKG_CONFIG_PATH=$dest/usr/lib/pkgconfig LD_LIBRARY_PATH=$dest/usr/lib
+}
+
+# Compiles and links with the installed library: the shared one, or with --static the other.
+build_with() { # shared|--static FLAGS...
+    local how=(-L"$dest/usr/lib")
+    if [ "$1" = --static ]; then
+        # The sanitizers have no static library; for them the shared libdomino is put out of sight.
+        if [ -z "$(checked "$build/libdomino.a")" ]; then how=(-static); else how=(-L"$BATS_TEST_TMPDIR/static"); fi
+        mkdir -p "$BATS_TEST_TMPDIR/static" && cp "$dest/usr/lib/libdomino.a" "$BATS_TEST_TMPDIR/static"
+    fi
+    # shellcheck disable=SC2046,SC2086
+    cc "${@:2}" "${how[@]}" $(checked "$build/libdomino.a") $(pkg-config ${1#shared} --cflags --libs domino)
+}
+
+needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
+
 @test "a stranger builds the example with pkg-config from what make install put there, and uninstall leaves nothing" {
     dest=$BATS_TEST_TMPDIR/dest
     mkdir -p "$dest/usr/lib" "$dest/usr/share/man/man3" # there before, and one of them not empty
     echo before >"$dest/usr/lib/other"
     find "$dest" | sort >"$BATS_TEST_TMPDIR/before"
-    plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
+    install_there
     [ -x "$dest/usr/bin/domino" ]
     [ -x "$dest/usr/share/doc/domino/examples/quiz.dom" ]
     for page in man1/domino.1 man3/libdomino.3 man7/domino-effects.7; do [ -s "$dest/usr/share/man/$page" ]; done
 
-    export PKG_CONFIG_SYSROOT_DIR=$dest PKG_CONFIG_PATH=$dest/usr/lib/pkgconfig
     cd "$BATS_TEST_TMPDIR" || false
     cp "$dest/usr/share/doc/domino/examples/rmax.c" .
-    # As its first lines say; and as for a link without shared libraries.
-    for static in '' --static; do
-        # shellcheck disable=SC2046
-        cc rmax.c -o rmax $(checked "$dest/usr/lib/libdomino.a") $(pkg-config $static --cflags --libs domino)
+    # As its first lines say; and without a shared library.
+    for way in shared --static; do
+        build_with $way rmax.c -o rmax
+        libraries=$(needed rmax)
+        if [ $way = shared ]; then same needed "$soname" "$libraries"; else same needed '(nothing)' "$libraries"; fi
         for s in 0.4 0.05 0.7; do
             run -0 ./rmax $s
             says=$("$dest/usr/bin/domino" -n -e "set digits 12; print rmax($s)" | head -n 1)
@@ -45,7 +71,7 @@ checked() {
     run -1 ./rmax 0.001
     [[ $output = "rmax: s = 0.001: the fuel P is not positive"* ]]
     run -1 ./rmax 7
-    [[ $output = *"a parameter is outside its range" ]]
+    [[ $output = "rmax: s = 7: the separation s is outside its range" ]]
     run -2 ./rmax 0.4x
     same version "$(pkg-config --modversion domino)" "$("$DOMINO" --version | grep -o '[0-9.]*[0-9]')"
 
@@ -67,18 +93,120 @@ checked() {
     done
 }
 
-@test "pkg-config says that the library has no __float128, where it was built so" {
-    for flags in '' -DDOM_NO_FLOAT128; do
-        pc=$BATS_TEST_TMPDIR/pc$flags
-        plain_make -C "$root" B="$pc" CFLAGS="-O2 $flags" "$pc/domino.pc"
-        same "Cflags" "Cflags: -I\${includedir}${flags:+ $flags}" "$(grep '^Cflags' "$pc/domino.pc")"
+@test "the example in Python does what the one in C does" {
+    [[ "$(checked "$build/libdomino.a")" != *sanitize* ]] || skip "Python has no runtime of the sanitizers"
+    install_there
+    examples=$dest/usr/share/doc/domino/examples
+    build_with shared "$examples/rmax.c" -o "$BATS_TEST_TMPDIR/rmax"
+    run -0 env -u LD_LIBRARY_PATH LIBDOMINO="$dest/usr/lib/libdomino.so" "$examples/rmax.py" 0.4
+    same "LIBDOMINO" "1.64422903954, ends by barrier" "$output"
+    for arguments in 0.4 0.05 0.7 1 1e-6 0.001 0 7 -1 nan inf 0.4x '' '0.4 0.4' no; do
+        # shellcheck disable=SC2086
+        run "$BATS_TEST_TMPDIR/rmax" $arguments
+        in_c="$status: $output"
+        # shellcheck disable=SC2086
+        run "$examples/rmax.py" $arguments
+        same "rmax $arguments" "$in_c" "$status: ${output/rmax.py/rmax}"
+    done
+    run -2 "$examples/rmax.py" ''
+}
+
+@test "a program in quad gets more digits than one in double has" {
+    cat >"$BATS_TEST_TMPDIR/quad.c" <<'C'
+#define _GNU_SOURCE
+#include <domino_quad.h>
+#include <stdio.h>
+#include <stdlib.h>
+int main(void)
+{
+    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
+    struct domq_train train = domq_train_default();
+    struct domq_compute compute = domq_compute_default();
+    struct domq_limit limit;
+    char text[64];
+    compute.precision = DOM_QUAD;
+    compute.tol = quad->tol_default;
+    if (domq_limit_rmax(&train, &compute, &limit) != DOM_OK)
+        return 1;
+#ifdef DOMQ_REAL_FLOAT128
+    strfromf128(text, sizeof text, "%.33g", limit.r_max);
+#else
+    snprintf(text, sizeof text, "%.33Lg", limit.r_max);
+#endif
+    printf("%d %s %.15g %.17g\n", quad->digits, text, (double)limit.r_max, dom_rmax(0.4, 7.0 / 48, 4));
+}
+C
+    known=1.64422903953514910728136563949904
+    install_there
+    for way in shared --static; do
+        build_with $way "$BATS_TEST_TMPDIR/quad.c" -o "$BATS_TEST_TMPDIR/quad"
+        read -r digits wide converted narrow < <("$BATS_TEST_TMPDIR/quad")
+        [ "$digits" -gt 15 ]
+        same "$way: $digits digits" "${known:0:digits}" "${wide:0:digits}"
+        same "$way: as a double" 1.64422903953515 "$converted"
+        close "$way: in double" "$known" "$narrow" 1e-12
+        differ "$way: digits" "${known:0:18}" "$narrow"
     done
 }
 
-@test "the library shows no names but dom_*" {
-    nm -g --defined-only "$build/libdomino.a" | awk 'NF == 3 { print $3 }' >"$BATS_TEST_TMPDIR/names"
-    [ "$(grep -c '^dom_' "$BATS_TEST_TMPDIR/names")" -gt 30 ]
-    same "other names" '(nothing)' "$(grep -vE '^(dom_|__asan|__odr_asan|__gcov)' "$BATS_TEST_TMPDIR/names")"
+@test "pkg-config says that the library has no __float128, where it was built so" {
+    for flags in '' -DDOM_NO_FLOAT128; do
+        pc=$BATS_TEST_TMPDIR/pc$flags
+        plain_make -C "$root" B="$pc" CFLAGS="-O2 $flags" "$pc/domino.pc" "$pc/include/domino_quad.h"
+        same "Cflags" "Cflags: -I\${includedir}${flags:+ $flags}" "$(grep '^Cflags' "$pc/domino.pc")"
+        # shellcheck disable=SC2086
+        header_quad $flags -I"$pc/include" >"$pc/quad"
+        grep -q 'domq_limit_rmax' "$pc/quad"
+    done
+    grep -q 'typedef long double domq_real;' "$pc/quad"
+    same "__float128" '(nothing)' "$(grep __float128 "$pc/quad")"
+}
+
+@test "both libraries show no names but dom_* and domq_*, and the same" {
+    # In the archive, functions that its objects share are global too, but hidden.
+    names=$(nm -g --defined-only "$build/libdomino.a" | awk 'NF == 3 { print $3 }')
+    same "global names" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' <<<"$names")"
+    readelf -sW "$build/libdomino.a" | awk '$5 == "GLOBAL" && $6 != "HIDDEN" && $7 ~ /^[0-9]+$/ { print $8 }' |
+        sort >"$BATS_TEST_TMPDIR/static"
+    nm -D --defined-only "$build/libdomino.so" | awk 'NF == 3 { print $3 }' | sort >"$BATS_TEST_TMPDIR/shared"
+    for way in static shared; do
+        names=$BATS_TEST_TMPDIR/$way
+        [ "$(grep -c '^dom_' "$names")" -gt 35 ]
+        [ "$(grep -c '^domq_' "$names")" -gt 30 ]
+        same "other names, $way" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' "$names")"
+        grep -E '^domq?_' "$names" >"$names.api"
+    done
+    same_file "$BATS_TEST_TMPDIR/static.api" "$BATS_TEST_TMPDIR/shared.api"
+    # They are the functions of the two headers; dom_raised is in the header.
+    { header -E -P && header_quad; } | grep -oE '\bdomq?_\w+ *\(' | tr -d ' (' |
+        grep -vE '_visit$|_raised$' | sort -u >"$BATS_TEST_TMPDIR/declared"
+    same_file "$BATS_TEST_TMPDIR/declared" "$BATS_TEST_TMPDIR/static.api"
+}
+
+@test "the shared library has a versioned soname, and is a file of that name" {
+    same soname "$soname" "$(readelf -d "$build/libdomino.so" | sed -n 's/.*(SONAME).*\[\(.*\)\]/\1/p')"
+    same link "$soname" "$(readlink "$build/libdomino.so")"
+    [ -f "$build/$soname" ]
+}
+
+@test "both headers compile as C and as C++, in any order, and domino.h knows no __float128" {
+    languages='cc:-std=c99 cc:-std=c17'
+    if command -v g++ >/dev/null; then languages+=' g++:-std=c++11 g++:-std=c++17'; fi
+    for language in $languages; do
+        for order in 'domino domino_quad' 'domino_quad domino' domino domino_quad; do
+            # shellcheck disable=SC2086
+            printf '#include <%s.h>\n' $order >"$BATS_TEST_TMPDIR/both.cpp"
+            echo 'int main(void) { return dom_rmax(0.4, 0.1, 4) > 1 && !dom_raised(NULL) ? DOM_OK : DOM_STOPS; }' \
+                >>"$BATS_TEST_TMPDIR/both.cpp"
+            cp "$BATS_TEST_TMPDIR/both.cpp" "$BATS_TEST_TMPDIR/both.c"
+            file=$BATS_TEST_TMPDIR/both.c
+            [[ $language = cc:* ]] || file+=pp
+            "${language%:*}" "${language#*:}" -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$root/include" \
+                -I"$build/include" "$file"
+        done
+    done
+    same "__float128" '(nothing)' "$(header -E -P | grep __float128)"
+    same "quad" '(nothing)' "$(header -E -P | grep domq_)"
 }
 
 @test "make dist packs the tracked files, and what is unpacked builds without git and packs the same bytes" {
@@ -152,16 +280,13 @@ C
 
 # ---- libdomino(3) against the header ----
 
-header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }
-
 # The function types of C, with their arguments, from the page's synopsis.
 synopsis() {
     awk '/^\.Sh DESCRIPTION/ { exit }
          /^\.Ft / { sub(/^\.Ft /, ""); type = $0 }
-         /^\.Fn / { name = $2; sub(/^\.Fn [^ ]* /, ""); gsub(/"/, ""); print type " " name "(" $0 ");" }
-         /^\.Fo / { name = $2; arguments = "" }
-         /^\.Fa / { sub(/^\.Fa "/, ""); sub(/"$/, ""); arguments = arguments (arguments ? ", " : "") $0 }
-         /^\.Fc/ { print type " " name "(" arguments ");" }' "$root/man/libdomino.3"
+         /^\.Fn / {
+             name = $2; sub(/^\.Fn [^ ]* /, ""); gsub(/" "/, ", "); gsub(/"/, ""); print type " " name "(" $0 ");"
+         }' "$root/man/libdomino.3"
 }
 
 # The names of structures' members in C that is one statement a ';'.
@@ -173,11 +298,11 @@ members() {
 @test "libdomino(3) has every function of the header, as it is declared" {
     synopsis >"$BATS_TEST_TMPDIR/synopsis.h"
     header -E -P | grep -oE '\bdom_\w+ *\(' | sort -u >"$BATS_TEST_TMPDIR/functions"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/functions")" -gt 30 ]
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/functions")" -gt 40 ]
     grep -oE '\bdom_\w+ *\(' "$BATS_TEST_TMPDIR/synopsis.h" | sort -u | diff -u "$BATS_TEST_TMPDIR/functions" -
     # What is declared again must be the same.
     header -Werror -fsyntax-only -include "$root/include/domino.h" -x c "$BATS_TEST_TMPDIR/synopsis.h"
-    sed '0,/dom_real theta/s//double theta/' "$BATS_TEST_TMPDIR/synopsis.h" >"$BATS_TEST_TMPDIR/other.h"
+    sed '0,/dom_real theta/s//float theta/' "$BATS_TEST_TMPDIR/synopsis.h" >"$BATS_TEST_TMPDIR/other.h"
     run ! header -Werror -fsyntax-only -include "$root/include/domino.h" -x c "$BATS_TEST_TMPDIR/other.h"
     # And each function is explained.
     for name in $(tr -d '(' <"$BATS_TEST_TMPDIR/functions"); do
@@ -190,9 +315,9 @@ members() {
     { grep -oE '\b(dom|DOM)_\w+' "$BATS_TEST_TMPDIR/header" && header -E -dM | grep -oE '\bDOM_\w+'; } | sort -u \
         >"$BATS_TEST_TMPDIR/names"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/names")" -gt 130 ]
-    # DOM_NO_FLOAT128 is for users to define, and DOM_REAL_FLOAT128 not everywhere.
-    grep -oE '\b(dom|DOM)_\w+' "$root/man/libdomino.3" | grep -vE '^DOM_(NO|REAL)_FLOAT128' | sort -u |
-        diff -u <(grep -vE '^DOM_(NO|REAL)_FLOAT128' "$BATS_TEST_TMPDIR/names") -
+    # DOM_NO_FLOAT128 is for users to define.
+    grep -oE '\b(dom|DOM)_\w+' "$root/man/libdomino.3" | grep -v '^DOM_NO_FLOAT128$' | sort -u |
+        diff -u "$BATS_TEST_TMPDIR/names" -
     members <"$BATS_TEST_TMPDIR/header" >"$BATS_TEST_TMPDIR/members"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/members")" -gt 90 ]
     sed '1,/^\.Sh DESCRIPTION/d' "$root/man/libdomino.3" | grep -E '^\.(It |Po |)Fa ' | grep -oE '\w+' | sort -u |
@@ -212,6 +337,7 @@ members() {
 int main(void)
 {
     DOM_TRAIN_PARAMETERS(PARAMETER)
+    DOM_COMPUTE_PARAMETERS(PARAMETER)
     DOM_SCALE_PARAMETERS(PARAMETER)
     DOM_STATUSES(STATUS)
     DOM_ROW_ENDS(END)
