@@ -64,7 +64,7 @@ DEPS_fuzz     := clang libclang-rt-dev
 DEPS_bench    := bc octave python3-scipy gnuplot-nox valgrind binutils
 DEPS_guard    := valgrind
 DEPS_verify   := libchipmunk-dev
-DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck libcmocka-dev libmpfr-dev $(DEPS_verify)
+DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck hunspell hunspell-en-gb libcmocka-dev libmpfr-dev $(DEPS_verify)
 NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
@@ -269,6 +269,7 @@ guard: | $(FIRST)
 # ---- Checks ----
 
 C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
+PAGES   := $(wildcard man/*.[1-9])
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
@@ -287,9 +288,9 @@ lint: $(B)/kernel_names.h | $(FIRST)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	tests/layers $(B)/gcc
-	mandoc -T lint man/domino.1 man/libdomino.3
-	mandoc -T lint -W warning $(B)/gcc/domino-effects.7
-	shellcheck tests/run tests/layers tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
+	mandoc -T lint -W warning $(PAGES) $(B)/gcc/domino-effects.7
+	tests/spelling README.md src/README.md $(PAGES)
+	shellcheck tests/run tests/layers tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
 	  src/shell/prompt/domino.bash
 
 format:
@@ -300,7 +301,7 @@ format:
 # What goes where under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
 INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib include/domino.h:include $(B)/domino.pc:lib/pkgconfig \
-  man/domino.1:share/man/man1 man/libdomino.3:share/man/man3 $(B)/domino-effects.7:share/man/man7 \
+  $(foreach page,$(PAGES),$(page):share/man/man$(subst .,,$(suffix $(page)))) $(B)/domino-effects.7:share/man/man7 \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
   $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f))))
 # Every file and folder that installing made, so that uninstall leaves what was there before.

@@ -25,7 +25,7 @@ checked() {
     plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
     [ -x "$dest/usr/bin/domino" ]
     [ -x "$dest/usr/share/doc/domino/examples/quiz.dom" ]
-    for page in man1/domino.1 man3/libdomino.3 man7/domino-effects.7; do [ -s "$dest/usr/share/man/$page" ]; done
+    for page in man1/domino.1 man3/libdomino.3 man7/domino-{effects,model,rows}.7; do [ -s "$dest/usr/share/man/$page" ]; done
 
     export PKG_CONFIG_SYSROOT_DIR=$dest PKG_CONFIG_PATH=$dest/usr/lib/pkgconfig
     cd "$BATS_TEST_TMPDIR" || false
