@@ -66,7 +66,7 @@ DEPS_fuzz     := clang libclang-rt-dev
 DEPS_bench    := bc octave python3-scipy gnuplot-nox valgrind binutils
 DEPS_guard    := valgrind
 DEPS_verify   := libchipmunk-dev
-DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck libcmocka-dev libmpfr-dev $(DEPS_verify)
+DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck hunspell hunspell-en-gb libcmocka-dev libmpfr-dev $(DEPS_verify)
 NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
@@ -306,6 +306,7 @@ guard: | $(FIRST)
 # ---- Checks ----
 
 C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
+PAGES   := $(wildcard man/*.[1-9])
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows

@@ -108,18 +108,17 @@ sentence() {
     [ "$examples" -ge 25 ]
 }
 
-@test "the README's sessions are what the program prints" {
-    # Blocks that begin with '$ domino' or '$ for' are commands with their output; the last digits of the 17 may
-    # differ with the C library's sine.
-    awk '/^```/ { inside = !inside; next } inside' "$root/README.md" >"$BATS_TEST_TMPDIR/blocks"
+@test "the sessions of the README and the man pages are what the program prints" {
+    # The last digits of the 17 may differ with the C library's sine.
     PATH=$(dirname "$DOMINO"):$PATH
-    cd "$root" || false
-    grep '^\$ \(domino\|for\) ' "$BATS_TEST_TMPDIR/blocks" >"$BATS_TEST_TMPDIR/commands"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/commands")" -ge 5 ]
-    while IFS= read -r command; do
-        awk -v command="$command" '$0 == command { on = 1; next } /^\$ / { on = 0 } on' \
-            "$BATS_TEST_TMPDIR/blocks" | digits >"$BATS_TEST_TMPDIR/said"
-        sh -c "${command#\$ }" 2>&1 </dev/null | digits >"$BATS_TEST_TMPDIR/says"
+    commands=0
+    for text in "$root/README.md" "$root"/man/*.[0-9]; do
+        "$root/tests/sessions" "$text" >"$BATS_TEST_TMPDIR/now"
+        if [ "${GOLDEN:-}" = write ]; then cp "$BATS_TEST_TMPDIR/now" "$text"; fi
+        digits <"$text" >"$BATS_TEST_TMPDIR/said"
+        digits <"$BATS_TEST_TMPDIR/now" >"$BATS_TEST_TMPDIR/says"
         same_file "$BATS_TEST_TMPDIR/said" "$BATS_TEST_TMPDIR/says"
-    done <"$BATS_TEST_TMPDIR/commands"
+        commands=$((commands + $(grep -cE '^\$ (domino|for) ' "$text" || :)))
+    done
+    [ "$commands" -ge 5 ]
 }

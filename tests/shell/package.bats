@@ -51,7 +51,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     install_there
     [ -x "$dest/usr/bin/domino" ]
     [ -x "$dest/usr/share/doc/domino/examples/quiz.dom" ]
-    for page in man1/domino.1 man3/libdomino.3 man7/domino-effects.7; do [ -s "$dest/usr/share/man/$page" ]; done
+    for page in man1/domino.1 man3/libdomino.3 man7/domino-{effects,model,rows}.7; do [ -s "$dest/usr/share/man/$page" ]; done
 
     cd "$BATS_TEST_TMPDIR" || false
     cp "$dest/usr/share/doc/domino/examples/rmax.c" .

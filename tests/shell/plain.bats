@@ -1,0 +1,70 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Texts for people are in plain words: README, man pages and help avoid those of tests/plain-words.
+
+load common
+
+root=$BATS_TEST_DIRNAME/../..
+
+# Prints the lines of a text on stdin that have a word of tests/plain-words: name, line, what is better, the line.
+violations() { # NAME
+    awk -v name="$1" -F '\t' '
+        FNR == NR { if (!/^#/) { word[++n] = "(^|[^a-z_-])(" $1 ")([^a-z_-]|$)"; better[n] = $2 } next }
+        { text = tolower($0)
+          for (i = 1; i <= n; i++)
+              if (text ~ word[i]) printf "%s:%d: better: %s: %s\n", name, FNR, better[i], $0 }' "$root/tests/plain-words" -
+}
+
+# The help of every command, parameter and effect, one after the other.
+all_help() {
+    { echo help; "$DOMINO" -e 'complete help ' | sed 's/^/help /'; } | "$DOMINO" -
+}
+
+# What the man page repeats of help is of help: sentences of its summaries and of the meanings of parameters.
+of_help() {
+    { "$DOMINO" -e help | sed -nE 's/^  ([^ ].{20})(.*)/\2/p'; json show | values meaning; } |
+        sed -E 's/^(.)(.*)$/\U\1\E\2./'
+}
+
+@test "words that are not plain are found" {
+    for line in 'The file stands behind it.' 'Massive dominoes fall off.' 'Whoever calls is told.'; do
+        expects "$line" "$(violations text <<<"$line")"
+    done
+    same 'plain' '(nothing)' "$(violations text <<<'A solid domino detaches; understand whole words only: outside, goodwho.')"
+    [ "$(grep -vc '^#' "$root/tests/plain-words")" -ge 20 ]
+}
+
+@test "README and man pages are in plain words" {
+    of_help >"$BATS_TEST_TMPDIR/help"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/help")" -ge 60 ]
+    for text in README.md src/README.md man/domino.1 man/domino-model.7 man/domino-rows.7; do
+        # An empty line in the place of each that is help's keeps the numbers.
+        "$root/tests/prose" "$root/$text" |
+            awk 'FNR == NR { help[$0]; next } $0 in help { $0 = "" } 1' "$BATS_TEST_TMPDIR/help" - >"$BATS_TEST_TMPDIR/prose"
+        [ "$(grep -c '[a-z]' "$BATS_TEST_TMPDIR/prose")" -ge 50 ]
+        same "$text" '(nothing)' "$(violations "$text" <"$BATS_TEST_TMPDIR/prose")"
+    done
+}
+
+@test "help has no more words that are not plain than it had" {
+    all_help >"$BATS_TEST_TMPDIR/help"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/help")" -ge 900 ]
+    violations help <"$BATS_TEST_TMPDIR/help" >"$BATS_TEST_TMPDIR/found"
+    echo "$(wc -l <"$BATS_TEST_TMPDIR/found") now, to become 0:"
+    cat "$BATS_TEST_TMPDIR/found"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/found")" -le 41 ]
+}
+
+@test "the README is read to its end: at most 180 lines, and its picture is there, and small" {
+    [ "$(wc -l <"$root/README.md")" -le 180 ]
+    pictures=$(grep -oE '\(examples/pictures/[^)]*\)' "$root/README.md" | tr -d '()')
+    expects pictures "$pictures"
+    for picture in $pictures; do
+        [ "$(wc -c <"$root/$picture")" -lt 300000 ]
+        same "$picture" GIF89a "$(head -c 6 "$root/$picture")"
+    done
+    # Links lead to files.
+    for link in $(grep -oE '\]\([a-z][^:)]*\)' "$root/README.md" | tr -d ']()'); do
+        [ -e "$root/$link" ] || { echo "$link"; false; }
+    done
+}
