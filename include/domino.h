@@ -834,7 +834,10 @@ const struct dom_effect *dom_effect(enum dom_effect_name name);
 /* The first effect of DOM_DYNAMICS that a train has; NULL for none. */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
-/* The law of motion of a train: the effect that takes energy in the motion, or else the energy balance. */
+/* What the law of motion without any effect says of itself. */
+extern const struct dom_effect dom_energy_balance;
+
+/* The law of motion of a train: the effect that takes energy in the motion, or else dom_energy_balance. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */

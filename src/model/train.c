@@ -103,5 +103,5 @@ const struct dom_effect *dom_law(const struct dom_train *train)
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
         if (dynamics_on(values.of[k]) && dom_effect((enum dom_effect_name)k)->dissipates)
             return dom_effect((enum dom_effect_name)k);
-    return &energy_balance_text;
+    return &dom_energy_balance;
 }

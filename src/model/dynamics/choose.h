@@ -4,6 +4,7 @@
 #define DOM_CHOOSE_H
 
 #include "dynamics/energy_balance.h"
+#include "dynamics/list.h"
 
 /* Chooses the law of motion and the potential for the effects that are on; the geometry has its d. */
 KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, struct geometry *geometry);

@@ -2,7 +2,7 @@
 #include "dynamics/energy_balance.h"
 
 #ifdef KERNEL_TEXTS
-const struct dom_effect energy_balance_text = {
+const struct dom_effect dom_energy_balance = {
     .name = "energy balance",
     .adds = "no effect: contacts without friction take no energy",
     .help =
@@ -228,7 +228,7 @@ static real energy_gain(const struct geometry *geometry, const struct start *sta
 }
 
 static const struct dynamics energy_balance = {
-    .text = &energy_balance_text,
+    .text = &dom_energy_balance,
     .conservative = true,
     .collide = energy_collide,
     .inertia_ratio = energy_inertia_ratio,

@@ -13,7 +13,6 @@
 #define DOM_ENERGY_BALANCE_H
 
 #include "dynamics/dynamics.h"
-#include "dynamics/list.h"
 
 /* What one pass at theta_c gives. */
 struct fuel {

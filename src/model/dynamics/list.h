@@ -41,7 +41,4 @@ static inline bool dynamics_allowed(const struct dynamics_values *values)
     return true;
 }
 
-/* What the law of motion without any effect says of itself (energy_balance.c). */
-extern const struct dom_effect energy_balance_text;
-
 #endif
