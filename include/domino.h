@@ -112,16 +112,23 @@ enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
- * Effects beyond the paper: struct dom_effect says what each adds.  One that is off is not computed, and none
- * of its code is entered (struct dom_work counts).
- *
- * Effects that change how dominoes move, each in src/model/dynamics/: X(effect, the member of struct
- * dom_train and struct dom_row that holds its value; 0 is off).
+ * Which algorithm computes the answer: this library's; or, to compare with and in double precision only,
+ * solvers of GSL around the textbook formulas, or the paper's recipe, which raises theta and r in steps.
  */
-#define DOM_DYNAMICS(X) X(friction, mu)
+enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
-/* How many these are; they come first in enum dom_effect_name. */
-#define DOM_DYNAMICS_ONE(name, member) +1
+/*
+ * Effects beyond the paper: struct dom_effect says what each adds. The code of an effect is entered only if
+ * it is on: struct dom_work counts.
+ *
+ * Effects that change how dominoes move, each in src/model/dynamics/: X(effect, member, status). The member
+ * of struct dom_train and struct dom_row holds its value, 0 for off; the status names a value outside its
+ * range.
+ */
+#define DOM_DYNAMICS(X) X(friction, mu, DOM_BAD_MU)
+
+/* The number of these; they come first in enum dom_effect_name. */
+#define DOM_DYNAMICS_ONE(name, member, status) +1
 enum { DOM_DYNAMICS_COUNT = DOM_DYNAMICS(DOM_DYNAMICS_ONE) };
 #undef DOM_DYNAMICS_ONE
 
@@ -129,16 +136,16 @@ enum { DOM_DYNAMICS_COUNT = DOM_DYNAMICS(DOM_DYNAMICS_ONE) };
 #define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
 
 enum dom_effect_name {
-#define DOM_DYNAMICS_ENUM(name, member) DOM_EFFECT_##name,
-#define DOM_EFFECT_ENUM(name)           DOM_EFFECT_##name,
+#define DOM_DYNAMICS_ENUM(name, member, status) DOM_EFFECT_##name,
+#define DOM_EFFECT_ENUM(name)                   DOM_EFFECT_##name,
     DOM_DYNAMICS(DOM_DYNAMICS_ENUM) DOM_EFFECTS(DOM_EFFECT_ENUM)
 #undef DOM_DYNAMICS_ENUM
 #undef DOM_EFFECT_ENUM
         DOM_EFFECT_COUNT
 };
 
-/* The most arguments that an effect has. */
-enum { DOM_EFFECT_ARGUMENTS = 2 };
+/* The most arguments that an effect has, and the most changes that dom_row_mend finds. */
+enum { DOM_EFFECT_ARGUMENTS = 2, DOM_MENDS = 31 };
 
 /* What limits the growth: NONE, no growth is possible; the barrier; or r = 1/s, the reach of the head. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
@@ -203,6 +210,19 @@ static inline bool dom_raised(const volatile sig_atomic_t *flag)
 #endif
 }
 
+/* Reports that `done` of `of` parts of a long computation are done. */
+typedef void dom_progress(size_t done, size_t of, void *context);
+
+/* ---- Work side by side ---- */
+
+/*
+ * The library starts no thread: what can run side by side it hands to the caller's pool as tasks.
+ * A dom_parallel runs task(0, context) to task(count - 1, context), each once, in any order and on any
+ * threads, and returns when none runs any more: DOM_OK, or why some were left out, such as DOM_INTERRUPTED.
+ */
+typedef void dom_task(size_t index, void *context);
+typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
+
 /* ==== From here on everything is also in <domino_quad.h>, with domq_ in the place of dom_ ==== */
 
 /* The type that parameters and answers travel in. */
@@ -237,17 +257,12 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 struct dom_train {
 #define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
     DOM_TRAIN_PARAMETERS(DOM_MEMBER)
-    enum dom_fuel fuel;
-    /*
-     * The effects of DOM_DYNAMICS, each 0 for off.  With any of them the methods to compare with and the
-     * paper's closed fuel are NO_METHOD.  mu is Coulomb's friction between dominoes, >= 0: with it no bounds
-     * of errors are known, they are NaN.
-     */
-#define DOM_DYNAMICS_MEMBER(effect, member) dom_real member;
+    enum dom_fuel fuel; /* default DOM_FUEL_EXACT */
+    /* The effects of DOM_DYNAMICS, each 0 for off, the default: mu is the coefficient of Coulomb friction
+     * between dominoes. With any effect DOM_FUEL_PAPER and methods other than DOM_METHOD_OURS give
+     * DOM_NO_METHOD. With friction the equation of motion takes the place of (c3) and (c6). */
+#define DOM_DYNAMICS_MEMBER(effect, member, status) dom_real member;
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
-    struct dom_work *work; /* where not NULL, counts */
-    /* Where not NULL, long computations end with DOM_INTERRUPTED soon after it becomes non-zero. */
-    const volatile sig_atomic_t *interrupt;
 };
 
 #define DOM_SCALE_PARAMETERS(X)                                                                              \
@@ -636,17 +651,13 @@ struct dom_domino {
  * domino is the head, and all before it lean on it, until it hits the next.
  */
 struct dom_row {
-    const struct dom_domino *domino; /* count of them: domino[0] is number 1 */
-    size_t count;
-    dom_real g;    /* m/s^2 */
-    dom_real push; /* rad/s, of the first, upright domino; NaN: it is tipped over its edge and let go */
+    const struct dom_domino *domino; /* `count` of them: domino[0] is number 1 */
+    size_t count;                    /* at least 1 */
+    dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
+    dom_real push; /* rad/s, >= 0, of the first, upright domino; NaN: it is tipped over its edge and let go */
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER) /* as of a train */
 #undef DOM_DYNAMICS_MEMBER
-    bool floor;   /* is it asked what friction the floor needs? */
-    dom_real tol; /* relative tolerance */
-    enum dom_precision precision;
-    struct dom_work *work;                  /* where not NULL, counts */
-    const volatile sig_atomic_t *interrupt; /* as of a train */
+    bool floor; /* true: find the friction that the floor needs */
 };
 
 /* One domino of the row as head: from when it is hit to when it hits the next or lies on the floor. */
@@ -678,9 +689,9 @@ struct dom_verdict {
 };
 
 /*
- * Runs a row.  visit is called for each domino that is hit, in order, unless it is NULL; it returns false to
- * stop early.  times = false leaves out what only times need: they are NaN.  The verdict is written with
- * DOM_OK.  BAD_PARAMETER: a size, g, push, tol or an effect is not finite, or not in its range.
+ * Runs a row. visit, unless NULL, is called for each domino that is hit, in order; it returns false to end
+ * the run early. times = false saves the work that only times need, which are then NaN. DOM_BAD_HEIGHT and
+ * other statuses about a domino write its number to verdict->domino. compute->method is not used.
  */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
@@ -699,17 +710,14 @@ struct dom_row_growth {
 };
 
 /*
- * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance row->tol: the first
- * r, raised from 1 up to `highest`, beyond which they do not.  For a row of a train (dom_row_of_train)
- * `highest` is 1/s.  make(r, ...) makes the dominoes for each r that is tried; row->domino is not read, and
- * row has everything else.  r rises in steps of 2 %: what opens and closes again within a step can be missed.
- * BAD_PARAMETER: as dom_row_run, also for the dominoes that make gives; or `highest` is not a number >= 1.
+ * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance: the first r,
+ * raised from 1 up to `highest`, beyond which they do not. For a row of a train (dom_row_of_train) `highest`
+ * is 1/s. make(r, ...) makes the dominoes for each r that is tried; row->domino is not read, and row has
+ * everything else. r rises in steps of 2 %: what opens and closes again within a step can be missed. Statuses
+ * as dom_row_run, also for the dominoes of make; DOM_BAD_R: `highest` is not a number >= 1.
  */
-enum dom_status dom_row_rmax(const struct dom_row *row, dom_real highest, dom_row_make *make, void *context,
-                             struct dom_row_growth *growth);
-
-/* Reports that `done` of `of` parts of a long computation are done. */
-typedef void dom_progress(size_t done, size_t of, void *context);
+enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
+                             dom_row_make *make, void *context, struct dom_row_growth *growth);
 
 /* A change of one gap with which all dominoes of a row fall. */
 struct dom_mend {
@@ -719,8 +727,6 @@ struct dom_mend {
     dom_real until; /* m, from `to` to here, away from `gap`, all fall */
 };
 
-enum { DOM_MENDS = 31 }; /* the most changes that dom_row_mend finds */
-
 /*
  * Finds the changes of single gaps that save a row, the smallest first, and counts them; 0 for a row that
  * falls.  Looks at the gap after the domino where the row ends and at the 30 before it, each made smaller
@@ -728,26 +734,18 @@ enum { DOM_MENDS = 31 }; /* the most changes that dom_row_mend finds */
  * that way, then by bisection; a window narrower than a step can be missed.  progress, unless NULL, is called
  * for each gap.  Statuses as dom_row_run.
  */
-enum dom_status dom_row_mend(const struct dom_row *row, dom_progress *progress, void *context,
-                             struct dom_mend mends[DOM_MENDS], size_t *count);
+enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
+                             dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
+                             size_t *count);
 
 /*
  * Finds the weakest push in rad/s with which all dominoes of a row fall, of four digits, and rounded up: by
  * doubling the push that turns the first domino over its edge, or the row's own if that is stronger, then by
  * bisection.  NaN where no such push up to `strongest` lets all fall; row->push where all fall already.
- * Statuses as dom_row_run; BAD_PARAMETER also where `strongest` is not a finite number > 0.
+ * Statuses as dom_row_run; DOM_BAD_PUSH also where `strongest` is not a finite number > 0.
  */
-enum dom_status dom_row_push(const struct dom_row *row, dom_real strongest, dom_real *push);
-
-/* ---- Work side by side ---- */
-
-/*
- * The library starts no thread: what can run side by side it hands to the caller's pool as tasks.
- * A dom_parallel runs task(0, context) to task(count - 1, context), each once, in any order and on any
- * threads, and returns when none runs any more: DOM_OK, or why some were left out, such as DOM_INTERRUPTED.
- */
-typedef void dom_task(size_t index, void *context);
-typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
+enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
+                             dom_real *push);
 
 /* ---- Errors of placement: the same row, set up again and again ---- */
 
@@ -770,8 +768,8 @@ struct dom_study {
 
 /*
  * stops, unless NULL, has room for row->count: how often the row ended at each domino without falling, the
- * unknown left out.  The answer does not depend on how the batches are run.  BAD_PARAMETER: also sigma or
- * heights is no number >= 0, or rows is 0.
+ * unknown left out. The answer does not depend on how the batches are run. Rows are computed to a tolerance
+ * of 1e-9 at best.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
@@ -807,9 +805,7 @@ struct dom_effect_argument {
     const char *or_file;      /* what a file may give instead; NULL: nothing */
 };
 
-enum { DOM_EFFECT_ARGUMENTS = 2 };
-
-/* What an effect tells of itself. */
+/* The description of an effect. */
 struct dom_effect {
     const char *name;
     const char *adds;   /* in a few words */
@@ -817,27 +813,27 @@ struct dom_effect {
     const char *source; /* where its mathematics is from */
     const char *plan;   /* what is solved where it is on, and how */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* ends early with a NULL name */
-    unsigned needs;  /* 1 << DOM_EFFECT_...: those without which it says nothing */
-    bool dissipates; /* it is a law of motion that takes energy: see dom_law */
+    unsigned needs;  /* 1 << DOM_EFFECT_...: the effects without which this one cannot be on */
+    bool dissipates; /* true: a law of motion that takes energy, see dom_law */
 };
 
-#define DOM_DYNAMICS_DECLARE(name, member) extern const struct dom_effect dom_effect_##name;
-#define DOM_EFFECT_DECLARE(name)           extern const struct dom_effect dom_effect_##name;
+#define DOM_DYNAMICS_DECLARE(name, member, status) extern const struct dom_effect dom_effect_##name;
+#define DOM_EFFECT_DECLARE(name)                   extern const struct dom_effect dom_effect_##name;
 DOM_DYNAMICS(DOM_DYNAMICS_DECLARE)
 DOM_EFFECTS(DOM_EFFECT_DECLARE)
 #undef DOM_DYNAMICS_DECLARE
 #undef DOM_EFFECT_DECLARE
 
-/* All of them, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
+/* Returns the description of an effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* The first effect of DOM_DYNAMICS that a train has; NULL for none. */
+/* Returns the first effect of DOM_DYNAMICS that is on; NULL for none. */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
-/* What the law of motion without any effect says of itself. */
+/* The description of the law of motion without any effect. */
 extern const struct dom_effect dom_energy_balance;
 
-/* The law of motion of a train: the effect that takes energy in the motion, or else dom_energy_balance. */
+/* Returns the law of motion of a train: the effect that takes energy in the motion, or dom_energy_balance. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */

@@ -11,6 +11,10 @@ function learn(line) {
     gsub(/\/\*.*/, "", line)
     if (typed && line ~ /^#define DOM_/)
         macro[substr(line, 9, match(substr(line, 9) " ", /[^A-Za-z0-9_]/) - 1)] = 1
+    for (rest = line; names && !typed && match(rest, /X\([a-z]+/); rest = substr(rest, RSTART + RLENGTH)) {
+        effect = substr(rest, RSTART + 2, RLENGTH - 2) # of a list of effects: dom_effect_NAME is put together
+        print "#define dom_effect_" effect " domq_effect_" effect
+    }
     while (!typed && match(line, /dom_[a-z_]+/)) {
         common[substr(line, RSTART, RLENGTH)] = 1
         line = substr(line, RSTART + RLENGTH)
