@@ -123,17 +123,18 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
             continue;
         assert_named(ask(k, train, compute, &result), expected);
     }
-#define WIDE_EFFECT(effect, member, status) .member = train->member,
-    const struct domq_train wide = {.s = train->s,
-                                    .r = train->r,
-                                    .d = train->d,
-                                    .q = train->q,
-                                    .fuel = train->fuel,
-                                    DOM_DYNAMICS(WIDE_EFFECT)};
+    const struct dom_train *a = train;
+    const struct domq_train wide = {.fuel = a->fuel,
+                                    DOM_TRAIN_PARAMETERS(ASKED_COPY_NUMBER) DOM_DYNAMICS(ASKED_COPY_EFFECT)};
     const struct domq_compute wide_compute = {
         .tol = compute->tol, .precision = compute->precision, .method = compute->method};
     assert_status(domq_train_check(&wide, &wide_compute), expected);
 }
+
+/* Numbers outside a range. */
+#define OUTSIDE(lowest, highest)                                                                             \
+    nextafter(lowest, -(double)INFINITY), nextafter(highest, (double)INFINITY), (double)NAN,                 \
+        (double)INFINITY, -(double)INFINITY
 
 #define BAD_s   DOM_BAD_S
 #define BAD_r   DOM_BAD_R
@@ -148,8 +149,7 @@ static void parameters(void **state)
     struct dom_compute compute = dom_compute_default();
 #define BAD(owner, name, lowest, highest, expected)                                                          \
     for (int k = 0; k < 5; k++) {                                                                            \
-        const double bad[] = {nextafter(lowest, -1), nextafter(highest, 1e9), (double)NAN, (double)INFINITY, \
-                              -(double)INFINITY};                                                            \
+        const double bad[] = {OUTSIDE(lowest, highest)};                                                     \
         train = dom_train_default();                                                                         \
         compute = dom_compute_default();                                                                     \
         owner.name = bad[k];                                                                                 \
@@ -243,25 +243,31 @@ static void row_copy(double r, struct dom_domino *domino, size_t count, void *co
     memcpy(domino, context, count * sizeof *domino);
 }
 
+static void searches_refused(const struct dom_row *row, const struct dom_compute *compute,
+                             enum dom_status expected)
+{
+    struct dom_row_growth growth = {.r_max = -1};
+    struct dom_mend mends[DOM_MENDS];
+    size_t count = 7;
+    double push = -1;
+    assert_named(dom_row_rmax(row, compute, 2, row_copy, (void *)row->domino, &growth), expected);
+    assert_named(dom_row_mend(row, compute, NULL, NULL, mends, &count), expected);
+    assert_named(dom_row_push(row, compute, 100, &push), expected);
+    assert_true(growth.r_max == -1 && count == 7 && push == -1);
+}
+
 static void row_refused(const struct dom_row *row, const struct dom_compute *compute, size_t domino,
                         enum dom_status expected)
 {
     struct dom_verdict verdict = {.domino = 99, .seconds = -1};
     struct dom_study study = {.rows = 7};
     struct dom_budget budget = {.sigma = -1};
-    struct dom_row_growth growth = {.r_max = -1};
-    struct dom_mend mends[DOM_MENDS];
-    size_t count = 7;
-    double push = -1;
     const struct dom_placement placement = {.sigma = 1e-3, .seed = 1, .rows = 4};
     assert_named(dom_row_run(row, compute, true, never_fall, NULL, &verdict), expected);
     assert_true(verdict.seconds == -1);
     if (domino)
         assert_int_equal(verdict.domino, domino);
-    assert_named(dom_row_rmax(row, compute, 2, row_copy, (void *)row->domino, &growth), expected);
-    assert_named(dom_row_mend(row, compute, NULL, NULL, mends, &count), expected);
-    assert_named(dom_row_push(row, compute, 100, &push), expected);
-    assert_true(growth.r_max == -1 && count == 7 && push == -1);
+    searches_refused(row, compute, expected);
     if (expected == DOM_BAD_GAP) /* a study narrows or widens gaps itself, and takes one below 0 as 0 */
         return;
     assert_named(dom_placement_study(row, compute, &placement, &study, NULL), expected);
@@ -277,12 +283,12 @@ static void rows(void **state)
     struct dom_compute compute = dom_compute_default();
     const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
     for (int k = 0; k < 4; k++) {
-        for (int member = 0; member < 6; member++) {
+        for (int member = 0; member < 5; member++) {
             static const enum dom_status named[] = {DOM_BAD_HEIGHT, DOM_BAD_THICKNESS, DOM_BAD_MASS,
-                                                    DOM_BAD_G,      DOM_BAD_GAP,       DOM_BAD_MU};
+                                                    DOM_BAD_G, DOM_BAD_GAP};
             row_make(&r);
             struct dom_domino *d = &r.domino[BAD_ONE];
-            double *of[] = {&d->height, &d->thickness, &d->mass, &r.row.g, &d->gap, &r.row.mu};
+            double *of[] = {&d->height, &d->thickness, &d->mass, &r.row.g, &d->gap};
             *of[member] = bad[k];
             if (member < 4 || bad[k] != 0)
                 row_refused(&r.row, &compute, member < 3 || member == 4 ? BAD_ONE + 1 : 0, named[member]);
@@ -294,18 +300,19 @@ static void rows(void **state)
         compute.tol = bad[k];
         row_make(&r);
         struct dom_verdict verdict; /* a study takes any tolerance that is too fine as 1e-9 */
-        struct dom_mend mends[DOM_MENDS];
-        struct dom_row_growth growth;
-        size_t count;
-        double push;
         assert_named(dom_row_run(&r.row, &compute, true, never_fall, NULL, &verdict), DOM_BAD_TOL);
-        assert_named(dom_row_rmax(&r.row, &compute, 2, row_copy, r.domino, &growth), DOM_BAD_TOL);
-        assert_named(dom_row_mend(&r.row, &compute, NULL, NULL, mends, &count), DOM_BAD_TOL);
-        assert_named(dom_row_push(&r.row, &compute, 100, &push), DOM_BAD_TOL);
+        searches_refused(&r.row, &compute, DOM_BAD_TOL);
         compute = dom_compute_default();
     }
-    r.row.mu = nextafter(DOM_MU_HIGHEST, 1e9);
-    row_refused(&r.row, NULL, 0, DOM_BAD_MU);
+#define ROW_EFFECT(effect, member, status)                                                                   \
+    for (int k = 0; k < 5; k++) {                                                                            \
+        const double outside[] = {                                                                           \
+            OUTSIDE(dom_effect_##effect.argument[0].lowest, dom_effect_##effect.argument[0].highest)};       \
+        row_make(&r);                                                                                        \
+        r.row.member = outside[k];                                                                           \
+        row_refused(&r.row, NULL, 0, status);                                                                \
+    }
+    DOM_DYNAMICS(ROW_EFFECT)
     row_make(&r);
     r.row.count = 0;
     row_refused(&r.row, NULL, 0, DOM_BAD_COUNT);
