@@ -174,7 +174,7 @@ static void put_parameter_value(struct maker *m, const struct parameter *p)
     else if (p && p->effect && pick(m, 2))
         put(m, PICK(m, of_effects));
     else if (p && pick(m, 2)) {
-        dom_real lowest = p->value->lowest, highest = p->value->highest;
+        domq_real lowest = p->value->lowest, highest = p->value->highest;
         fprintf(m->line, "%.17g", (double)(lowest + (highest - lowest) * pick(m, 256) / 255));
     } else
         put_expression(m, 0);

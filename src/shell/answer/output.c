@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-dom_real style_angle(const struct output_style *style, dom_real radians)
+domq_real style_angle(const struct output_style *style, domq_real radians)
 {
     return style->angle == ANGLE_DEG ? radians * (180 / QUAD_PI) : radians;
 }
@@ -132,7 +132,7 @@ static const char *row_finite(struct answer *a, struct cell *shown, const char *
         return reason;
     bool people = a->style.format->for_people;
     snprintf(people && !*a->unsaid ? a->unsaid : lost, ANSWER_REASON,
-             "%s is beyond what %s precision can hold%s", key, dom_arithmetic(precision)->name,
+             "%s is beyond what %s precision can hold%s", key, domq_arithmetic(precision)->name,
              precision == DOM_QUAD ? "" : "; 'set precision quad' holds more");
     return people || (reason && *reason) ? reason : lost;
 }

@@ -61,7 +61,7 @@ static void help_text(FILE *out, const char *text)
 }
 
 /* Writes what the i-th value of an effect is, and in which range. */
-static void help_value(FILE *out, const struct dom_effect_argument *a, const char *range)
+static void help_value(FILE *out, const struct domq_effect_argument *a, const char *range)
 {
     fprintf(out, "  %-8s %s, %s%s%s%s%s%s\n", a->name, a->meaning, range, *a->unit ? " " : "", a->unit,
             a->or_file ? "; or " : "", a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");

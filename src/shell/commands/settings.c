@@ -31,7 +31,7 @@ static void effect_say(struct session *session, struct answer *a, const struct p
 bool run_set(struct session *session, const struct call *call)
 {
     const struct parameter *p = call->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
-    dom_real before = parameter_get(session, p), was = moved ? parameter_get(session, moved) : 0;
+    domq_real before = parameter_get(session, p), was = moved ? parameter_get(session, moved) : 0;
     if (!parameter_set(session, p, &call->number[1], call->count - 1, call->word[1]))
         return false;
     /* A file that is sourced goes on to say what it wants. */
@@ -63,7 +63,7 @@ struct shown {
 static void shown_make(const struct session *session, const struct parameter *p, bool people,
                        struct shown *shown)
 {
-    dom_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
+    domq_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
     bool number = !people && parameter_is_number(p);
     bool on = !people && p->effect && value != EFFECT_OFF && !effect_file(session, p->which);
     parameter_range(session, p, 0, shown->range, sizeof shown->range);
@@ -105,7 +105,7 @@ static bool run_reset(struct session *session, const struct call *call)
     const struct parameter *p;
     bool done = true;
     for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++) {
-        dom_real value = parameter_fallback(session, p);
+        domq_real value = parameter_fallback(session, p);
         if (call->parameter ? p == call->parameter : !p->setting && !p->effect)
             done = parameter_set(session, p, &value, 1, NULL) && done;
     }

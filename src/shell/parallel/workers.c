@@ -205,7 +205,7 @@ struct workers_end workers_run(const struct workers *w)
     return c.end;
 }
 
-unsigned workers_count(dom_real threads, size_t points)
+unsigned workers_count(domq_real threads, size_t points)
 {
     cpu_set_t ours;
     size_t n = (size_t)threads;

@@ -39,7 +39,7 @@ struct workers_end workers_run(const struct workers *workers);
 
 /* What the library's tasks are run with. */
 struct task_pool {
-    dom_real threads; /* 0: one for each processor */
+    domq_real threads; /* 0: one for each processor */
     bool progress;
     const volatile sig_atomic_t *interrupt;
 };
@@ -49,6 +49,6 @@ enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void 
 
 /* Returns how many workers there should be: as many as asked for, 0 being one for each processor that this
  * process may use, but no more than points. */
-unsigned workers_count(dom_real threads, size_t points);
+unsigned workers_count(domq_real threads, size_t points);
 
 #endif

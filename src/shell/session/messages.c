@@ -116,7 +116,7 @@ bool session_no_answer(struct session *session, const char *format, ...)
 
 bool session_status(struct session *session, enum dom_status status)
 {
-    const struct dom_train *t = &session->train;
+    const struct domq_train *t = &session->train;
     session->column = 0;
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY) /* no matter with which values */
         return session_error(session, "%s", dom_status_text(status));
@@ -125,10 +125,10 @@ bool session_status(struct session *session, enum dom_status status)
                                  "r s = %s > 1: the head falls past the next domino without touching it; "
                                  "at s = %s r may be up to 1/s = %.17g",
                                  quad_shown(t->r * t->s).text, quad_shown(t->s).text, (double)(1 / t->s));
-    if (status == DOM_NO_METHOD && dom_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
+    if (status == DOM_NO_METHOD && domq_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
         return session_no_answer(
             session, "the paper's closed form of the fuel knows no %s; 'set fuel exact', or 'effect %s off'",
-            dom_dynamics(t)->name, dom_dynamics(t)->name);
+            domq_dynamics(t)->name, domq_dynamics(t)->name);
     if (status == DOM_TOO_LONG)
         return session_no_answer(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
     return session_no_answer(session, "%s", dom_status_text(status));

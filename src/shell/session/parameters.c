@@ -5,7 +5,7 @@
 #include "language/quad.h"
 
 /* So that 'show' says which. */
-#if defined DOM_REAL_FLOAT128
+#if defined DOMQ_REAL_FLOAT128
 #define QUAD_TYPE "__float128, 113 bits"
 #elif LDBL_MANT_DIG == 113
 #define QUAD_TYPE "long double, 113 bits"
@@ -29,24 +29,24 @@ static const char errors_help[] =
     "matter then. In csv and json it is a column or key of its own, KEY_error. The values of 'print' have "
     "none.";
 
-static dom_real tol_default(const struct dom_arithmetic *arithmetic)
+static domq_real tol_default(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->tol_default;
 }
 
-static dom_real tol_floor(const struct dom_arithmetic *arithmetic)
+static domq_real tol_floor(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->tol_floor;
 }
 
-static dom_real digits_default(const struct dom_arithmetic *arithmetic)
+static domq_real digits_default(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->digits;
 }
 
-static bool fuel_check(struct session *session, dom_real fuel)
+static bool fuel_check(struct session *session, domq_real fuel)
 {
-    const struct dom_effect *effect = dom_dynamics(&session->train);
+    const struct domq_effect *effect = domq_dynamics(&session->train);
     return fuel != DOM_FUEL_PAPER || !effect ||
            session_error(session,
                          "the paper's closed form of the fuel knows no %s: they exclude each other; "
@@ -54,29 +54,29 @@ static bool fuel_check(struct session *session, dom_real fuel)
                          effect->name, effect->name);
 }
 
-static bool precision_check(struct session *session, dom_real precision)
+static bool precision_check(struct session *session, domq_real precision)
 {
-    const struct dom_arithmetic *arithmetic = dom_arithmetic((enum dom_precision)precision);
+    const struct domq_arithmetic *arithmetic = domq_arithmetic((enum dom_precision)precision);
     return arithmetic->bits > 0 ||
            session_error(session, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
 }
 
 /* Returns the lowest value at the session's precision. */
-static dom_real parameter_lowest(const struct session *session, const struct parameter *p)
+static domq_real parameter_lowest(const struct session *session, const struct parameter *p)
 {
-    return p->lowest_of ? p->lowest_of(dom_arithmetic(session->train.precision)) : p->value->lowest;
+    return p->lowest_of ? p->lowest_of(domq_arithmetic(session->compute.precision)) : p->value->lowest;
 }
 
 /* Of tol and digits, what was the old default becomes the new one; a tol below the new floor becomes that. */
-static void precision_put(struct session *session, dom_real precision)
+static void precision_put(struct session *session, domq_real precision)
 {
-    enum dom_precision before = session->train.precision;
+    enum dom_precision before = session->compute.precision;
     for (const struct parameter *p = session_parameters; p->name; p++) {
         if (!p->fallback_of)
             continue;
-        session->train.precision = before;
-        dom_real value = parameter_get(session, p), was = parameter_fallback(session, p);
-        session->train.precision = (enum dom_precision)precision;
+        session->compute.precision = before;
+        domq_real value = parameter_get(session, p), was = parameter_fallback(session, p);
+        session->compute.precision = (enum dom_precision)precision;
         value = value == was ? parameter_fallback(session, p) : value;
         parameter_put(session, p, p->lowest_of ? quad_larger(value, parameter_lowest(session, p)) : value);
     }
@@ -110,29 +110,29 @@ const struct format *format_number(unsigned k)
 /* A row's first members: where it is stored, and its value. */
 #define ROW(name_, member, unit_, meaning_, ...) \
     .name = name_, .offset = offsetof(struct session, member), \
-    .value = (const struct dom_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
+    .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
 #define NUMBER(of, name_, default_, lowest_, highest_, unit_, meaning_) \
-    {ROW(#name_, of.name_, unit_, meaning_, .usual = (dom_real)(default_), .lowest = (dom_real)(lowest_), \
-         .highest = (dom_real)(highest_)), MORE_##name_},
+    {ROW(#name_, of.name_, unit_, meaning_, .usual = (domq_real)(default_), .lowest = (domq_real)(lowest_), \
+         .highest = (domq_real)(highest_)), MORE_##name_},
 #define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
 #define EFFECT(name_) \
-    {.name = #name_, .value = dom_effect_##name_.argument, .effect = &dom_effect_##name_, \
+    {.name = #name_, .value = domq_effect_##name_.argument, .effect = &domq_effect_##name_, \
      .which = DOM_EFFECT_##name_, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
 
 const struct parameter session_parameters[] = {
-    DOM_TRAIN_PARAMETERS(TRAIN_NUMBER)
-    DOM_SCALE_PARAMETERS(SCALE_NUMBER)
+    DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
+    DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
     {ROW("mass", mass, "kg", "mass of the first domino, 0 for none: energies are then in m g h/2", .highest = 1e9)},
     {ROW("density", density, "kg/m^3", "of solid dominoes half as wide as tall, where no mass is set",
          .highest = 1e9)},
     {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (c7)", .usual = DOM_FUEL_EXACT),
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
-    {ROW("precision", train.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+    {ROW("precision", compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
      .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .put = precision_put},
-    {ROW("seed", seed, "", "of random rows: the same seed, the same rows", .highest = (dom_real)4294967295.0,
+    {ROW("seed", seed, "", "of random rows: the same seed, the same rows", .highest = (domq_real)4294967295.0,
          .usual = SEED_DEFAULT, .whole = true)},
     {ROW("threads", threads, "", "of curves, sweeps and studies; 0: as many as there are processors",
          .highest = 256, .whole = true), .setting = true},
@@ -169,7 +169,7 @@ const struct parameter *parameter_find(const char *name)
     return k < 0 ? NULL : &session_parameters[k];
 }
 
-const struct dom_effect_argument *parameter_value(const struct parameter *p, int i)
+const struct domq_effect_argument *parameter_value(const struct parameter *p, int i)
 {
     return i < (p->effect ? DOM_EFFECT_ARGUMENTS : 1) && p->value[i].name ? &p->value[i] : NULL;
 }
@@ -189,25 +189,25 @@ bool parameter_is_number(const struct parameter *p)
     return !p->words_only && !p->effect;
 }
 
-dom_real parameter_get(const struct session *session, const struct parameter *p)
+domq_real parameter_get(const struct session *session, const struct parameter *p)
 {
     const struct effect_state *state = &session->effect[p->which];
     const char *place = (const char *)session + p->offset;
     if (p->effect)
         return state->on ? state->value[0] : EFFECT_OFF;
     if (!p->words_only)
-        return *(const dom_real *)(const void *)place;
+        return *(const domq_real *)(const void *)place;
     return *(const unsigned *)(const void *)place;
 }
 
-dom_real parameter_fallback(const struct session *session, const struct parameter *p)
+domq_real parameter_fallback(const struct session *session, const struct parameter *p)
 {
     return p->effect        ? EFFECT_OFF
-           : p->fallback_of ? p->fallback_of(dom_arithmetic(session->train.precision))
+           : p->fallback_of ? p->fallback_of(domq_arithmetic(session->compute.precision))
                             : p->value->usual;
 }
 
-void parameter_put(struct session *session, const struct parameter *p, dom_real value)
+void parameter_put(struct session *session, const struct parameter *p, domq_real value)
 {
     char *place = (char *)session + p->offset;
     if (p->put)
@@ -217,14 +217,14 @@ void parameter_put(struct session *session, const struct parameter *p, dom_real 
     else if (p->words_only)
         *(unsigned *)(void *)place = (unsigned)value;
     else
-        *(dom_real *)(void *)place = value;
+        *(domq_real *)(void *)place = value;
 }
 
-_Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) &&
-                   sizeof(enum angle) == sizeof(unsigned) && sizeof(enum dom_precision) == sizeof(unsigned),
+_Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) == sizeof(unsigned) &&
+                   sizeof(enum dom_precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned");
 
-bool parameter_set(struct session *session, const struct parameter *p, const dom_real *value, int given,
+bool parameter_set(struct session *session, const struct parameter *p, const domq_real *value, int given,
                    const char *path)
 {
     if (p->effect)
@@ -263,7 +263,7 @@ void parameter_save(const struct session *session, const struct parameter *p, FI
     fprintf(out, "set %s %s\n", p->name, value);
 }
 
-const char *parameter_word(const struct parameter *p, dom_real value)
+const char *parameter_word(const struct parameter *p, domq_real value)
 {
     for (const struct word *w = p->words; w && w->name; w++)
         if (w->value == value)
@@ -281,7 +281,7 @@ void parameter_range(const struct session *session, const struct parameter *p, i
         used += (size_t)snprintf(text + used, size - used, "%s%s", used ? "|" : "", w->name);
 }
 
-void parameter_text(const struct parameter *p, dom_real value, int digits, char *text, size_t size)
+void parameter_text(const struct parameter *p, domq_real value, int digits, char *text, size_t size)
 {
     char number[WIDE_TEXT];
     const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
@@ -291,12 +291,12 @@ void parameter_text(const struct parameter *p, dom_real value, int digits, char 
                                      : quad_text(value, digits < 15 ? digits : 15, number));
 }
 
-bool parameter_check(struct session *session, const struct parameter *p, int i, dom_real value)
+bool parameter_check(struct session *session, const struct parameter *p, int i, domq_real value)
 {
     char range[64], meaning[96] = "";
-    const struct dom_effect_argument *of = &p->value[i];
-    const struct dom_arithmetic *arithmetic = dom_arithmetic(session->train.precision);
-    dom_real lowest = i ? of->lowest : parameter_lowest(session, p);
+    const struct domq_effect_argument *of = &p->value[i];
+    const struct domq_arithmetic *arithmetic = domq_arithmetic(session->compute.precision);
+    domq_real lowest = i ? of->lowest : parameter_lowest(session, p);
     parameter_range(session, p, i, range, sizeof range);
     if (of->whole && value != quad(floor)(value))
         return session_no_answer(session, "%s = %s is no whole number; %s is one in %s", of->name,
@@ -308,7 +308,7 @@ bool parameter_check(struct session *session, const struct parameter *p, int i, 
         return session_no_answer(
             session, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
             quad_shown(value).text, arithmetic->name, p->name, range,
-            session->train.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
+            session->compute.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
     if (p->effect)
         snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
     return session_no_answer(session, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,

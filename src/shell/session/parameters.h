@@ -13,30 +13,30 @@
 /* A name for a value: hollow = 3, exact = 0. */
 struct word {
     const char *name;
-    dom_real value;
+    domq_real value;
 };
 
 struct parameter {
     const char *name;
     /* What it takes: one value, whose .usual is the default, or the arguments of an effect. */
-    const struct dom_effect_argument *value;
-    const char *help;                /* more, or NULL */
-    const struct dom_effect *effect; /* NULL: not an effect */
-    enum dom_effect_name which;      /* of the effect */
-    const struct word *words;        /* names for some values; NULL for none */
-    bool words_only;                 /* stored as an unsigned */
-    bool setting;                    /* of the calculator, not of the model: reset without a name keeps it */
-    const char *moves;               /* a parameter that a change of this one may change too; or NULL */
-    size_t offset;                   /* in struct session; not of an effect */
+    const struct domq_effect_argument *value;
+    const char *help;                 /* more, or NULL */
+    const struct domq_effect *effect; /* NULL: not an effect */
+    enum dom_effect_name which;       /* of the effect */
+    const struct word *words;         /* names for some values; NULL for none */
+    bool words_only;                  /* stored as an unsigned */
+    bool setting;                     /* of the calculator, not of the model: reset without a name keeps it */
+    const char *moves;                /* a parameter that a change of this one may change too; or NULL */
+    size_t offset;                    /* in struct session; not of an effect */
 
     /* Hooks; NULL where nothing is special. */
     /* Return the default and the lowest value, where the arithmetic of the session's precision decides. */
-    dom_real (*fallback_of)(const struct dom_arithmetic *arithmetic);
-    dom_real (*lowest_of)(const struct dom_arithmetic *arithmetic);
+    domq_real (*fallback_of)(const struct domq_arithmetic *arithmetic);
+    domq_real (*lowest_of)(const struct domq_arithmetic *arithmetic);
     /* Reports an error where the session cannot take the value, though it is in the range. */
-    bool (*check)(struct session *session, dom_real value);
+    bool (*check)(struct session *session, domq_real value);
     /* Stores the value and changes what follows from it. */
-    void (*put)(struct session *session, dom_real value);
+    void (*put)(struct session *session, domq_real value);
 };
 
 /* All parameters in the order of show, then the effects; ends with a NULL name. */
@@ -50,7 +50,7 @@ const char *parameter_words(const void *parameter, int k);
 const struct parameter *parameter_find(const char *name);
 
 /* Returns what the parameter's i-th value is, counted from 0; NULL behind the last. */
-const struct dom_effect_argument *parameter_value(const struct parameter *parameter, int i);
+const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
 /* Return what the parameter stands for, in a few words; and more about it, or NULL. */
 const char *parameter_meaning(const struct parameter *parameter);
@@ -60,22 +60,22 @@ const char *parameter_help(const struct parameter *parameter);
 bool parameter_is_number(const struct parameter *parameter);
 
 /* Returns the value, the first one of an effect; EFFECT_OFF for an effect that is off. */
-dom_real parameter_get(const struct session *session, const struct parameter *parameter);
+domq_real parameter_get(const struct session *session, const struct parameter *parameter);
 
 /* Returns the default at the session's precision; EFFECT_OFF for an effect. */
-dom_real parameter_fallback(const struct session *session, const struct parameter *parameter);
+domq_real parameter_fallback(const struct session *session, const struct parameter *parameter);
 
 /*
  * Stores a value that is in the range, and what follows from it, into a session that may be a copy: what the
  * copy shares with others is not freed.
  */
-void parameter_put(struct session *session, const struct parameter *parameter, dom_real value);
+void parameter_put(struct session *session, const struct parameter *parameter, domq_real value);
 
 /*
  * Gives a parameter these values, which are in their ranges, as 'set' does; path, unless NULL, is a file in
  * the place of the first.  Returns false after an error, see effect_turn.
  */
-bool parameter_set(struct session *session, const struct parameter *parameter, const dom_real *value,
+bool parameter_set(struct session *session, const struct parameter *parameter, const domq_real *value,
                    int given, const char *path);
 
 /*
@@ -89,17 +89,17 @@ const struct parameter *parameter_in_order(const struct session *session, int k)
 void parameter_save(const struct session *session, const struct parameter *parameter, FILE *out);
 
 /* Reports an error unless the i-th value may be this one. */
-bool parameter_check(struct session *session, const struct parameter *parameter, int i, dom_real value);
+bool parameter_check(struct session *session, const struct parameter *parameter, int i, domq_real value);
 
 /* Returns the name of a value that has one, else NULL. */
-const char *parameter_word(const struct parameter *parameter, dom_real value);
+const char *parameter_word(const struct parameter *parameter, domq_real value);
 
 /* Writes the range of the i-th value: "1e-12 .. 1", or "exact|paper". */
 void parameter_range(const struct session *session, const struct parameter *parameter, int i, char *text,
                      size_t size);
 
 /* Writes a value as 'set' would take it back. */
-void parameter_text(const struct parameter *parameter, dom_real value, int digits, char *text, size_t size);
+void parameter_text(const struct parameter *parameter, domq_real value, int digits, char *text, size_t size);
 
 /* Returns the format that the parameter output names. */
 const struct format *format_number(unsigned k);
