@@ -55,8 +55,10 @@ static void rows_make(struct rows *r, double growth, double push, double mu, enu
     for (int k = 0; k < ROW; k++)
         r->dominoq[k] = (struct domq_domino){r->domino[k].height, r->domino[k].thickness, r->domino[k].gap,
                                              r->domino[k].mass};
-    r->row = (struct dom_row){r->domino, ROW, scale.g, push, mu, mu == 0};
-    r->rowq = (struct domq_row){r->dominoq, ROW, scale.g, push, mu, mu == 0};
+    r->row = (struct dom_row){
+        .domino = r->domino, .count = ROW, .g = scale.g, .push = push, .mu = mu, .floor = mu == 0};
+    r->rowq = (struct domq_row){
+        .domino = r->dominoq, .count = ROW, .g = scale.g, .push = push, .mu = mu, .floor = mu == 0};
     r->compute = dom_compute_default();
     r->computeq = domq_compute_default();
     r->compute.precision = r->computeq.precision = precision;
@@ -108,13 +110,97 @@ static void rows(void **state)
     rounding = DBL_EPSILON;
 }
 
+/* ---- What a row allows ---- */
+
+/* Makes the row of a train of this growth, computed in double for both headers. */
+static void row_of_growth(double growth, struct dom_domino *domino, size_t count, void *context)
+{
+    const struct dom_scale scale = dom_scale_default();
+    struct dom_train train = dom_train_default();
+    (void)context;
+    train.r = growth;
+    dom_row_of_train(&train, &scale, 1, domino, count);
+}
+
+static void row_of_growthq(domq_real growth, struct domq_domino *domino, size_t count, void *context)
+{
+    struct dom_domino narrow[ROW];
+    row_of_growth((double)growth, narrow, count, context);
+    for (size_t k = 0; k < count; k++)
+        domino[k] =
+            (struct domq_domino){narrow[k].height, narrow[k].thickness, narrow[k].gap, narrow[k].mass};
+}
+
+static void part_done(size_t done, size_t of, void *context)
+{
+    size_t *parts = context;
+    assert_true(done == *parts + 1 && done <= of);
+    *parts = done;
+}
+
+static void growths_mends_and_pushes(void **state)
+{
+    (void)state;
+    struct rows r;
+    rounding = 1e-10;
+    for (enum dom_precision p = DOM_DOUBLE; p <= DOM_QUAD && dom_arithmetic(p)->bits; p++) {
+        struct dom_row_growth d;
+        struct domq_row_growth q;
+        rows_make(&r, 1.3, 0.2, 0, p);
+        assert_status(dom_row_rmax(&r.row, &r.compute, 2.5, row_of_growth, NULL, &d), DOM_OK);
+        assert_status(domq_row_rmax(&r.rowq, &r.computeq, 2.5, row_of_growthq, NULL, &q), DOM_OK);
+        SAME(r_max);
+        assert_true(d.r_max > 1 && d.r_max < 2.5);
+        assert_int_equal(d.ends, q.ends);
+        double push;
+        domq_real pushq;
+        assert_status(dom_row_push(&r.row, &r.compute, 100, &push), DOM_OK);
+        assert_status(domq_row_push(&r.rowq, &r.computeq, 100, &pushq), DOM_OK);
+        assert_in_both("push", push, pushq, rounding);
+        assert_true(push > 0.2);
+        struct dom_mend mends[DOM_MENDS];
+        struct domq_mend mendsq[DOM_MENDS];
+        size_t count, countq, parts = 0, partsq = 0;
+        rows_make(&r, 1.3, 6, 0, p);
+        r.domino[3].gap *= 2.2;
+        r.dominoq[3].gap = r.domino[3].gap;
+        assert_status(dom_row_mend(&r.row, &r.compute, part_done, &parts, mends, &count), DOM_OK);
+        assert_status(domq_row_mend(&r.rowq, &r.computeq, part_done, &partsq, mendsq, &countq), DOM_OK);
+        assert_true(count > 0 && count == countq && parts > 0 && parts == partsq);
+        for (size_t k = 0; k < count; k++) {
+            const struct dom_mend *mend = &mends[k];
+            assert_int_equal(mend->domino, mendsq[k].domino);
+            assert_in_both("gap", mend->gap, mendsq[k].gap, rounding);
+            assert_in_both("to", mend->to, mendsq[k].to, rounding);
+            assert_in_both("until", mend->until, mendsq[k].until, rounding);
+        }
+    }
+    rounding = DBL_EPSILON;
+}
+
+/* ---- Errors of placement ---- */
+
+/* Runs tasks from the last to the first, and counts them. */
+static enum dom_status last_first(size_t count, dom_task *task, void *context, void *pool)
+{
+    size_t *tasks = pool;
+    for (size_t k = count; k-- > 0; ++*tasks)
+        task(k, context);
+    return DOM_OK;
+}
+
 static void studies(void **state)
 {
     (void)state;
     struct rows r;
-    const struct dom_placement p = {.sigma = 0.01, .heights = 0.01, .seed = 3, .rows = 40, .threads = 1};
-    const struct domq_placement pq = {
-        .sigma = p.sigma, .heights = p.heights, .seed = 3, .rows = 40, .threads = 1};
+    size_t tasks = 0;
+    const struct dom_placement p = {.sigma = 0.01, .heights = 0.01, .seed = 3, .rows = 40};
+    const struct domq_placement pq = {.sigma = p.sigma,
+                                      .heights = p.heights,
+                                      .seed = 3,
+                                      .rows = 40,
+                                      .parallel = last_first,
+                                      .pool = &tasks};
     struct dom_study study;
     struct domq_study studyq;
     struct dom_budget budget;
@@ -126,6 +212,7 @@ static void studies(void **state)
     assert_true(study.rows == 40 && study.fall == studyq.fall && study.unknown == studyq.unknown);
     assert_true(study.low == studyq.low && study.high == studyq.high && study.low < study.high);
     assert_memory_equal(stops, stopsq, sizeof stops);
+    assert_true(tasks > 0);
     study.low = studyq.low = 2;
     assert_status(dom_study_interval(&study), DOM_OK);
     assert_status(domq_study_interval(&studyq), DOM_OK);
@@ -136,7 +223,7 @@ static void studies(void **state)
     assert_true(budget.low <= budget.sigma && budget.sigma <= budget.high);
 }
 
-/* ---- Counts, scales, effects ---- */
+/* ---- Counts, scales, arithmetic ---- */
 
 static void counts(void **state)
 {
@@ -156,7 +243,7 @@ static void counts(void **state)
         }
 }
 
-static void scales_and_lists(void **state)
+static void scales_and_precisions(void **state)
 {
     (void)state;
     struct dom_train t = dom_train_default();
@@ -175,19 +262,69 @@ static void scales_and_lists(void **state)
         assert_in_both("tol_default", a->tol_default, aq->tol_default, rounding);
         assert_in_both("tol_floor", a->tol_floor, aq->tol_floor, rounding);
     }
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = dom_effect((enum dom_effect_name)k);
-        const struct domq_effect *eq = domq_effect((enum dom_effect_name)k);
-        assert_string_equal(e->name, eq->name);
-        assert_string_equal(e->help, eq->help);
-        assert_int_equal(e->needs, eq->needs);
-        for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
-            assert_string_equal(e->argument[i].name, eq->argument[i].name);
-            assert_in_both("lowest", e->argument[i].lowest, eq->argument[i].lowest, rounding);
-            assert_in_both("highest", e->argument[i].highest, eq->argument[i].highest, rounding);
-            assert_in_both("usual", e->argument[i].usual, eq->argument[i].usual, rounding);
-        }
+}
+
+/* ---- Effects ---- */
+
+static void text_same(const char *text, const char *wide)
+{
+    assert_int_equal(!text, !wide);
+    if (text)
+        assert_string_equal(text, wide);
+}
+
+static void effect_same(const struct dom_effect *e, const struct domq_effect *eq)
+{
+    text_same(e->name, eq->name), text_same(e->adds, eq->adds), text_same(e->help, eq->help);
+    text_same(e->source, eq->source), text_same(e->plan, eq->plan);
+    assert_true(e->needs == eq->needs && e->dissipates == eq->dissipates);
+    for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
+        const struct dom_effect_argument d = e->argument[i];
+        const struct domq_effect_argument q = eq->argument[i];
+        text_same(d.name, q.name);
+        if (!d.name)
+            break;
+        text_same(d.unit, q.unit), text_same(d.meaning, q.meaning), text_same(d.or_file, q.or_file);
+        SAME(lowest), SAME(highest), SAME(usual);
+        assert_true(d.optional == q.optional && d.whole == q.whole);
     }
+}
+
+/* Each effect is found under its number and under its name; the law without effects describes itself, too. */
+static void effects(void **state)
+{
+    (void)state;
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+        effect_same(dom_effect((enum dom_effect_name)k), domq_effect((enum dom_effect_name)k));
+    effect_same(&dom_energy_balance, &domq_energy_balance);
+#define NAMED(effect)                                                                                        \
+    assert_ptr_equal(dom_effect(DOM_EFFECT_##effect), &dom_effect_##effect);                                 \
+    assert_ptr_equal(domq_effect(DOM_EFFECT_##effect), &domq_effect_##effect);                               \
+    assert_string_equal(dom_effect_##effect.name, #effect);
+#define NAMED_DYNAMICS(effect, member, status) NAMED(effect)
+    DOM_DYNAMICS(NAMED_DYNAMICS)
+    DOM_EFFECTS(NAMED)
+}
+
+/* The law of motion of a train, and the first effect that is on: with none, and with each effect alone. */
+static void laws(void **state)
+{
+    (void)state;
+    struct dom_train t = dom_train_default();
+    struct domq_train tq = domq_train_default();
+    assert_true(!dom_dynamics(&t) && !domq_dynamics(&tq));
+    assert_ptr_equal(dom_law(&t), &dom_energy_balance);
+    assert_ptr_equal(domq_law(&tq), &domq_energy_balance);
+#define LAW(effect, member, status)                                                                          \
+    t.member = tq.member = dom_effect_##effect.argument[0].highest;                                          \
+    assert_ptr_equal(dom_dynamics(&t), &dom_effect_##effect);                                                \
+    assert_ptr_equal(domq_dynamics(&tq), &domq_effect_##effect);                                             \
+    assert_ptr_equal(dom_law(&t),                                                                            \
+                     dom_effect_##effect.dissipates ? &dom_effect_##effect : &dom_energy_balance);           \
+    assert_ptr_equal(domq_law(&tq),                                                                          \
+                     domq_effect_##effect.dissipates ? &domq_effect_##effect : &domq_energy_balance);        \
+    t.member = tq.member = 0;
+    DOM_DYNAMICS(LAW)
 }
 
 /* ---- The simple functions ---- */
@@ -222,8 +359,13 @@ static void simple(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows),   cmocka_unit_test(studies),
-        cmocka_unit_test(counts), cmocka_unit_test(scales_and_lists),
+        cmocka_unit_test(rows),
+        cmocka_unit_test(studies),
+        cmocka_unit_test(counts),
+        cmocka_unit_test(scales_and_precisions),
+        cmocka_unit_test(effects),
+        cmocka_unit_test(laws),
+        cmocka_unit_test(growths_mends_and_pushes),
         cmocka_unit_test(simple),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -222,7 +222,7 @@ static void ends(void **state)
     assert_status(run_row(&seen), DOM_OK);
     assert_true(!(seen.verdict.spare < 0));
     seen.row.tol = 1e-30;
-    assert_status(run_row(&seen), DOM_BAD_PARAMETER);
+    assert_status(run_row(&seen), DOM_BAD_TOL);
 }
 
 /* Hit at its own hinge no domino can stay on the floor. */

@@ -123,12 +123,18 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
             continue;
         assert_named(ask(k, train, compute, &result), expected);
     }
-    const struct domq_train wide = {
-        .s = train->s, .r = train->r, .d = train->d, .q = train->q, .fuel = train->fuel, .mu = train->mu};
+    const struct dom_train *a = train;
+    const struct domq_train wide = {.fuel = a->fuel,
+                                    DOM_TRAIN_PARAMETERS(ASKED_COPY_NUMBER) DOM_DYNAMICS(ASKED_COPY_EFFECT)};
     const struct domq_compute wide_compute = {
         .tol = compute->tol, .precision = compute->precision, .method = compute->method};
     assert_status(domq_train_check(&wide, &wide_compute), expected);
 }
+
+/* Numbers outside a range. */
+#define OUTSIDE(lowest, highest)                                                                             \
+    nextafter(lowest, -(double)INFINITY), nextafter(highest, (double)INFINITY), (double)NAN,                 \
+        (double)INFINITY, -(double)INFINITY
 
 #define BAD_s   DOM_BAD_S
 #define BAD_r   DOM_BAD_R
@@ -141,21 +147,24 @@ static void parameters(void **state)
     (void)state;
     struct dom_train train;
     struct dom_compute compute = dom_compute_default();
-#define BAD(owner, name, lowest, highest)                                                                    \
+#define BAD(owner, name, lowest, highest, expected)                                                          \
     for (int k = 0; k < 5; k++) {                                                                            \
-        const double bad[] = {nextafter(lowest, -1), nextafter(highest, 1e9), (double)NAN, (double)INFINITY, \
-                              -(double)INFINITY};                                                            \
+        const double bad[] = {OUTSIDE(lowest, highest)};                                                     \
         train = dom_train_default();                                                                         \
         compute = dom_compute_default();                                                                     \
         owner.name = bad[k];                                                                                 \
-        refused(&train, &compute, #name[0], BAD_##name);                                                     \
+        refused(&train, &compute, #name[0], expected);                                                       \
     }
-#define OF_TRAIN(name, default_, lowest, highest, unit, meaning)   BAD(train, name, lowest, highest)
-#define OF_COMPUTE(name, default_, lowest, highest, unit, meaning) BAD(compute, name, lowest, highest)
+#define OF_TRAIN(name, default_, lowest, highest, unit, meaning) BAD(train, name, lowest, highest, BAD_##name)
+#define OF_COMPUTE(name, default_, lowest, highest, unit, meaning)                                           \
+    BAD(compute, name, lowest, highest, BAD_##name)
     DOM_TRAIN_PARAMETERS(OF_TRAIN)
     DOM_COMPUTE_PARAMETERS(OF_COMPUTE)
-#define BAD_mu DOM_BAD_MU
-    BAD(train, mu, 0.0, (double)DOM_MU_HIGHEST)
+#define OF_EFFECT(effect, member, status)                                                                    \
+    BAD(train, member, dom_effect_##effect.argument[0].lowest, dom_effect_##effect.argument[0].highest,      \
+        status)
+    DOM_DYNAMICS(OF_EFFECT)
+    assert_true(dom_effect_friction.argument[0].highest == DOM_MU_HIGHEST);
 #undef BAD
     for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
         if (dom_arithmetic(p)->bits) {
@@ -227,6 +236,26 @@ static void row_make(struct some_row *r)
     r->row = (struct dom_row){.domino = r->domino, .count = ROW, .g = scale.g, .push = (double)NAN};
 }
 
+/* Makes the same row for each growth. */
+static void row_copy(double r, struct dom_domino *domino, size_t count, void *context)
+{
+    (void)r;
+    memcpy(domino, context, count * sizeof *domino);
+}
+
+static void searches_refused(const struct dom_row *row, const struct dom_compute *compute,
+                             enum dom_status expected)
+{
+    struct dom_row_growth growth = {.r_max = -1};
+    struct dom_mend mends[DOM_MENDS];
+    size_t count = 7;
+    double push = -1;
+    assert_named(dom_row_rmax(row, compute, 2, row_copy, (void *)row->domino, &growth), expected);
+    assert_named(dom_row_mend(row, compute, NULL, NULL, mends, &count), expected);
+    assert_named(dom_row_push(row, compute, 100, &push), expected);
+    assert_true(growth.r_max == -1 && count == 7 && push == -1);
+}
+
 static void row_refused(const struct dom_row *row, const struct dom_compute *compute, size_t domino,
                         enum dom_status expected)
 {
@@ -238,6 +267,7 @@ static void row_refused(const struct dom_row *row, const struct dom_compute *com
     assert_true(verdict.seconds == -1);
     if (domino)
         assert_int_equal(verdict.domino, domino);
+    searches_refused(row, compute, expected);
     if (expected == DOM_BAD_GAP) /* a study narrows or widens gaps itself, and takes one below 0 as 0 */
         return;
     assert_named(dom_placement_study(row, compute, &placement, &study, NULL), expected);
@@ -253,12 +283,12 @@ static void rows(void **state)
     struct dom_compute compute = dom_compute_default();
     const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
     for (int k = 0; k < 4; k++) {
-        for (int member = 0; member < 6; member++) {
+        for (int member = 0; member < 5; member++) {
             static const enum dom_status named[] = {DOM_BAD_HEIGHT, DOM_BAD_THICKNESS, DOM_BAD_MASS,
-                                                    DOM_BAD_G,      DOM_BAD_GAP,       DOM_BAD_MU};
+                                                    DOM_BAD_G, DOM_BAD_GAP};
             row_make(&r);
             struct dom_domino *d = &r.domino[BAD_ONE];
-            double *of[] = {&d->height, &d->thickness, &d->mass, &r.row.g, &d->gap, &r.row.mu};
+            double *of[] = {&d->height, &d->thickness, &d->mass, &r.row.g, &d->gap};
             *of[member] = bad[k];
             if (member < 4 || bad[k] != 0)
                 row_refused(&r.row, &compute, member < 3 || member == 4 ? BAD_ONE + 1 : 0, named[member]);
@@ -271,16 +301,41 @@ static void rows(void **state)
         row_make(&r);
         struct dom_verdict verdict; /* a study takes any tolerance that is too fine as 1e-9 */
         assert_named(dom_row_run(&r.row, &compute, true, never_fall, NULL, &verdict), DOM_BAD_TOL);
+        searches_refused(&r.row, &compute, DOM_BAD_TOL);
         compute = dom_compute_default();
     }
-    r.row.mu = nextafter(DOM_MU_HIGHEST, 1e9);
-    row_refused(&r.row, NULL, 0, DOM_BAD_MU);
+#define ROW_EFFECT(effect, member, status)                                                                   \
+    for (int k = 0; k < 5; k++) {                                                                            \
+        const double outside[] = {                                                                           \
+            OUTSIDE(dom_effect_##effect.argument[0].lowest, dom_effect_##effect.argument[0].highest)};       \
+        row_make(&r);                                                                                        \
+        r.row.member = outside[k];                                                                           \
+        row_refused(&r.row, NULL, 0, status);                                                                \
+    }
+    DOM_DYNAMICS(ROW_EFFECT)
     row_make(&r);
     r.row.count = 0;
     row_refused(&r.row, NULL, 0, DOM_BAD_COUNT);
     row_make(&r);
     compute.precision = (enum dom_precision)(DOM_QUAD + 1);
     row_refused(&r.row, &compute, 0, DOM_BAD_PRECISION);
+}
+
+/* What bounds the searches for a growth and for a push. */
+static void searches(void **state)
+{
+    (void)state;
+    struct some_row r;
+    struct dom_row_growth growth = {.r_max = -1};
+    double push = -1;
+    const double bad[] = {0, -1, (double)NAN, (double)INFINITY, -(double)INFINITY};
+    row_make(&r);
+    for (int k = 0; k < 5; k++) {
+        assert_named(dom_row_rmax(&r.row, NULL, bad[k], row_copy, r.domino, &growth), DOM_BAD_R);
+        assert_named(dom_row_push(&r.row, NULL, bad[k], &push), DOM_BAD_PUSH);
+    }
+    assert_named(dom_row_rmax(&r.row, NULL, nextafter(1, 0), row_copy, r.domino, &growth), DOM_BAD_R);
+    assert_true(growth.r_max == -1 && push == -1);
 }
 
 static void placements(void **state)
@@ -340,10 +395,9 @@ static void all_were_returned(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parameters),        cmocka_unit_test(choices),
-        cmocka_unit_test(tilts_and_times),   cmocka_unit_test(rows),
-        cmocka_unit_test(placements),        cmocka_unit_test(counts),
-        cmocka_unit_test(all_were_returned),
+        cmocka_unit_test(parameters), cmocka_unit_test(choices),           cmocka_unit_test(tilts_and_times),
+        cmocka_unit_test(rows),       cmocka_unit_test(searches),          cmocka_unit_test(placements),
+        cmocka_unit_test(counts),     cmocka_unit_test(all_were_returned),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

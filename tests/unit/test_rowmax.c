@@ -163,17 +163,17 @@ static void refusals(void **state)
     struct domq_row_growth growth = {.r_max = -1};
     static const double highest[] = {0.99, -1, (double)NAN, (double)INFINITY};
     for (size_t i = 0; i < sizeof highest / sizeof *highest; i++)
-        assert_status(ask_row_rmax(&row, highest[i], family_make, &f, &growth), DOM_BAD_PARAMETER);
+        assert_status(ask_row_rmax(&row, highest[i], family_make, &f, &growth), DOM_BAD_R);
     bad = row;
     bad.count = 0;
-    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_COUNT);
     bad = row;
     bad.tol = 1e-30;
-    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_TOL);
     bad = row;
     bad.mu = -1;
-    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
-    assert_status(ask_row_rmax(&row, 2, flat_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_MU);
+    assert_status(ask_row_rmax(&row, 2, flat_make, &f, &growth), DOM_BAD_THICKNESS);
     row.interrupt = &now;
     assert_status(ask_row_rmax(&row, 2, family_make, &f, &growth), DOM_INTERRUPTED);
     assert_true(growth.r_max == -1);
