@@ -34,9 +34,9 @@ C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(IN
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-MODEL   := src/model/model.c src/model/train.c $(addprefix src/model/row/,mend.c placement.c rmax.c) \
-           $(addprefix src/model/numerics/,edge.c quiet.c) \
-           $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
+COMMON  := src/model/texts.c src/model/numerics/quiet.c
+TYPED   := src/model/model.c src/model/train.c $(addprefix src/model/row/,mend.c placement.c rmax.c) \
+           src/model/numerics/edge.c $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
 MODEL   := $(COMMON) $(TYPED)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
@@ -145,8 +145,6 @@ $(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lreadline -o $@
 
-# The library is static alone: its structures still grow with every effect, and no soname would keep up with
-# that.  So what it needs is named for every link, not under Requires.private and Libs.private.
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
 	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
@@ -325,8 +323,9 @@ lint: $(HEADERS) | $(FIRST)
 	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	tests/layers $(B)/gcc
-	mandoc -T lint man/domino.1 man/libdomino.3 man/domino-effects.7
-	shellcheck tests/run tests/layers tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
+	mandoc -T lint -W warning $(PAGES)
+	tests/spelling README.md src/README.md $(PAGES)
+	shellcheck tests/run tests/layers tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
 	  src/shell/prompt/domino.bash
 
 format:
@@ -336,8 +335,9 @@ format:
 
 # What goes where under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
-INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib include/domino.h:include $(B)/domino.pc:lib/pkgconfig \
-  man/domino.1:share/man/man1 man/libdomino.3:share/man/man3 man/domino-effects.7:share/man/man7 \
+INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include \
+  $(B)/include/domino_quad.h:include $(B)/domino.pc:lib/pkgconfig \
+  $(foreach page,$(PAGES),$(page):share/man/man$(subst .,,$(suffix $(page)))) \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
   $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f))))
 # Every file and folder that installing made, so that uninstall leaves what was there before.

@@ -1,25 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The library's doors: who asks for a precision or a method gets its kernel, and nobody else's. */
+/* Public entry points: check the arguments, then call the kernel of the requested precision or method. */
 #include "dynamics/list.h"
 #include "precision/kernel.h"
 
-static enum dom_status range_check(const struct dom_train *train)
-{
-#define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
-    if (!(train->name >= (dom_real)(lowest) && train->name <= (dom_real)(highest)))                          \
-        return DOM_BAD_PARAMETER;
-    DOM_TRAIN_PARAMETERS(CHECK)
-#undef CHECK
-    if (train->precision > DOM_QUAD || train->method > DOM_METHOD_PAPER)
-        return DOM_BAD_PARAMETER;
-    if (dom_arithmetic(train->precision)->bits == 0)
-        return DOM_NO_PRECISION;
-    const struct dynamics_values values = dynamics_of_train(train);
-    if (!dynamics_allowed(&values))
-        return DOM_BAD_PARAMETER;
-    return (double)train->tol < (double)dom_arithmetic(train->precision)->tol_floor ? DOM_BAD_PARAMETER
-                                                                                    : DOM_OK;
-}
+/* A question, and the kernel that answers it unless the status says why none does. */
+struct question {
+    struct request request;
+    const struct kernel *kernel;
+    enum dom_status status;
+};
 
 static const struct kernel *const kernels[] = {
     [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
@@ -38,17 +27,33 @@ static const struct kernel *const kernels[] = {
 
 static enum dom_status request_check(const struct request *q)
 {
-    *status = range_check(train);
-    if (*status != DOM_OK)
-        return NULL;
-    if (dom_dynamics(train) && train->method != DOM_METHOD_OURS) {
-        *status = DOM_NO_METHOD;
-        return NULL;
-    }
-    return train->method == DOM_METHOD_GSL     ? &kernel_gsl
-           : train->method == DOM_METHOD_PAPER ? &kernel_paper
-                                               : kernels[train->precision];
+    enum dom_status status = DOM_OK;
+    DOM_TRAIN_PARAMETERS(CHECK)
+    if (status == DOM_OK)
+        status = dynamics_check(q->effect);
+    if (status == DOM_OK && q->fuel > DOM_FUEL_PAPER)
+        status = DOM_BAD_FUEL;
+    if (status == DOM_OK && q->method > DOM_METHOD_PAPER)
+        status = DOM_BAD_METHOD;
+    if (status == DOM_OK && q->precision > DOM_QUAD)
+        status = DOM_BAD_PRECISION;
+    if (status == DOM_OK && dom_arithmetic(q->precision)->bits == 0)
+        status = DOM_NO_PRECISION;
+    DOM_COMPUTE_PARAMETERS(CHECK)
+    if (status == DOM_OK && (double)q->tol < (double)dom_arithmetic(q->precision)->tol_floor)
+        status = DOM_BAD_TOL;
+    return status == DOM_OK && dynamics_first(q->effect) < DOM_DYNAMICS_COUNT && q->method != DOM_METHOD_OURS ? DOM_NO_METHOD : status;
 }
+#undef CHECK
+
+static struct dom_compute compute_or_default(const struct dom_compute *compute)
+{
+    return compute ? *compute : dom_compute_default();
+}
+
+/* The values of effects, by number. */
+#define TRAIN_VALUE(effect, member, status) train->member,
+#define ROW_VALUE(effect, member, status) row->member,
 
 static struct question question_make(const struct dom_train *train, const struct dom_compute *asked)
 {
@@ -57,7 +62,7 @@ static struct question question_make(const struct dom_train *train, const struct
 #define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
     struct question q = {
         .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
-                    .mu = train->mu, .precision = compute.precision, .method = compute.method,
+                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision, .method = compute.method,
                     .errors = compute.errors, .work = compute.work, .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE
@@ -288,7 +293,7 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
                                   .count = row->count,
                                   .g = row->g,
                                   .push = row->push,
-                                  .mu = row->mu,
+                                  .effect = {DOM_DYNAMICS(ROW_VALUE)},
                                   .floor = row->floor,
                                   .tol = compute.tol,
                                   .precision = compute.precision,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Statuses and choices in words: what has no numbers in it, and so is one in all precisions. */
-#include "domino.h"
+#include "numerics/api.h"
 
 const char *dom_status_text(enum dom_status status)
 {

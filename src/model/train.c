@@ -2,6 +2,7 @@
 /* Defaults, scales and rows: what is the same in every precision, in the arithmetic of dom_real. */
 #ifdef DOMQ
 #define REAL_QUAD
+#endif
 #include "dynamics/list.h"
 #include "numerics/real.h"
 
@@ -72,15 +73,11 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
     }
 }
 
-#define DECLARE(effect) extern const struct dom_effect effect_##effect;
-DOM_EFFECTS(DECLARE)
-#undef DECLARE
-
 const struct dom_effect *dom_effect(enum dom_effect_name name)
 {
     static const struct dom_effect *const all[] = {
-#define DYNAMICS(effect, member) &dom_effect_##effect,
-#define EFFECT(effect)           &dom_effect_##effect,
+#define DYNAMICS(effect, member, status) &dom_effect_##effect,
+#define EFFECT(effect)                   &dom_effect_##effect,
         DOM_DYNAMICS(DYNAMICS) DOM_EFFECTS(EFFECT)
 #undef DYNAMICS
 #undef EFFECT
@@ -88,20 +85,20 @@ const struct dom_effect *dom_effect(enum dom_effect_name name)
     return all[name];
 }
 
+#define VALUE(effect, member, status) train->member,
+
 const struct dom_effect *dom_dynamics(const struct dom_train *train)
 {
-    const struct dynamics_values values = dynamics_of_train(train);
-    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        if (dynamics_on(values.of[k]))
-            return dom_effect((enum dom_effect_name)k);
-    return NULL;
+    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
+    int k = dynamics_first(value);
+    return k < DOM_DYNAMICS_COUNT ? dom_effect((enum dom_effect_name)k) : NULL;
 }
 
 const struct dom_effect *dom_law(const struct dom_train *train)
 {
-    const struct dynamics_values values = dynamics_of_train(train);
+    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        if (dynamics_on(values.of[k]) && dom_effect((enum dom_effect_name)k)->dissipates)
+        if (dynamics_on(value[k]) && dom_effect((enum dom_effect_name)k)->dissipates)
             return dom_effect((enum dom_effect_name)k);
     return &dom_energy_balance;
 }

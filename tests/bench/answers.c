@@ -131,10 +131,10 @@ static enum dom_status ask_row(const struct asked *train)
 
 static enum dom_status ask_study(const struct asked *train)
 {
-    struct dom_domino domino[ROW];
-    struct dom_study study;
-    struct dom_row row = row_of(train, domino);
-    struct dom_placement placement = {.sigma = 1e-3, .seed = 1, .rows = ROWS};
+    struct domq_domino domino[ROW];
+    struct domq_study study;
+    struct asked_row row = row_of(train, domino);
+    struct domq_placement placement = {.sigma = 1e-3, .seed = 1, .rows = ROWS};
     row.work = NULL;
     return ask_placement_study(&row, &placement, &study, NULL);
 }

@@ -13,15 +13,15 @@ static double rows_a_second(double growth, double mu, unsigned threads)
     struct domq_domino domino[DOMINOES];
     struct domq_study study;
     train.r = growth;
-    dom_row_of_train(&train, &scale, 1, domino, DOMINOES);
-    struct dom_row row = {.domino = domino,
-                          .count = DOMINOES,
-                          .g = scale.g,
-                          .push = 6,
-                          .mu = mu,
-                          .tol = train.tol,
-                          .precision = DOM_DOUBLE};
-    struct dom_placement placement = {
+    ask_row_of_train(&train, &scale, 1, domino, DOMINOES);
+    struct asked_row row = {.domino = domino,
+                            .count = DOMINOES,
+                            .g = scale.g,
+                            .push = 6,
+                            .mu = mu,
+                            .tol = train.tol,
+                            .precision = DOM_DOUBLE};
+    struct domq_placement placement = {
         .sigma = 1e-4, .seed = 1, .rows = ROWS, .parallel = threads_tasks, .pool = &threads};
     double begun = seconds_now();
     if (ask_placement_study(&row, &placement, &study, NULL) != DOM_OK || study.fall != study.rows)

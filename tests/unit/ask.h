@@ -9,38 +9,40 @@
 #include "domino_quad.h"
 #include <string.h>
 
+/* The members of the library's lists, and initialisers that copy them from *a. */
+#define ASKED_NUMBER(name, default_, lowest, highest, unit, meaning)      domq_real name;
+#define ASKED_EFFECT(effect, member, status)                              domq_real member;
+#define ASKED_COPY_NUMBER(name, default_, lowest, highest, unit, meaning) .name = a->name,
+#define ASKED_COPY_EFFECT(effect, member, status)                         .member = a->member,
+
 /* A train and how to compute. */
 struct asked {
-#define ASKED_MEMBER(name, default_, lowest, highest, unit, meaning) domq_real name;
-    DOMQ_TRAIN_PARAMETERS(ASKED_MEMBER)
-    DOMQ_COMPUTE_PARAMETERS(ASKED_MEMBER)
-#undef ASKED_MEMBER
+    DOMQ_TRAIN_PARAMETERS(ASKED_NUMBER)
+    DOMQ_COMPUTE_PARAMETERS(ASKED_NUMBER)
+    DOM_DYNAMICS(ASKED_EFFECT)
     enum dom_precision precision;
     enum dom_fuel fuel;
     enum dom_method method;
-    domq_real mu;
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
 
+/* Every effect is off. */
 static inline struct asked asked_default(void)
 {
-    struct domq_train t = domq_train_default();
-    struct domq_compute c = domq_compute_default();
-    return (struct asked){.s = t.s,
-                          .r = t.r,
-                          .d = t.d,
-                          .q = t.q,
-                          .tol = c.tol,
-                          .precision = c.precision,
-                          .fuel = t.fuel,
-                          .method = c.method,
-                          .mu = t.mu};
+    const struct domq_train train = domq_train_default(), *a = &train;
+    const struct domq_compute compute = domq_compute_default();
+    return (struct asked){.fuel = train.fuel,
+                          .tol = compute.tol,
+                          .precision = compute.precision,
+                          .method = compute.method,
+                          DOMQ_TRAIN_PARAMETERS(ASKED_COPY_NUMBER)};
 }
 
 static inline struct domq_train asked_train(const struct asked *a)
 {
-    return (struct domq_train){.s = a->s, .r = a->r, .d = a->d, .q = a->q, .fuel = a->fuel, .mu = a->mu};
+    return (struct domq_train){.fuel = a->fuel,
+                               DOMQ_TRAIN_PARAMETERS(ASKED_COPY_NUMBER) DOM_DYNAMICS(ASKED_COPY_EFFECT)};
 }
 
 static inline struct domq_compute asked_compute(const struct asked *a, bool errors)
@@ -266,9 +268,10 @@ static inline enum dom_status ask_cycle_walk(const struct asked *asked, size_t r
 struct asked_row {
     const struct domq_domino *domino;
     size_t count;
-    domq_real g, push, mu;
+    domq_real g, push;
+    DOM_DYNAMICS(ASKED_EFFECT)
     bool floor;
-    domq_real tol;
+    DOMQ_COMPUTE_PARAMETERS(ASKED_NUMBER)
     enum dom_precision precision;
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
@@ -276,8 +279,12 @@ struct asked_row {
 
 static inline struct domq_row asked_row(const struct asked_row *a)
 {
-    return (struct domq_row){
-        .domino = a->domino, .count = a->count, .g = a->g, .push = a->push, .mu = a->mu, .floor = a->floor};
+    return (struct domq_row){.domino = a->domino,
+                             .count = a->count,
+                             .g = a->g,
+                             .push = a->push,
+                             .floor = a->floor,
+                             DOM_DYNAMICS(ASKED_COPY_EFFECT)};
 }
 
 static inline struct domq_compute asked_row_compute(const struct asked_row *a)
@@ -292,6 +299,30 @@ static inline enum dom_status ask_row_run(const struct asked_row *asked, bool ti
     const struct domq_row row = asked_row(asked);
     const struct domq_compute compute = asked_row_compute(asked);
     return domq_row_run(&row, &compute, times, visit, context, verdict);
+}
+
+static inline enum dom_status ask_row_rmax(const struct asked_row *asked, domq_real highest,
+                                           domq_row_make *make, void *context, struct domq_row_growth *growth)
+{
+    const struct domq_row row = asked_row(asked);
+    const struct domq_compute compute = asked_row_compute(asked);
+    return domq_row_rmax(&row, &compute, highest, make, context, growth);
+}
+
+static inline enum dom_status ask_row_mend(const struct asked_row *asked, dom_progress *progress,
+                                           void *context, struct domq_mend mends[DOM_MENDS], size_t *count)
+{
+    const struct domq_row row = asked_row(asked);
+    const struct domq_compute compute = asked_row_compute(asked);
+    return domq_row_mend(&row, &compute, progress, context, mends, count);
+}
+
+static inline enum dom_status ask_row_push(const struct asked_row *asked, domq_real strongest,
+                                           domq_real *push)
+{
+    const struct domq_row row = asked_row(asked);
+    const struct domq_compute compute = asked_row_compute(asked);
+    return domq_row_push(&row, &compute, strongest, push);
 }
 
 static inline void ask_row_of_train(const struct asked *asked, const struct domq_scale *scale, domq_real mass,

@@ -7,6 +7,8 @@
 
 #include "ask.h"
 
+#define REQUEST_EFFECT(effect, member, status) (double)a->member,
+
 /* Returns the request that the kernel gets for the train. */
 static inline struct request request_of(const struct asked *a)
 {
@@ -16,7 +18,7 @@ static inline struct request request_of(const struct asked *a)
                             .q = (double)a->q,
                             .tol = (double)a->tol,
                             .fuel = a->fuel,
-                            .mu = (double)a->mu,
+                            .effect = {DOM_DYNAMICS(REQUEST_EFFECT)},
                             .precision = a->precision,
                             .method = a->method,
                             .work = a->work,

@@ -3,17 +3,17 @@
 #ifndef TEST_RUN_H
 #define TEST_RUN_H
 
+#include "ask.h"
 #include "direct.h"
-#include "domino.h"
 
 enum { ROW_MOST = 64 };
 
 struct run {
-    struct dom_domino domino[ROW_MOST];
-    struct dom_row row;
-    struct dom_fall fall[ROW_MOST];
+    struct domq_domino domino[ROW_MOST];
+    struct asked_row row;
+    struct domq_fall fall[ROW_MOST];
     size_t falls;
-    struct dom_verdict verdict;
+    struct domq_verdict verdict;
 };
 
 /* Runs the row with times. */
@@ -23,7 +23,7 @@ enum dom_status run_row(struct run *run);
 enum dom_row_end row_end(struct run *run);
 
 /* What turns a single domino over its edge, in rad/s: half of I omega^2 lifts its middle. */
-double push_over(const struct dom_domino *domino);
+double push_over(const struct domq_domino *domino);
 
 /* Makes a row of count standard dominoes, each r times the one before, of 10 g at first, pushed three times
  * as hard as push_over. */

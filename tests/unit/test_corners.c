@@ -218,18 +218,18 @@ static void interrupted(void **state)
 {
     (void)state;
     const volatile sig_atomic_t now = 1;
-    struct dom_train t = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    struct dom_domino domino[5];
-    struct dom_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOM_NAN, .tol = 1e-9};
+    struct asked t = asked_default();
+    struct domq_scale scale = domq_scale_default();
+    struct domq_domino domino[5];
+    struct asked_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOMQ_NAN, .tol = 1e-9};
     struct task_pool pool = {.threads = 2, .interrupt = &now};
-    struct dom_placement p = {
+    struct domq_placement p = {
         .sigma = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
-    struct dom_limit limit = {.r_max = -1};
-    struct dom_best best = {.r_max = -1};
-    struct dom_verdict verdict = {.seconds = -1};
-    struct dom_study study = {.low = -1};
-    struct dom_budget budget = {.sigma = -1};
+    struct domq_limit limit = {.r_max = -1};
+    struct domq_best best = {.r_max = -1};
+    struct domq_verdict verdict = {.seconds = -1};
+    struct domq_study study = {.low = -1};
+    struct domq_budget budget = {.sigma = -1};
     row.precision = DOM_DOUBLE;
     ask_row_of_train(&t, &scale, 1, domino, 5);
     t.interrupt = row.interrupt = &now;
@@ -244,14 +244,14 @@ static void interrupted(void **state)
         assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_INTERRUPTED);
         assert_status(ask_limit_best(&t, &best, NULL), DOM_INTERRUPTED);
         row.mu = t.mu;
-        assert_status(dom_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);
-        assert_status(dom_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
-        assert_status(dom_placement_budget(&row, &p, 0.9, &budget), DOM_INTERRUPTED);
+        assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);
+        assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
+        assert_status(ask_placement_budget(&row, &p, 0.9, &budget), DOM_INTERRUPTED);
         p.parallel = p.parallel ? NULL : workers_tasks; /* also without a pool */
     }
     p.parallel = workers_tasks;
     row.interrupt = NULL; /* the pool's flag alone */
-    assert_status(dom_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
+    assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
     assert_true(limit.r_max == -1 && best.r_max == -1 && verdict.seconds == -1);
     assert_true(study.low == -1 && budget.sigma == -1);
 }
@@ -290,16 +290,16 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
 static void memory_runs_out(void **state)
 {
     (void)state;
-    struct dom_train t = dom_train_default();
-    struct dom_scale scale = dom_scale_default();
-    struct dom_domino domino[5];
-    struct dom_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOM_NAN, .tol = 1e-9};
+    struct asked t = asked_default();
+    struct domq_scale scale = domq_scale_default();
+    struct domq_domino domino[5];
+    struct asked_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOMQ_NAN, .tol = 1e-9};
     struct task_pool pool = {.threads = 2};
-    struct dom_placement p = {
+    struct domq_placement p = {
         .sigma = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
-    struct dom_verdict verdict;
-    struct dom_study study, alone;
-    struct dom_budget budget;
+    struct domq_verdict verdict;
+    struct domq_study study, alone;
+    struct domq_budget budget;
     size_t stops[5];
     row.precision = DOM_DOUBLE;
     ask_row_of_train(&t, &scale, 1, domino, 5);
@@ -322,7 +322,7 @@ static void memory_runs_out(void **state)
     /* The study had no second thread, and told the same; so does one without a pool. */
     no_threads = false;
     for (int i = 0; i < 2; i++) {
-        assert_status(dom_placement_study(&row, &p, &alone, NULL), DOM_OK);
+        assert_status(ask_placement_study(&row, &p, &alone, NULL), DOM_OK);
         assert_int_equal(alone.fall, study.fall);
         p.parallel = NULL;
     }

@@ -130,22 +130,22 @@ static void touching(void **state)
 static void falls_on_the_way(void **state)
 {
     (void)state;
-    struct dom_train t = rubbing(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
-    struct dom_scale scale = dom_scale_default();
-    struct dom_barrier barrier;
+    struct asked t = rubbing(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
+    struct domq_scale scale = domq_scale_default();
+    struct domq_barrier barrier;
     static struct run seen;
-    dom_row_of_train(&t, &scale, 1, seen.domino, ROOM);
-    seen.row = (struct dom_row){.domino = seen.domino,
-                                .count = ROOM,
-                                .g = scale.g,
-                                .push = 30,
-                                .mu = t.mu,
-                                .tol = 1e-12,
-                                .precision = DOM_DOUBLE};
+    ask_row_of_train(&t, &scale, 1, seen.domino, ROOM);
+    seen.row = (struct asked_row){.domino = seen.domino,
+                                  .count = ROOM,
+                                  .g = scale.g,
+                                  .push = 30,
+                                  .mu = t.mu,
+                                  .tol = 1e-12,
+                                  .precision = DOM_DOUBLE};
     assert_status(run_row(&seen), DOM_OK);
-    assert_status(dom_barrier_find(&t, &barrier, NULL), DOM_OK);
-    const struct dom_fall *f = &seen.fall[ROOM - 2];
-    dom_real unit = seen.domino[ROOM - 2].mass * scale.g * seen.domino[ROOM - 2].height / 2;
+    assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_OK);
+    const struct domq_fall *f = &seen.fall[ROOM - 2];
+    domq_real unit = seen.domino[ROOM - 2].mass * scale.g * seen.domino[ROOM - 2].height / 2;
     assert_near("kinetic", f->kinetic / unit, (double)barrier.kinetic, 1e-9);
     assert_near("barrier", f->barrier / unit, (double)barrier.barrier, 1e-8);
     assert_near("theta_m", f->theta_m, (double)barrier.theta_m, 1e-8);
@@ -173,12 +173,12 @@ static void falls_behind_a_fall(void **state)
             mass[k] = height[k] * height[k] * thickness[k];
             seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k]};
         }
-        seen.row = (struct dom_row){.domino = seen.domino,
-                                    .count = N,
-                                    .g = 9.81,
-                                    .push = 9.00688,
-                                    .tol = 1e-12,
-                                    .precision = DOM_DOUBLE};
+        seen.row = (struct asked_row){.domino = seen.domino,
+                                      .count = N,
+                                      .g = 9.81,
+                                      .push = 9.00688,
+                                      .tol = 1e-12,
+                                      .precision = DOM_DOUBLE};
         struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0};
         assert_status(run_row(&seen), DOM_OK);
         assert_null(direct_run(&direct, hits, &result));
@@ -199,7 +199,7 @@ static void ends(void **state)
     (void)state;
     static struct run seen;
     alike(&seen, 6);
-    seen.domino[3] = (struct dom_domino){.height = 0.2, .thickness = 0.05, .gap = 0.013, .mass = 1};
+    seen.domino[3] = (struct domq_domino){.height = 0.2, .thickness = 0.05, .gap = 0.013, .mass = 1};
     assert_status(run_row(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
     assert_true(seen.verdict.seconds == seen.fall[3].time);
@@ -240,8 +240,8 @@ static void budgets(void **state)
 {
     (void)state;
     static struct run seen;
-    struct dom_budget budget;
-    struct dom_placement p = {.seed = 3, .rows = 200};
+    struct domq_budget budget;
+    struct domq_placement p = {.seed = 3, .rows = 200};
     alike(&seen, 10);
     assert_status(ask_placement_budget(&seen.row, &p, 0.9999, &budget), DOM_OK);
     assert_true(budget.low == 0 && budget.sigma < budget.high);
@@ -272,8 +272,8 @@ static void errors_are_normal(void **state)
 {
     (void)state;
     static struct run seen;
-    struct dom_study study;
-    struct dom_placement p = {.sigma = 0.001, .seed = 9, .rows = 20000};
+    struct domq_study study;
+    struct domq_placement p = {.sigma = 0.001, .seed = 9, .rows = 20000};
     alike(&seen, 2);
     /* It falls short where the gap is more than the height: one standard deviation away. */
     seen.domino[1].gap = 0.047;
@@ -368,19 +368,19 @@ static void any_order(void **state)
 {
     (void)state;
     static struct run seen;
-    struct dom_study study, other = {.low = -1};
+    struct domq_study study, other = {.low = -1};
     size_t stops[10], others[10], left_out = 0;
-    struct dom_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 100};
+    struct domq_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 100};
     alike(&seen, 10);
-    assert_status(dom_placement_study(&seen.row, &p, &study, stops), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &study, stops), DOM_OK);
     p.parallel = backwards;
     p.pool = &left_out;
-    assert_status(dom_placement_study(&seen.row, &p, &other, others), DOM_OK);
+    assert_status(ask_placement_study(&seen.row, &p, &other, others), DOM_OK);
     assert_memory_equal(stops, others, sizeof stops);
     assert_true(study.fall == other.fall && study.unknown == other.unknown && study.low == other.low);
     left_out = 1;
     other.low = -1;
-    assert_status(dom_placement_study(&seen.row, &p, &other, others), DOM_INTERRUPTED);
+    assert_status(ask_placement_study(&seen.row, &p, &other, others), DOM_INTERRUPTED);
     assert_true(other.low == -1);
     assert_memory_equal(stops, others, sizeof stops);
 }
@@ -390,7 +390,7 @@ static void studies_add_up(void **state)
 {
     (void)state;
     static struct run seen;
-    struct dom_study whole, part[2];
+    struct domq_study whole, part[2];
     size_t stops[10], stops_part[2][10], stopped = 0;
     struct domq_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 500};
     alike(&seen, 10);
@@ -437,8 +437,8 @@ static void heights_are_normal(void **state)
     (void)state;
     enum { ROWS = 20000 };
     static struct run seen;
-    struct dom_study study;
-    struct dom_placement p = {.heights = 0.01, .seed = 9, .rows = ROWS};
+    struct domq_study study;
+    struct domq_placement p = {.heights = 0.01, .seed = 9, .rows = ROWS};
     alike(&seen, 2);
     /* It falls short where the first is lower than the gap: one standard deviation away. */
     seen.domino[1].gap = seen.domino[0].height * (domq_real)0.99;

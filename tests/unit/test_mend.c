@@ -4,13 +4,13 @@
 #include "run.h"
 #include "support.h"
 
-static struct dom_mend mends[DOM_MENDS];
+static struct domq_mend mends[DOM_MENDS];
 
 static size_t mend(struct run *run)
 {
     size_t count = DOM_MENDS + 1;
     run->row.domino = run->domino;
-    assert_status(dom_row_mend(&run->row, NULL, NULL, mends, &count), DOM_OK);
+    assert_status(ask_row_mend(&run->row, NULL, NULL, mends, &count), DOM_OK);
     return count;
 }
 
@@ -95,7 +95,7 @@ static void mended_rows_fall(void **state)
         size_t last = run.verdict.domino + 1, count = mend(&run);
         lost += count == 0;
         for (size_t j = 0; j < count; j++) {
-            const struct dom_mend *m = &mends[j];
+            const struct domq_mend *m = &mends[j];
             double to = m->to, until = m->until, gap = m->gap, away = to > gap ? 1 : -1;
             double digit = pow(10, floor(log10(fmax(to, gap))) - 6);
             assert_true(m->domino >= 2 && m->domino <= last);
@@ -165,7 +165,7 @@ static void a_long_row(void **state)
     run.domino[49].mass *= 200;
     assert_int_equal(row_end(&run), DOM_ROW_STOPS);
     assert_int_equal(run.verdict.domino, 50);
-    assert_status(dom_row_mend(&run.row, progress_seen, &done, mends, &count), DOM_OK);
+    assert_status(ask_row_mend(&run.row, progress_seen, &done, mends, &count), DOM_OK);
     assert_int_equal(done, 1000);
     for (size_t j = 0; j < count; j++)
         assert_in_range(mends[j].domino, 51 - 30, 51);
@@ -180,19 +180,19 @@ static void over_its_edge(void **state)
     static struct run run;
     make_row(&run, 1, 0.3, 1, 0);
     double edge = push_over(run.domino);
-    dom_real push;
+    domq_real push;
     for (double own = 0; own < 1; own += 0.3) {
         run.row.push = own * edge;
-        assert_status(dom_row_push(&run.row, 100, &push), DOM_OK);
+        assert_status(ask_row_push(&run.row, 100, &push), DOM_OK);
         assert_true(push >= edge * (1 - 1e-12) && push <= 1.002 * edge);
     }
     /* Stronger than what is needed it is what it was. */
     run.row.push = 2 * edge;
-    assert_status(dom_row_push(&run.row, 100, &push), DOM_OK);
+    assert_status(ask_row_push(&run.row, 100, &push), DOM_OK);
     assert_true(push == run.row.push);
     run.row.push = 0;
     push = 0;
-    assert_status(dom_row_push(&run.row, 0.99 * edge, &push), DOM_OK);
+    assert_status(ask_row_push(&run.row, 0.99 * edge, &push), DOM_OK);
     assert_true(isnan((double)push));
 }
 
@@ -206,13 +206,13 @@ static void the_weakest_push(void **state)
     int found = 0, none = 0;
     for (int i = 0; i < 100; i++) {
         random_row(&run, &seed);
-        run.row.push = i % 2 ? DOM_NAN : 0.3 * push_over(run.domino);
+        run.row.push = i % 2 ? DOMQ_NAN : 0.3 * push_over(run.domino);
         if (i % 3 == 0)
             run.domino[1].gap = 0.05 * (double)run.domino[0].height;
         if (row_end(&run) == DOM_ROW_FALLS)
             continue;
-        dom_real push;
-        assert_status(dom_row_push(&run.row, 1e3, &push), DOM_OK);
+        domq_real push;
+        assert_status(ask_row_push(&run.row, 1e3, &push), DOM_OK);
         none += isnan((double)push);
         if (isnan((double)push))
             continue;
@@ -234,21 +234,21 @@ static void refusals(void **state)
     const volatile sig_atomic_t now = 1;
     static struct run run;
     size_t count = 7;
-    dom_real push = -1;
+    domq_real push = -1;
     static const double strongest[] = {0, -1, (double)NAN, (double)INFINITY};
     make_row(&run, 5, 0.3, 1.2, 0);
     run.row.push = 0.1;
     for (size_t i = 0; i < sizeof strongest / sizeof *strongest; i++)
-        assert_status(dom_row_push(&run.row, strongest[i], &push), DOM_BAD_PARAMETER);
+        assert_status(ask_row_push(&run.row, strongest[i], &push), DOM_BAD_PARAMETER);
     for (int wrong = 0; wrong < 4; wrong++) {
-        struct dom_row row = run.row;
+        struct asked_row row = run.row;
         enum dom_status status = wrong < 3 ? DOM_BAD_PARAMETER : DOM_INTERRUPTED;
         row.count = wrong == 0 ? 0 : row.count;
         row.tol = wrong == 1 ? 1e-30 : row.tol;
         row.g = wrong == 2 ? 0 : row.g;
         row.interrupt = wrong == 3 ? &now : NULL;
-        assert_status(dom_row_mend(&row, NULL, NULL, mends, &count), status);
-        assert_status(dom_row_push(&row, 10, &push), status);
+        assert_status(ask_row_mend(&row, NULL, NULL, mends, &count), status);
+        assert_status(ask_row_push(&row, 10, &push), status);
     }
     assert_true(count == 7 && push == -1);
 }

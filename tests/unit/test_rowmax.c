@@ -5,43 +5,43 @@
 
 /* The rows of a train at any r, and how often they were made. */
 struct family {
-    struct dom_train train;
-    struct dom_scale scale;
+    struct asked train;
+    struct domq_scale scale;
     int made;
 };
 
-static void family_make(dom_real r, struct dom_domino *domino, size_t count, void *context)
+static void family_make(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     struct family *f = context;
-    struct dom_train train = f->train;
+    struct asked train = f->train;
     train.r = r;
     f->made++;
-    dom_row_of_train(&train, &f->scale, 0.01, domino, count);
+    ask_row_of_train(&train, &f->scale, 0.01, domino, count);
 }
 
 static struct family family_of(double s, double d, double q)
 {
-    struct family f = {.train = dom_train_default(), .scale = dom_scale_default()};
+    struct family f = {.train = asked_default(), .scale = domq_scale_default()};
     f.train.s = s;
     f.train.d = d;
     f.train.q = q;
     return f;
 }
 
-static struct dom_row row_of(size_t count, dom_real push)
+static struct asked_row row_of(size_t count, domq_real push)
 {
-    return (struct dom_row){.count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = DOM_DOUBLE};
+    return (struct asked_row){.count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = DOM_DOUBLE};
 }
 
-static struct dom_row_growth growth_of(struct family *f, const struct dom_row *row)
+static struct domq_row_growth growth_of(struct family *f, const struct asked_row *row)
 {
-    struct dom_row_growth growth;
-    assert_status(dom_row_rmax(row, 1 / f->train.s, family_make, f, &growth), DOM_OK);
+    struct domq_row_growth growth;
+    assert_status(ask_row_rmax(row, 1 / f->train.s, family_make, f, &growth), DOM_OK);
     return growth;
 }
 
 /* How the family's row ends at the growth r. */
-static enum dom_row_end ends_at(struct family *f, const struct dom_row *row, double r)
+static enum dom_row_end ends_at(struct family *f, const struct asked_row *row, double r)
 {
     static struct run run;
     run.row = *row;
@@ -56,12 +56,12 @@ static void two_are_the_pair(void **state)
     int limited = 0;
     for (int i = 1; i < 10; i++) {
         struct family f = family_of(0.1 * i, 7.0 / 48, i % 2 ? 3 : 4);
-        struct dom_limit pair;
-        struct dom_row row = row_of(2, DOM_NAN);
-        assert_status(dom_limit_pair(&f.train, &pair, NULL), DOM_OK);
+        struct domq_limit pair;
+        struct asked_row row = row_of(2, DOMQ_NAN);
+        assert_status(ask_limit_pair(&f.train, &pair, NULL), DOM_OK);
         if (pair.ends == DOM_END_NONE)
             continue;
-        struct dom_row_growth growth = growth_of(&f, &row);
+        struct domq_row_growth growth = growth_of(&f, &row);
         assert_near("r_max", growth.r_max, pair.r_max, 1e-11);
         assert_int_equal(growth.ends, pair.ends == DOM_END_REACH ? DOM_ROW_FALLS : DOM_ROW_STOPS);
         limited += pair.ends == DOM_END_BARRIER;
@@ -76,10 +76,10 @@ static void long_rows_are_the_train(void **state)
     (void)state;
     for (int i = 4; i < 8; i++) {
         struct family f = family_of(0.1 * i, 7.0 / 48, 3 + i % 2);
-        struct dom_limit limit;
-        struct dom_row row = row_of(60, 60);
-        assert_status(dom_limit_rmax(&f.train, &limit, NULL, NULL), DOM_OK);
-        struct dom_row_growth growth = growth_of(&f, &row);
+        struct domq_limit limit;
+        struct asked_row row = row_of(60, 60);
+        assert_status(ask_limit_rmax(&f.train, &limit, NULL, NULL), DOM_OK);
+        struct domq_row_growth growth = growth_of(&f, &row);
         assert_near("r_max", growth.r_max, limit.r_max, 1e-6);
         assert_int_equal(growth.ends, limit.ends == DOM_END_REACH ? DOM_ROW_FALLS : DOM_ROW_STOPS);
     }
@@ -94,10 +94,10 @@ static void falls_up_to_it(void **state)
     for (int i = 0; i < 60; i++) {
         struct family f = family_of(random_log(&seed, 0.1, 0.9), random_log(&seed, 0.05, 0.3),
                                     2.5 + 2 * random_unit(&seed));
-        struct dom_row row = row_of(2 + (size_t)(8 * random_unit(&seed)), i % 3 ? 6 : DOM_NAN);
+        struct asked_row row = row_of(2 + (size_t)(8 * random_unit(&seed)), i % 3 ? 6 : DOMQ_NAN);
         row.mu = i % 4 ? 0 : 0.2;
         row.floor = i % 2; /* changes nothing */
-        struct dom_row_growth growth = growth_of(&f, &row);
+        struct domq_row_growth growth = growth_of(&f, &row);
         assert_true(f.made < 400);
         if (isnan((double)growth.r_max)) {
             assert_int_equal(ends_at(&f, &row, 1), growth.ends);
@@ -131,11 +131,11 @@ static void at_the_ends(void **state)
 {
     (void)state;
     struct family f = family_of(0.4, 7.0 / 48, 4);
-    struct dom_row row = row_of(1, 6);
-    struct dom_row_growth growth = growth_of(&f, &row);
+    struct asked_row row = row_of(1, 6);
+    struct domq_row_growth growth = growth_of(&f, &row);
     assert_true(growth.r_max == 1 / f.train.s && growth.ends == DOM_ROW_FALLS);
     f = family_of(0.05, 7.0 / 48, 4);
-    row = row_of(3, DOM_NAN);
+    row = row_of(3, DOMQ_NAN);
     growth = growth_of(&f, &row);
     assert_true(isnan((double)growth.r_max) && growth.ends == DOM_ROW_LEANS);
     assert_int_equal(f.made, 1);
@@ -146,10 +146,10 @@ static void at_the_ends(void **state)
     assert_true(growth.r_max == 1 && growth.ends == DOM_ROW_FALLS);
 }
 
-static void flat_make(dom_real r, struct dom_domino *domino, size_t count, void *context)
+static void flat_make(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     family_make(r, domino, count, context);
-    if (r > (dom_real)1.1)
+    if (r > (domq_real)1.1)
         domino[0].thickness = 0;
 }
 
@@ -159,23 +159,23 @@ static void refusals(void **state)
     (void)state;
     const volatile sig_atomic_t now = 1;
     struct family f = family_of(0.4, 7.0 / 48, 3);
-    struct dom_row row = row_of(4, 6), bad;
-    struct dom_row_growth growth = {.r_max = -1};
+    struct asked_row row = row_of(4, 6), bad;
+    struct domq_row_growth growth = {.r_max = -1};
     static const double highest[] = {0.99, -1, (double)NAN, (double)INFINITY};
     for (size_t i = 0; i < sizeof highest / sizeof *highest; i++)
-        assert_status(dom_row_rmax(&row, highest[i], family_make, &f, &growth), DOM_BAD_PARAMETER);
+        assert_status(ask_row_rmax(&row, highest[i], family_make, &f, &growth), DOM_BAD_PARAMETER);
     bad = row;
     bad.count = 0;
-    assert_status(dom_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
     bad = row;
     bad.tol = 1e-30;
-    assert_status(dom_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
     bad = row;
     bad.mu = -1;
-    assert_status(dom_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
-    assert_status(dom_row_rmax(&row, 2, flat_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(ask_row_rmax(&bad, 2, family_make, &f, &growth), DOM_BAD_PARAMETER);
+    assert_status(ask_row_rmax(&row, 2, flat_make, &f, &growth), DOM_BAD_PARAMETER);
     row.interrupt = &now;
-    assert_status(dom_row_rmax(&row, 2, family_make, &f, &growth), DOM_INTERRUPTED);
+    assert_status(ask_row_rmax(&row, 2, family_make, &f, &growth), DOM_INTERRUPTED);
     assert_true(growth.r_max == -1);
 }
 

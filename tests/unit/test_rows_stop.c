@@ -251,7 +251,7 @@ static void stops_before_a_lock(void **state)
     static double size[][3] = {{0.03, 0.0034, 0}, {0.04, 0.018, 0.0034}};
     static struct run run;
     for (int precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
-        blocks_row(&run, size, 2, DOM_NAN, 1.35);
+        blocks_row(&run, size, 2, DOMQ_NAN, 1.35);
         run.row.precision = (enum dom_precision)precision;
         run.row.tol = precision == DOM_FLOAT ? 1e-5 : 1e-12;
         assert_status(run_row(&run), DOM_OK);

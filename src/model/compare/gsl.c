@@ -135,7 +135,7 @@ static enum dom_status gsl_limit_rmax(const struct request *train, struct dom_li
 {
     if (error)
         return DOM_NO_METHOD;
-    quiet_begin();
+    dom_quiet_begin();
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
     double reach = 1 / (double)train->s, r = reach, at_1 = gsl_margin(1, &c);

@@ -3,34 +3,33 @@
 #include "dynamics/choose.h"
 
 /* Each effect of the list turns itself on, in a file of its own. */
-#define DYNAMICS_DECLARE(effect, member)                                                                     \
+#define DYNAMICS_DECLARE(effect, member, status)                                                                     \
     KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
 DOM_DYNAMICS(DYNAMICS_DECLARE)
 #undef DYNAMICS_DECLARE
 
-KERNEL enum dom_status dynamics_choose(const struct dynamics_values *values, struct geometry *geometry)
+KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry)
 {
     static enum dom_status (*const apply[])(struct geometry *, real) = {
-#define DYNAMICS_APPLY(effect, member) effect##_apply,
+#define DYNAMICS_APPLY(effect, member, status) effect##_apply,
         DOM_DYNAMICS(DYNAMICS_APPLY)
 #undef DYNAMICS_APPLY
     };
     enum dom_status status = DOM_OK;
     geometry->dynamics = &energy_balance;
     for (int i = 0; i < DOM_DYNAMICS_COUNT && status == DOM_OK; i++)
-        if (dynamics_on(values->of[i]))
-            status = apply[i](geometry, (real)values->of[i]);
+        if (dynamics_on(effect[i]))
+            status = apply[i](geometry, (real)effect[i]);
     return status;
 }
 
-KERNEL enum dom_status dynamics_read(const struct dom_train *train, struct geometry *geometry)
+KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry)
 {
-    const struct dynamics_values values = dynamics_of_train(train);
     *geometry = geometry_read(train);
-    return dynamics_choose(&values, geometry);
+    return dynamics_choose(train->effect, geometry);
 }
 
-KERNEL enum dom_status dynamics_make(const struct dom_train *train, struct geometry *geometry)
+KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry)
 {
     enum dom_status status = dynamics_read(train, geometry);
     return status == DOM_OK ? geometry_set(geometry, geometry->s, geometry->r) : status;

@@ -1,44 +1,37 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which effects of DOM_DYNAMICS a train or a row has. */
+/* The effects of DOM_DYNAMICS by number: struct request and struct row_request hold their values in this order. */
 #ifndef DOM_LIST_H
 #define DOM_LIST_H
 
-#include "domino.h"
+#include "geometry/request.h"
 
-/* The value of each effect, in the order of the list. */
-struct dynamics_values {
-    dom_real of[DOM_DYNAMICS_COUNT];
-};
-
-#define DYNAMICS_VALUE(effect, member) from->member,
-
-static inline struct dynamics_values dynamics_of_train(const struct dom_train *from)
-{
-    return (struct dynamics_values){{DOM_DYNAMICS(DYNAMICS_VALUE)}};
-}
-
-static inline struct dynamics_values dynamics_of_row(const struct dom_row *from)
-{
-    return (struct dynamics_values){{DOM_DYNAMICS(DYNAMICS_VALUE)}};
-}
-
-#undef DYNAMICS_VALUE
-
-/* Returns whether an effect of this value is on; every effect is off at 0. */
+/* Returns true if an effect of this value is on; every effect is off at 0. */
 static inline bool dynamics_on(dom_real value)
 {
     return value != 0;
 }
 
-/* Returns whether all values are inside the ranges that the effects state. */
-static inline bool dynamics_allowed(const struct dynamics_values *values)
+/* Returns the number of the first effect that is on, or DOM_DYNAMICS_COUNT. */
+static inline int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
+    int k = 0;
+    while (k < DOM_DYNAMICS_COUNT && !dynamics_on(effect[k]))
+        k++;
+    return k;
+}
+
+/* Returns DOM_OK, or the status that names the first value outside the range that its effect states. */
+static inline enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_COUNT])
+{
+#define STATUS(effect, member, status) status,
+    static const enum dom_status bad[] = {DOM_DYNAMICS(STATUS)};
+#undef STATUS
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++) {
         const struct dom_effect_argument *argument = dom_effect((enum dom_effect_name)k)->argument;
-        if (!(values->of[k] >= argument->lowest && values->of[k] <= argument->highest))
-            return false;
+        if (!(effect[k] >= argument->lowest && effect[k] <= argument->highest))
+            return bad[k];
     }
-    return true;
+    return DOM_OK;
 }
 
 #endif

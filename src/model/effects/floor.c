@@ -2,7 +2,7 @@
 /* The floor's friction: what it is; floor.c of the model finds it. */
 #include "numerics/api.h"
 
-const struct dom_effect effect_floor = {
+const struct dom_effect dom_effect_floor = {
     .name = "floor",
     .adds = "what friction the floor needs so that no hinge slips",
     .help =

@@ -2,7 +2,7 @@
 /* Random errors of placement: what they are; placement.c of the model draws them. */
 #include "numerics/api.h"
 
-const struct dom_effect effect_placement = {
+const struct dom_effect dom_effect_placement = {
     .name = "placement",
     .adds = "random errors of the gaps, and of the heights if asked for",
     .help = "The row is set up again and again, each gap with a normal error of its own of standard "

@@ -2,7 +2,7 @@
 /* How a row starts. */
 #include "numerics/api.h"
 
-const struct dom_effect effect_push = {
+const struct dom_effect dom_effect_push = {
     .name = "push",
     .adds = "the first domino is pushed upright, not tipped over",
     .help = "Without it the first domino stands on its edge, at theta_u with tan theta_u = d (b1), and is "

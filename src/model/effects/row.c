@@ -2,7 +2,7 @@
 /* A finite row in the place of the endless train: what it is; row.c of the model runs it. */
 #include "numerics/api.h"
 
-const struct dom_effect effect_row = {
+const struct dom_effect dom_effect_row = {
     .name = "row",
     .adds = "a finite row, alike or not, in place of the train",
     .help =

@@ -2,8 +2,8 @@
 /* The angles and the energies of a train, and how its cycle begins. */
 #include "dynamics/choose.h"
 
-KERNEL enum dom_status angles_find(const struct dom_train *train, struct dom_angles *angles,
-                                   struct dom_angles *error)
+KERNEL enum dom_status angles_find(const struct request *train, struct dom_angles *angles,
+                                   struct dom_angles_error *error)
 {
     struct geometry geometry;
     enum dom_status status = dynamics_make(train, &geometry);
@@ -18,7 +18,7 @@ KERNEL enum dom_status angles_find(const struct dom_train *train, struct dom_ang
         .detaches = geometry.detaches,
     };
     if (error) /* the arc functions add one unit, or two */
-        *error = (struct dom_angles){
+        *error = (struct dom_angles_error){
             .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
             .theta_u = 2 * UNIT * angles->theta_u,
             .theta_inf = tilt_error(geometry.inf, 6) + 2 * UNIT * angles->theta_inf,
@@ -30,8 +30,8 @@ KERNEL enum dom_status angles_find(const struct dom_train *train, struct dom_ang
     return DOM_OK;
 }
 
-KERNEL enum dom_status fuel_find(const struct dom_train *train, struct dom_fuels *fuels,
-                                 struct dom_fuels *error)
+KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *fuels,
+                                 struct dom_fuels_error *error)
 {
     struct geometry geometry;
     struct fuel fuel, e;
@@ -69,8 +69,8 @@ KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, 
     return DOM_OK;
 }
 
-KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_launch *launch,
-                                   struct dom_launch *error)
+KERNEL enum dom_status launch_find(const struct request *train, struct dom_launch *launch,
+                                   struct dom_launch_error *error)
 {
     struct geometry geometry;
     struct launch l, e;
@@ -91,7 +91,7 @@ KERNEL enum dom_status launch_find(const struct dom_train *train, struct dom_lau
         .kinetic = fuelled ? l.kinetic : REAL_NAN,
     };
     if (error)
-        *error = (struct dom_launch){.fuel = e.fuel,
+        *error = (struct dom_launch_error){.fuel = e.fuel,
                                      .J0 = e.J0,
                                      .velocity_ratio = e.velocity_ratio,
                                      .omegasq = e.omegasq,

@@ -74,7 +74,7 @@ struct geometry {
 #define CHAIN_ENDLESS SIZE_MAX
 
 /* Checks the shape of a train, and fills its geometry; dynamics_make adds how it moves. */
-KERNEL enum dom_status geometry_make(const struct dom_train *train, struct geometry *geometry);
+KERNEL enum dom_status geometry_make(const struct request *train, struct geometry *geometry);
 
 /* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
 KERNEL struct geometry geometry_read(const struct request *train);

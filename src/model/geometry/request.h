@@ -8,12 +8,12 @@
 
 #define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
 
-/* The members of struct request and of struct dom_compute. */
+/* The members of struct dom_train and of struct dom_compute. */
 struct request {
     DOM_TRAIN_PARAMETERS(MEMBER)
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_fuel fuel;
-    dom_real mu;
+    dom_real effect[DOM_DYNAMICS_COUNT]; /* values of the effects in the order of DOM_DYNAMICS, 0 for off */
     enum dom_precision precision;
     enum dom_method method;
     bool errors;
@@ -25,7 +25,8 @@ struct request {
 struct row_request {
     const struct dom_domino *domino;
     size_t count;
-    dom_real g, push, mu;
+    dom_real g, push;
+    dom_real effect[DOM_DYNAMICS_COUNT];
     bool floor;
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_precision precision;

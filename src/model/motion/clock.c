@@ -153,13 +153,13 @@ static enum dom_status motion_tilt_at(struct motion *m, real time, real *at)
     enum dom_status status = clock_begin(m, &clock, &whole);
     if (status != DOM_OK)
         return status;
-    if (!(time >= 0 && time <= whole * (1 + fmax(m->tol, 4 * REAL_EPSILON))))
-        return DOM_BAD_TILT;
+    if (!(time >= 0 && time <= whole * (1 + fmax(m->tol, 4 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))))
+        return DOM_BAD_TIME;
     *at = time == 0 ? 0 : m->end;
     return time == 0 || time >= whole ? DOM_OK : motion_tilt(m, &clock, time, at);
 }
 
-KERNEL enum dom_status cycle_tilt(const struct dom_train *train, dom_real time, dom_real *theta)
+KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time, dom_real *theta)
 {
     struct motion m;
     real at = 0;
@@ -183,7 +183,7 @@ struct table {
     bool ended; /* by the visitor */
 };
 
-static enum dom_status table_row(struct table *t, real theta, const struct dom_event *event)
+static enum dom_status table_row(struct table *t, real theta, const struct instant *event)
 {
     struct dom_state state;
     struct dom_state_error error;
@@ -192,8 +192,11 @@ static enum dom_status table_row(struct table *t, real theta, const struct dom_e
     enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors ? &error : NULL);
     if (status != DOM_OK)
         return status;
-    struct dom_event timed = event ? *event : (struct dom_event){.kind = DOM_EVENT_LAUNCH};
-    timed.time = state.time;
+    struct dom_event timed = {.theta = theta, .time = state.time};
+    if (event) {
+        timed.kind = event->kind;
+        timed.domino = event->domino;
+    }
     state.error = error;
     t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
     return DOM_OK;
@@ -202,11 +205,11 @@ static enum dom_status table_row(struct table *t, real theta, const struct dom_e
 KERNEL enum dom_status cycle_walk(const struct request *train, size_t rows, enum dom_spacing by,
                                   dom_state_visit *visit, void *context)
 {
-    struct table t = {.errors = errors, .visit = visit, .context = context};
-    struct dom_event events[DOM_EVENTS_MAX];
+    struct table t = {.errors = train->errors, .visit = visit, .context = context};
+    struct instant events[DOM_EVENTS_MAX];
     int count = 0, next = 0;
     real whole = 0;
-    enum dom_status status = motion_begin(train, &t.m, errors);
+    enum dom_status status = motion_begin(train, &t.m, train->errors);
     if (status == DOM_OK)
         status = motion_events(&t.m, events, &count);
     if (status == DOM_OK)
@@ -215,9 +218,9 @@ KERNEL enum dom_status cycle_walk(const struct request *train, size_t rows, enum
         real part = rows > 1 ? (real)k / (real)(rows - 1) : 1, theta = part * t.m.end;
         if (by == DOM_BY_TIME && part > 0 && part < 1)
             status = motion_tilt(&t.m, &t.clock, part * whole, &theta);
-        for (; next < count && status == DOM_OK && !t.ended && (real)events[next].theta <= theta; next++)
-            status = table_row(&t, fmin((real)events[next].theta, t.m.end), &events[next]);
-        bool between = next < count && theta > (real)events[next > 0 ? next - 1 : 0].theta;
+        for (; next < count && status == DOM_OK && !t.ended && events[next].theta <= theta; next++)
+            status = table_row(&t, fmin(events[next].theta, t.m.end), &events[next]);
+        bool between = next < count && theta > events[next > 0 ? next - 1 : 0].theta;
         if (between && status == DOM_OK && !t.ended)
             status = table_row(&t, theta, NULL);
     }

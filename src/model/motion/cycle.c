@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/cycle.h"
 
-KERNEL enum dom_status cycle_begin(const struct dom_train *train, struct cycle *cycle, bool errors)
+KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors)
 {
     struct segment *st = &cycle->segment;
     struct geometry *geometry = &st->geometry;
@@ -56,7 +56,7 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
 KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, dom_real *omegasq,
                                      dom_real *error)
 {
-    struct dom_train finer = *train;
+    struct request finer = *train;
     real theta = (real)theta_, w = 0, w_error = 0;
     *omegasq = DOM_NAN;
     for (;;) {

@@ -17,7 +17,7 @@ struct cycle {
  * errors: with launch_error.  DOM_NO_FUEL if the cycle does not begin.  cycle_free gives back what it takes,
  * also after a failure.
  */
-KERNEL enum dom_status cycle_begin(const struct dom_train *train, struct cycle *cycle, bool errors);
+KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors);
 KERNEL void cycle_free(struct cycle *cycle);
 
 /* Returns true when the train does not get over the barrier: every answer of a cycle takes its verdict here.

@@ -87,7 +87,7 @@ KERNEL enum dom_status floor_over(const struct segment *st, real lo, real hi,
 
 /* ---- Of a train ---- */
 
-KERNEL enum dom_status cycle_floor(const struct dom_train *train, struct dom_floor *floor)
+KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor *floor)
 {
     struct motion m;
     struct segment *st = &m.cycle.segment;

@@ -311,7 +311,7 @@ KERNEL bool motion_part(const struct motion *m, int i, real *lo, real *hi)
     return *lo < *hi;
 }
 
-KERNEL enum dom_status cycle_least_force(const struct dom_train *train, struct dom_least_force *least)
+KERNEL enum dom_status cycle_least_force(const struct request *train, struct dom_least_force *least)
 {
     struct motion m;
     struct segment *st = &m.cycle.segment;

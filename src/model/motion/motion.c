@@ -5,7 +5,7 @@
 
 /* ---- Times ---- */
 
-KERNEL enum dom_status motion_begin(const struct dom_train *train, struct motion *m, bool errors)
+KERNEL enum dom_status motion_begin(const struct request *train, struct motion *m, bool errors)
 {
     m->room = (struct room){0};
     enum dom_status status = cycle_begin(train, &m->cycle, errors);
@@ -73,7 +73,7 @@ KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *t
 }
 
 /* The events without their times. */
-KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *events, int *count)
+KERNEL enum dom_status motion_events(const struct motion *m, struct instant *events, int *count)
 {
     bool leaves;
     struct tilt leave;
@@ -83,18 +83,18 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *e
         return status;
     real top = m->cycle.segment.barrier.theta_m, fall = leaves ? tilt_angle(leave) : 0;
     int n = 0;
-    events[n++] = (struct dom_event){.kind = DOM_EVENT_LAUNCH};
+    events[n++] = (struct instant){.kind = DOM_EVENT_LAUNCH};
     if (top > 0 && top < m->end)
-        events[n++] = (struct dom_event){.kind = DOM_EVENT_TOP, .theta = top};
+        events[n++] = (struct instant){.kind = DOM_EVENT_TOP, .theta = top};
     if (leaves && fall < m->end) {
         int at = n++;
         bool first = at > 1 && fall < top;
         if (first)
             events[at] = events[at - 1];
         events[first ? at - 1 : at] =
-            (struct dom_event){.kind = DOM_EVENT_FALL, .theta = fall, .domino = domino};
+            (struct instant){.kind = DOM_EVENT_FALL, .theta = fall, .domino = domino};
     }
-    events[n++] = (struct dom_event){.kind = m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m->end};
+    events[n++] = (struct instant){.kind = m->stops ? DOM_EVENT_STOP : DOM_EVENT_HIT, .theta = m->end};
     *count = n;
     return DOM_OK;
 }
@@ -102,14 +102,19 @@ KERNEL enum dom_status motion_events(const struct motion *m, struct dom_event *e
 KERNEL enum dom_status cycle_events(const struct request *train, struct dom_event *events, int *count)
 {
     struct motion m;
+    struct instant at[DOM_EVENTS_MAX];
+    real time = 0;
     int n = 0;
     enum dom_status status = motion_begin(train, &m, false);
     if (status == DOM_OK)
-        status = motion_events(&m, events, &n);
-    for (int i = 1; i < n && status == DOM_OK; i++) {
+        status = motion_events(&m, at, &n);
+    for (int i = 0; i < n && status == DOM_OK; i++) {
         real step = 0;
-        status = motion_time(&m, (real)events[i - 1].theta, (real)events[i].theta, &step);
-        events[i].time = events[i - 1].time + step;
+        if (i > 0)
+            status = motion_time(&m, at[i - 1].theta, at[i].theta, &step);
+        time += step;
+        events[i] = (struct dom_event){
+            .kind = at[i].kind, .theta = at[i].theta, .time = time, .domino = at[i].domino};
     }
     motion_end(&m);
     *count = status == DOM_OK ? n : 0;
@@ -205,7 +210,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     if (conservative)
         status = time_error(m, state, &of_time);
     real of_before = geometry->weight * launch_error->arrives + 5 * UNIT * before;
-    *error = (struct dom_state){
+    *error = (struct dom_state_error){
         .time = of_time,
         .omegasq = omegasq_error,
         .acceleration = REAL_NAN, /* no bound is known */

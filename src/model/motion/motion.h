@@ -18,7 +18,7 @@ struct motion {
  * Begins the motion of a train, up to theta_c or to where it comes to rest; motion_end gives back what it
  * takes, also after a failure. DOM_NO_MARGIN where times have no value.
  */
-KERNEL enum dom_status motion_begin(const struct dom_train *train, struct motion *motion, bool errors);
+KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion, bool errors);
 KERNEL void motion_end(struct motion *motion);
 
 /* The slowness before a stop, as a smooth function of x; see its definition. */
@@ -27,8 +27,15 @@ KERNEL real slowness_before(real x, void *context);
 /* The time from one tilt to another, in tau. */
 KERNEL enum dom_status motion_time(struct motion *motion, real from, real to, real *time);
 
-/* The events without their times. */
-KERNEL enum dom_status motion_events(const struct motion *motion, struct dom_event *events, int *count);
+/* An event without its time; theta is not rounded to that of struct dom_event. */
+struct instant {
+    enum dom_event_kind kind;
+    real theta;
+    size_t domino;
+};
+
+/* Lists the events of the motion in their order, at most DOM_EVENTS_MAX. */
+KERNEL enum dom_status motion_events(const struct motion *motion, struct instant *events, int *count);
 
 /* The state at a tilt; time NaN where it is not known yet. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,

@@ -3,7 +3,7 @@
 #ifndef NUM_EDGE_H
 #define NUM_EDGE_H
 
-#include "domino.h"
+#include "numerics/api.h"
 
 typedef bool edge_test(dom_real x, void *context);
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What saves a row that does not fall: another gap, or a stronger push. */
+#ifdef DOMQ
 #define REAL_QUAD
+#endif
 #include "numerics/edge.h"
 #include "numerics/real.h"
 #include <stdlib.h>
@@ -9,14 +11,15 @@
 /* The row with one thing changed.  Once status is not DOM_OK no row is run any more, and none falls. */
 struct trial {
     struct dom_row row;
+    struct dom_compute compute;
     struct dom_domino *domino;
     size_t k; /* the domino whose gap is changed, from 0 */
     enum dom_status status;
 };
 
-static struct trial trial_of(const struct dom_row *row)
+static struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
 {
-    struct trial t = {.row = *row, .status = DOM_OK};
+    struct trial t = {.row = *row, .compute = compute ? *compute : dom_compute_default(), .status = DOM_OK};
     t.row.floor = false;
     return t;
 }
@@ -25,7 +28,7 @@ static bool trial_falls(struct trial *t, struct dom_verdict *verdict)
 {
     verdict->end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
-        t->status = dom_row_run(&t->row, false, NULL, NULL, verdict);
+        t->status = dom_row_run(&t->row, &t->compute, false, NULL, NULL, verdict);
     return t->status == DOM_OK && verdict->end == DOM_ROW_FALLS;
 }
 
@@ -128,10 +131,10 @@ static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_prog
     return found;
 }
 
-enum dom_status dom_row_mend(const struct dom_row *row, dom_progress *progress, void *context,
+enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute, dom_progress *progress, void *context,
                              struct dom_mend mends[DOM_MENDS], size_t *count)
 {
-    struct trial t = trial_of(row);
+    struct trial t = trial_of(row, compute);
     struct dom_verdict verdict;
     struct dom_mend found[DOM_MENDS];
     size_t most = 0;
@@ -171,12 +174,13 @@ static dom_real push_over_edge(const struct dom_row *row)
     return sqrt(3 * row->g * d * d / ((reach + h) * reach * reach));
 }
 
-enum dom_status dom_row_push(const struct dom_row *row, dom_real strongest, dom_real *push)
+enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
+ dom_real *push)
 {
-    struct trial t = trial_of(row);
+    struct trial t = trial_of(row, compute);
     struct dom_verdict verdict;
     if (!(strongest > 0 && (double)strongest < HUGE_VAL))
-        return DOM_BAD_PARAMETER;
+        return DOM_BAD_PUSH;
     bool falls = trial_falls(&t, &verdict);
     dom_real found = falls ? row->push : DOM_NAN;
     if (t.status == DOM_OK && !falls) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, in batches that may run side by side: each row has random numbers of its own, by
  * its number alone. */
-#include "domino.h"
+#include "numerics/api.h"
 #include "numerics/quiet.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
@@ -78,10 +78,10 @@ static void row_draw(const struct batch *b, const struct dom_row *row, const str
 static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i)
 {
     struct dom_row row = *s->row;
+    struct dom_compute compute = s->compute;
     struct dom_verdict verdict;
     row_draw(b, s->row, s->placement, i);
     row.domino = b->domino;
-    row.work = NULL;
     row.floor = false;
     compute.work = NULL;
     compute.tol = compute.tol > VERDICT_TOL ? compute.tol : VERDICT_TOL;
@@ -194,25 +194,43 @@ enum dom_status dom_study_interval(struct dom_study *s)
     return status;
 }
 
-enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_placement *p,
-                                    struct dom_study *study, size_t *stops)
+/* Names what is wrong with a study, also what its errors of the gaps and its tolerance would hide. */
+static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
+                                   const struct dom_placement *p)
 {
-    if (!(p->sigma >= 0 && (double)p->sigma < HUGE_VAL && p->heights >= 0 && p->heights <= 1) ||
-        p->rows == 0 || row->count == 0)
-        return DOM_BAD_PARAMETER;
-    struct shared shared = {.row = row, .placement = p, .status = DOM_OK};
+    enum dom_status status = !(p->sigma >= 0 && (double)p->sigma < HUGE_VAL) ? DOM_BAD_SIGMA
+                             : !(p->heights >= 0 && p->heights <= 1)         ? DOM_BAD_HEIGHTS
+                             : p->rows == 0                                  ? DOM_BAD_ROWS
+                             : row->count == 0                               ? DOM_BAD_COUNT
+                             : compute->precision > DOM_QUAD                 ? DOM_BAD_PRECISION
+                             : !(compute->tol >= dom_arithmetic(compute->precision)->tol_floor) ? DOM_BAD_TOL
+                                                                                                : DOM_OK;
+    for (size_t k = 0; k < row->count && status == DOM_OK; k++)
+        status = row->domino[k].gap >= 0 ? DOM_OK : DOM_BAD_GAP;
+    return status;
+}
+
+enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
+                                    const struct dom_placement *p, struct dom_study *study, size_t *stops)
+{
+    struct shared shared = {.row = row,
+                            .compute = compute ? *compute : dom_compute_default(),
+                            .placement = p};
+    shared.status = (int)study_check(row, &shared.compute, p);
+    if (shared.status != DOM_OK)
+        return (enum dom_status)shared.status;
     shared.stops = stops ? calloc(row->count, sizeof *shared.stops) : NULL;
     if (stops && !shared.stops)
         return DOM_NO_MEMORY;
-    quiet_begin();
+    dom_quiet_begin();
     enum dom_status status = (p->parallel ? p->parallel : in_order)(p->rows / BATCH + (p->rows % BATCH > 0),
                                                                     batch_run, &shared, p->pool);
     if (shared.status != DOM_OK)
         status = (enum dom_status)shared.status;
     else if (status == DOM_OK && shared.done < p->rows) /* the pool has left some out */
         status = DOM_INTERRUPTED;
-    if (row->work)
-        row->work->entered[DOM_EFFECT_placement] += p->rows;
+    if (shared.compute.work)
+        shared.compute.work->entered[DOM_EFFECT_placement] += p->rows;
     struct dom_study found = {.rows = p->rows, .fall = shared.fall, .unknown = shared.unknown};
     if (status == DOM_OK)
         status = dom_study_interval(&found);
@@ -221,7 +239,7 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
     for (size_t k = 0; stops && status == DOM_OK && k < row->count; k++)
         stops[k] = shared.stops[k];
     free(shared.stops);
-    quiet_end();
+    dom_quiet_end();
     return status;
 }
 
@@ -291,9 +309,9 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
                                      const struct dom_placement *p, double share, struct dom_budget *budget)
 {
     double falls, widest = 0;
-    if (!(share > 0 && share < 1) || p->rows == 0)
-        return DOM_BAD_PARAMETER;
-    enum dom_status status = fall_share(row, *p, 0, &falls);
+    if (!(share > 0 && share < 1))
+        return DOM_BAD_PROBABILITY;
+    enum dom_status status = fall_share(row, compute, *p, 0, &falls);
     if (status != DOM_OK || falls < share)
         return status != DOM_OK ? status : DOM_STOPS;
     for (size_t k = 1; k < row->count; k++)

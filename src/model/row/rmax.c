@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The largest growth of a finite row. */
-#include "domino.h"
+#include "numerics/api.h"
 #include "numerics/edge.h"
 #include <stdlib.h>
 
@@ -10,6 +10,7 @@
 
 struct trial {
     struct dom_row row;
+    struct dom_compute compute;
     struct dom_domino *domino;
     dom_row_make *make;
     void *context;
@@ -24,18 +25,20 @@ static bool falls_at(dom_real r, void *context)
     if (t->status != DOM_OK)
         return false;
     t->make(r, t->domino, t->row.count, t->context);
-    t->status = dom_row_run(&t->row, false, NULL, NULL, &verdict);
+    t->status = dom_row_run(&t->row, &t->compute, false, NULL, NULL, &verdict);
     if (verdict.end != DOM_ROW_FALLS)
         t->ends = verdict.end;
     return verdict.end == DOM_ROW_FALLS;
 }
 
-enum dom_status dom_row_rmax(const struct dom_row *row, dom_real highest, dom_row_make *make, void *context,
+enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest, dom_row_make *make, void *context,
                              struct dom_row_growth *growth)
 {
-    if (row->count == 0 || !(highest >= 1 && (double)highest < HUGE_VAL))
-        return DOM_BAD_PARAMETER;
-    struct trial t = {.row = *row, .make = make, .context = context, .status = DOM_OK};
+    if (row->count == 0)
+        return DOM_BAD_COUNT;
+    if (!(highest >= 1 && (double)highest < HUGE_VAL))
+        return DOM_BAD_R;
+    struct trial t = {.row = *row, .compute = compute ? *compute : dom_compute_default(), .make = make, .context = context, .status = DOM_OK};
     t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
     t.row.floor = false;
     if (!t.domino)
@@ -49,7 +52,7 @@ enum dom_status dom_row_rmax(const struct dom_row *row, dom_real highest, dom_ro
         good = falls ? bad : good;
     }
     if (bad > good)
-        found.r_max = edge_find(falls_at, &t, good, bad, 0, row->tol);
+        found.r_max = edge_find(falls_at, &t, good, bad, 0, t.compute.tol);
     if (!falls)
         found.ends = t.ends;
     free(t.domino);

@@ -70,8 +70,7 @@ static struct tilt row_end(const struct row_request *row, size_t k)
 
 static enum dom_status row_make(struct row *row)
 {
-    const struct dom_row *asked = row->asked;
-    const struct dynamics_values values = dynamics_of_row(asked);
+    const struct row_request *asked = row->asked;
     for (size_t k = 0; k < asked->count; k++) {
         struct geometry *geometry = &row->geometry[k];
         *geometry = (struct geometry){.tol = (real)asked->tol,
@@ -86,7 +85,7 @@ static enum dom_status row_make(struct row *row)
         geometry_gravity(geometry, 0, 1);
         if (k > 0)
             joint_make(asked, k, &row->geometry[k - 1], geometry);
-        enum dom_status status = dynamics_choose(&values, geometry);
+        enum dom_status status = dynamics_choose(asked->effect, geometry);
         if (status == DOM_OK && k == 0) /* all of them share what the law needs */
             status = dynamics_begin(geometry);
         if (status != DOM_OK)
@@ -103,18 +102,22 @@ static bool positive(dom_real value)
 
 static enum dom_status row_check(const struct row_request *row)
 {
-    const struct dynamics_values values = dynamics_of_row(row);
-    if (row->count == 0 || !positive(row->g) || !dynamics_allowed(&values) ||
-        !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ||
-        (!isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))))
-        return DOM_BAD_PARAMETER;
-    for (size_t k = 0; k < row->count; k++) {
-        const struct dom_domino *d = &row->domino[k];
-        if (!positive(d->height) || !positive(d->thickness) || !positive(d->mass) || !(d->gap >= 0) ||
-            !isfinite((real)d->gap) || !positive(block_of(row, k).unit) || !positive(block_of(row, k).d))
-            return DOM_BAD_PARAMETER;
-    }
-    return DOM_OK;
+    return row->count == 0     ? DOM_BAD_COUNT
+           : !positive(row->g) ? DOM_BAD_G
+           : !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
+           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push)) ? DOM_BAD_PUSH
+                                                                                 : dynamics_check(row->effect);
+}
+
+/* Names what is wrong with a domino; what is made of its sizes must be a number of the precision, too. */
+static enum dom_status domino_check(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *d = &row->domino[k];
+    return !positive(d->height)                                       ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(block_of(row, k).d) ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(block_of(row, k).unit)   ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite((real)d->gap)                ? DOM_BAD_GAP
+                                                                      : DOM_OK;
 }
 
 /* ---- The run ---- */
