@@ -17,7 +17,7 @@
 #include <stdlib.h>
 
 #ifdef KERNEL_TEXTS
-const struct dom_effect effect_friction = {
+const struct dom_effect dom_effect_friction = {
     .name = "friction",
     .adds = "Coulomb friction between dominoes, also in the collision",
     .help =
