@@ -177,17 +177,11 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0
     return locks ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
 }
 
-KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
+/* ln G and u at a tilt of the head. */
+static void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
 {
     num_linear_at(&geometry->flow->solution, theta, ln_G, u);
     *u = -*u;
-}
-
-KERNEL real flow_left(const struct geometry *geometry, real end, real by)
-{
-    real ln_G, u;
-    flow_at(geometry, end - by, &ln_G, &u);
-    return -exp(ln_G) * num_linear_moved(&geometry->flow->solution, end, by);
 }
 
 /* du/dtheta at a tilt. */
@@ -299,7 +293,10 @@ KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct 
 
 KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness)
 {
-    real left = flow_left(geometry, end, by);
+    real ln_G, u;
+    flow_at(geometry, end - by, &ln_G, &u);
+    /* G (u(end) - u), where nothing cancels. */
+    real left = -exp(ln_G) * num_linear_moved(&geometry->flow->solution, end, by);
     *slowness = left > 0 ? 1 / left : REAL_NAN;
     return DOM_OK;
 }

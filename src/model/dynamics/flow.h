@@ -46,11 +46,4 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
                       real J_at);
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked);
 
-/* ln G and u at a tilt of the head. */
-KERNEL void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u);
-
-/* w at the tilt `by` before `end`, of a motion that is used up there: G (u(end) - u), where nothing cancels.
- */
-KERNEL real flow_left(const struct geometry *geometry, real end, real by);
-
 #endif
