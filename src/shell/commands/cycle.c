@@ -3,6 +3,7 @@
 #include "commands/tables.h"
 #include "interpreter/command.h"
 #include "language/quad.h"
+#include "session/parameters.h"
 
 /* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
 static const char *no_fuel(const struct session *session)

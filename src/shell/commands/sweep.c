@@ -6,6 +6,7 @@
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"
+#include "session/parameters.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
