@@ -313,15 +313,14 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, cons
                                struct dom_count *count)
 {
     struct dom_compute compute = compute_or_default(asked);
-    struct dom_count_error bounds;
     if (compute.precision > DOM_QUAD)
         return DOM_BAD_PRECISION;
     if (dom_arithmetic(compute.precision)->bits == 0)
         return DOM_NO_PRECISION;
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status =
-        kernels[compute.precision]->count_find(first, height, r, count, compute.errors ? &bounds : NULL);
-    count->error = bounds;
+    enum dom_status status = kernels[compute.precision]->count_find(first, height, r, count,
+                                                                    compute.errors ? &count->error : NULL);
+    if (status != DOM_OK || !compute.errors)
+        no_bounds(&count->error, sizeof count->error);
     return status;
 }
 
