@@ -10,15 +10,12 @@ static const char *no_fuel(const struct session *session)
     struct domq_fuels fuels;
     if (domq_law(&session->train)->dissipates)
         return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
-               "'rmax' tells how "
-               "large r may be";
+               "'rmax' tells how large r may be";
     if (domq_fuel_find(&session->train, &session->compute, &fuels) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
-               "give "
-               "less than the head takes up; 'rmax' tells how large r may be";
+               "give less than the head takes up; 'rmax' tells how large r may be";
     return "no domino effect: the fuel P is not positive, a fallen domino lies no lower than it stood (s is "
-           "too "
-           "small for this d)";
+           "too small for this d)";
 }
 
 static const struct column thetac_columns[] = {
@@ -163,9 +160,8 @@ static const char *stop_reason(const struct session *session, char *reason, size
     return reason;
 }
 
-static const char locks[] =
-    "no domino effect: friction locks the collision, the force on the struck domino passes behind its "
-    "hinge and cannot turn it; a smaller r s or mu leaves it free";
+static const char locks[] = "no domino effect: friction locks the collision, the force on the struck domino "
+                            "passes behind its hinge and cannot turn it; a smaller r s or mu leaves it free";
 
 /* Why a cycle is not completed; NULL where it is. */
 static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])

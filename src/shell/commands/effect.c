@@ -253,8 +253,7 @@ const struct command effect_commands[] = {
     {.name = "effects",
      .summary = "all effects: on or off, what they add and cost here",
      .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "
-             "value, or at "
-             "a usual one where it is off.",
+             "value, or at a usual one where it is off.",
      .see = "effect scene",
      .columns = effects_columns,
      .unswept = "it measures time, which points side by side would disturb",

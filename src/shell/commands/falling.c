@@ -20,11 +20,10 @@ bool row_status(struct session *session, enum dom_status status)
 {
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return session_status(session, status);
-    return session_no_answer(
-        session,
-        "the dominoes of this row become larger or smaller than %s precision can hold; fewer of "
-        "them, a smaller r, or a wider precision",
-        domq_arithmetic(session->compute.precision)->name);
+    return session_no_answer(session,
+                             "the dominoes of this row become larger or smaller than %s precision can hold; "
+                             "fewer of them, a smaller r, or a wider precision",
+                             domq_arithmetic(session->compute.precision)->name);
 }
 
 void verdict_say(struct session *session, struct answer *a, const struct scene_row *scene,

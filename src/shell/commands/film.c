@@ -74,9 +74,8 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->cycles = call->count > 1 ? (int)call->number[1] : cycles_within(film->r, 4, 5);
     enum dom_status status = domq_cycle_events(t, &film->compute, events, &count);
     if (status == DOM_NO_MARGIN)
-        return session_error(session,
-                             "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "
-                             "has an end");
+        return session_error(
+            session, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r has an end");
     if (status == DOM_NO_FUEL)
         return picture_comes_to(session, 0);
     if (status != DOM_OK && status != DOM_STOPS)

@@ -11,9 +11,8 @@ static domq_real argument_or(const struct call *call, int i, domq_real fallback)
     return i < call->count ? call->number[i] : fallback;
 }
 
-static const char no_growth_fuel[] =
-    "no growth possible: at this s and d even equal dominoes (r = 1) have no "
-    "fuel, a fallen one lies no lower than it stood";
+static const char no_growth_fuel[] = "no growth possible: at this s and d even equal dominoes (r = 1) have "
+                                     "no fuel, a fallen one lies no lower than it stood";
 static const char no_growth_stops[] =
     "no growth possible: at this s and d even equal dominoes (r = 1) do not get over their barrier";
 
@@ -285,11 +284,10 @@ static bool run_count(struct session *session, const struct call *call)
     char number[WIDE_TEXT], growth[WIDE_TEXT], tall[WIDE_TEXT];
     train.r = argument_or(call, 1, train.r);
     if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
-        return session_no_answer(session,
-                                 "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
-                                 "in %s precision",
-                                 quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
-                                 domq_arithmetic(compute.precision)->name);
+        return session_no_answer(
+            session, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
+            quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
+            domq_arithmetic(compute.precision)->name);
     enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
     if (status != DOM_OK)
         return session_status(session, status);

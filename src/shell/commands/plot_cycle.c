@@ -35,9 +35,8 @@ static bool events_find(struct session *session, struct cycle_samples *c)
     if (status == DOM_NO_FUEL)
         return picture_comes_to(session, 0);
     if (status == DOM_NO_MARGIN)
-        return session_error(session,
-                             "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller "
-                             "r has one");
+        return session_error(
+            session, "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller r has one");
     c->end = c->angles.theta_c;
     /* Of a train that stops, the barrier is what there is to see. */
     if (status == DOM_STOPS)
@@ -295,9 +294,7 @@ static bool chain_script(const struct picture *picture, struct session *session,
     FILE *out = picture->script;
     struct angles a = {.count = 0};
     script_cycle(picture, session, c, picture->text ? "Tilts theta_i" : "Tilts");
-    fprintf(out,
-            "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain "
-            "<< END\n",
+    fprintf(out, "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain << END\n",
             picture->theta, style_angle_unit(&session->style),
             1.02 * shown_angle(session, c->angles.theta_f));
     for (int k = 0; k < c->count; k++) {

@@ -165,11 +165,10 @@ static void floor_say(const struct session *session, struct answer *a, const str
     if (c->first.head == 0)
         answer_say(a, "A floor with %.4g holds every hinge, as far as the row goes.", floor);
     else
-        answer_say(
-            a,
-            "On a floor with %.4g domino %zu is the first to slip, %s: it needs %s. The answer holds up to "
-            "there.",
-            floor, c->first.domino, slip_when(&c->first, when), needs_text(c->first.needs, needs));
+        answer_say(a,
+                   "On a floor with %.4g domino %zu is the first to slip, %s: it needs %s. The answer holds "
+                   "up to there.",
+                   floor, c->first.domino, slip_when(&c->first, when), needs_text(c->first.needs, needs));
     if (c->most.head > 0)
         answer_say(a, "The most that is needed: %s, under domino %zu %s.", needs_text(c->most.needs, needs),
                    c->most.domino, slip_when(&c->most, when));
@@ -309,8 +308,7 @@ const struct command row_commands[] = {
     {.name = "fall",
      .summary = "run the row, domino by domino, to its verdict",
      .help = "Of each domino that is hit: when, when it hits the next, how fast it starts, and what energy "
-             "that leaves "
-             "over its barrier. 'effect row' says which row.",
+             "that leaves over its barrier. 'effect row' says which row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
      .columns = fall_floor_columns,
@@ -325,10 +323,9 @@ const struct command row_commands[] = {
      .run = run_verdict},
     {.name = "mend",
      .summary = "the smallest change of one gap that saves a row",
-     .help =
-         "For each gap up to where the row ends, the nearest value with which all fall, the smallest change "
-         "first; and before them the push, where that is what is missing. "
-         "Each is looked for in 40 steps, and then halved down; a window narrower than a step may be missed.",
+     .help = "For each gap up to where the row ends, the nearest value with which all fall, the smallest "
+             "change first; and before them the push, where that is what is missing. Each is looked for in "
+             "40 steps, and then halved down; a window narrower than a step may be missed.",
      .see = "fall place budget",
      .columns = mend_columns,
      .rows = true,
@@ -352,10 +349,8 @@ const struct command row_commands[] = {
     {.name = "rowmax",
      .summary = "the largest growth r at which the whole row falls",
      .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. A first "
-             "domino that "
-             "just tips over, or a weak push, may end it at the second; where that is not so, a long row "
-             "tends to the "
-             "endless train, 'rmax'.",
+             "domino that just tips over, or a weak push, may end it at the second; where that is not so, a "
+             "long row tends to the endless train, 'rmax'.",
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
      .columns = rowmax_columns,

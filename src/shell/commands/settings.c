@@ -187,10 +187,9 @@ const struct command session_commands[] = {
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
-     .help =
-         "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, rmax. "
-         "Each value is judged alone; whether r s <= 1 holds is seen when a command needs it. NAME may also "
-         "be an effect: 'set friction 0.2', 'set friction off'.",
+     .help = "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, "
+             "rmax. Each value is judged alone; whether r s <= 1 holds is seen when a command needs it. NAME "
+             "may also be an effect: 'set friction 0.2', 'set friction off'.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
      .run = run_set},

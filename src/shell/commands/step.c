@@ -132,9 +132,8 @@ static bool walk_end(struct session *session, bool forward)
     if (!forward)
         return session_no_answer(session, "this is the launch of the first cycle; 'step' goes on");
     return w->verdict == DOM_STOPS
-               ? session_no_answer(
-                     session, "the train has stopped, it comes no further; 'why' says more, 'goto launch' "
-                              "begins again")
+               ? session_no_answer(session, "the train has stopped, it comes no further; 'why' says more, "
+                                            "'goto launch' begins again")
                : session_no_answer(session,
                                    "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
                                    CYCLES_MAX);
@@ -222,8 +221,7 @@ const struct command walk_commands[] = {
      .summary = "one cycle in N rows, even in time or in tilt",
      .equation = "(b8) (c3)",
      .help = "12 rows, even in time, unless N and BY say otherwise; the events have rows of their own. "
-             "Energies are "
-             "in J where 'mass' or 'density' is set.",
+             "Energies are in J where 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
      .columns = cycle_columns,
@@ -235,8 +233,7 @@ const struct command walk_commands[] = {
      .summary = "to the next event: what happens, and its ledger of energy",
      .equation = "(a2) (c3) (c4) (c6) (c7) (c8) (A17)",
      .help = "The first step is to the launch of the first cycle; behind the hit the next, larger and slower "
-             "cycle "
-             "begins. The ledger: before - lost + gained = kinetic.",
+             "cycle begins. The ledger: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
      .columns = rubbing_columns,

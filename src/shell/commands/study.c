@@ -148,11 +148,9 @@ const struct command study_commands[] = {
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where not",
      .help = "The scene's row is set up ROWS times (2000), each gap with a random error: 'effect placement "
-             "SIGMA'. "
-             "Row number i is the same for the same 'seed', whatever 'threads' is. ^C stops it. With 'domino "
-             "--shard 2/7' it is the second of seven parts of the study, and answers with counts of blocks "
-             "of 100 "
-             "rows, which 'pool' adds up.",
+             "SIGMA'. Row number i is the same for the same 'seed', whatever 'threads' is. ^C stops it. With "
+             "'domino --shard 2/7' it is the second of seven parts of the study, and answers with counts of "
+             "blocks of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 8 mm; placement 500",
      .see = "pool budget effect",
      .columns = placement_columns,
@@ -161,12 +159,10 @@ const struct command study_commands[] = {
     {.name = "pool",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "what 'placement' answers, from the parts of a study",
-     .help =
-         "FILE, or '-' for standard input, is the outputs of 'domino --shard I/N' with 'set output csv' and "
-         "'placement' for all I, one behind the other in any order. The answer is that of the whole study, "
-         "digit "
-         "for digit. Rows that are missing are told, rows that stand there twice and blocks of another study "
-         "are errors.",
+     .help = "FILE, or '-' for standard input, is the outputs of 'domino --shard I/N' with 'set output csv' "
+             "and 'placement' for all I, one behind the other in any order. The answer is that of the whole "
+             "study, digit for digit. Rows that are missing are told, rows that stand there twice and blocks "
+             "of another study are errors.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",

@@ -239,11 +239,10 @@ bool effects_savable(struct session *session)
     const char *path = session->listed.domino ? session->listed.path : "";
     for (const char *c = path; *c; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
-            return session_error(
-                session,
-                "cannot save: the name of the row's file, '%s', has a control character; rename "
-                "the file, or first 'effect row off'",
-                names_shown(path, shown));
+            return session_error(session,
+                                 "cannot save: the name of the row's file, '%s', has a control character; "
+                                 "rename the file, or first 'effect row off'",
+                                 names_shown(path, shown));
     return true;
 }
 
