@@ -5,7 +5,7 @@
  * safe, the others have a scratch folder, in which every name that is made stays; see 'make fuzz'.
  */
 #include "commands/grid.h"
-#include "commands/registry.h"
+#include "commands/tables.h"
 #include "interpreter/command.h"
 #include "interpreter/lookup.h"
 #include "session.h"

@@ -6,7 +6,6 @@
  */
 #include "commands/costs.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 
 static const struct column cost_columns[] = {
     {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
@@ -96,9 +95,8 @@ const struct command cost_commands[] = {
              "method and precision is asked for more and more digits. The error is the true one, the "
              "rounding of typed parameters included; times are measured in runs of their own.",
      .see = "plot",
-     .columns = cost_columns,
      .unswept = "it measures time, which points side by side would disturb",
      .rows = true,
-     .run = run_cost},
+     ANSWER(cost)},
     {.name = NULL},
 };

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The train itself, to scale, in characters or by gnuplot. */
-#include "commands/film.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"
@@ -344,11 +342,10 @@ const struct command draw_commands[] = {
      .equation = "(b8) (A2)",
      .example = "draw 0.3",
      .see = "chain animate plot",
-     .columns = draw_columns,
      .unswept = "it draws",
      .draws = true,
      .rows = true,
-     .run = run_draw},
+     ANSWER(draw)},
     {.name = "animate",
      .train = true,
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
@@ -362,11 +359,10 @@ const struct command draw_commands[] = {
              "before, and is r times larger. A train that does not go on is shown to its stop. It needs "
              "gnuplot; in csv and json the times and tilts of the frames come instead.",
      .see = "draw duration",
-     .columns = film_columns,
      .unswept = "it draws",
      .draws = true,
      .rows = true,
      .files = true,
-     .run = film_run},
+     ANSWER(animate)},
     {.name = NULL},
 };

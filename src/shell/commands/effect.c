@@ -2,10 +2,8 @@
 /* What the scene asks for beyond the paper, what follows from it, and what it costs. */
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "session/effects.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -255,16 +253,14 @@ const struct command effect_commands[] = {
      .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "
              "value, or at a usual one where it is off.",
      .see = "effect scene",
-     .columns = effects_columns,
      .unswept = "it measures time, which points side by side would disturb",
      .rows = true,
-     .run = run_effects},
+     ANSWER(effects)},
     {.name = "scene",
      .summary = "the scene, and the plan that follows from it",
      .example = "scene; effect friction 0.2; scene; effect friction off",
      .see = "effect effects",
-     .columns = scene_columns,
      .rows = true,
-     .run = run_scene},
+     ANSWER(scene)},
     {.name = NULL},
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cycles as they run in time, each r times larger than the one before. */
-#include "commands/film.h"
+#include "commands/tables.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -185,7 +185,7 @@ static bool film_file(struct session *session, const struct film *film, const ch
            (!wrong || session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong));
 }
 
-const struct column film_columns[] = {
+const struct column animate_columns[] = {
     {"time", "s", "of the frame, since the first head was hit", 0},
     {"cycle", "", "from 1; each is r times larger", 0},
     {"theta", "rad", "tilt of its head", 0},
@@ -209,7 +209,7 @@ static bool film_rows(struct session *session, const struct film *film, struct a
     return true;
 }
 
-bool film_run(struct session *session, const struct call *call)
+bool run_animate(struct session *session, const struct call *call)
 {
     struct film film;
     return film_make(session, call, &film) &&

@@ -2,7 +2,6 @@
 /* Help, all of it from the tables of commands and parameters. */
 #include "answer/format.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "prompt/complete.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include "parallel/points.h"
 
@@ -335,10 +334,9 @@ const struct command limit_commands[] = {
              "beyond which a domino falls past the next one.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
-     .columns = rmax_columns,
      .echo = "s",
      .principal = "r_max",
-     .run = run_rmax},
+     ANSWER(rmax)},
     {.name = "pair",
      .train = true,
      .argument = SEPARATION,
@@ -346,18 +344,16 @@ const struct command limit_commands[] = {
      .equation = "(b5) (b11) (b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
-     .columns = pair_columns,
      .echo = "s",
      .principal = "r_max",
-     .run = run_pair},
+     ANSWER(pair)},
     {.name = "best",
      .train = true,
      .summary = "the separation that allows the largest growth",
      .example = "best",
      .see = "rmax curve",
-     .columns = best_columns,
      .principal = "s",
-     .run = run_best},
+     ANSWER(best)},
     {.name = "curve",
      .train = true,
      .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
@@ -366,9 +362,8 @@ const struct command limit_commands[] = {
      .summary = "the largest growth at N separations: the paper's figures",
      .example = "set q hollow; curve 0.1 0.9 5",
      .see = "rmax pair best",
-     .columns = curve_columns,
      .rows = true,
-     .run = run_curve},
+     ANSWER(curve)},
     {.name = "count",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
@@ -377,9 +372,8 @@ const struct command limit_commands[] = {
              "at least H tall.",
      .example = "count 112 m 2",
      .see = "rmax best",
-     .columns = count_columns,
      .echo = "r",
      .principal = "dominoes",
-     .run = run_count},
+     ANSWER(count)},
     {.name = NULL},
 };

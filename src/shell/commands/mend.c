@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* mend: the smallest change of one gap that lets all fall. */
-#include "commands/mend.h"
 #include "commands/falling.h"
+#include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
@@ -66,7 +66,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, 
                    (double)(1000 * m->until), m->domino, room);
 }
 
-bool mend_run(struct session *session, const struct call *call)
+bool run_mend(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct domq_verdict v;

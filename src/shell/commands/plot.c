@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot: curves, drawn by gnuplot. */
 #include "commands/costs.h"
-#include "commands/plot_cycle.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"
@@ -330,11 +328,10 @@ const struct command plot_commands[] = {
              "columns, and those of 'cost'.",
      .equation = "(c1) (c2) (c3) (A2), figures 'growth' and 'marginal'",
      .see = "curve pair energy omega chain cost draw",
-     .columns = plot_columns,
      .unswept = "it draws",
      .draws = true,
      .rows = true,
      .files = true,
-     .run = run_plot},
+     ANSWER(plot)},
     {.name = NULL},
 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/plot_cycle.h"
+#include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"

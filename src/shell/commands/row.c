@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A finite row: what it is, how it falls, and what to change where it does not. */
 #include "commands/falling.h"
-#include "commands/mend.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
@@ -318,18 +316,16 @@ const struct command row_commands[] = {
      .summary = "whether the whole row falls, and where it is weakest",
      .example = "effect row 5; verdict",
      .see = "fall mend",
-     .columns = verdict_columns,
      .principal = "seconds",
-     .run = run_verdict},
+     ANSWER(verdict)},
     {.name = "mend",
      .summary = "the smallest change of one gap that saves a row",
      .help = "For each gap up to where the row ends, the nearest value with which all fall, the smallest "
              "change first; and before them the push, where that is what is missing. Each is looked for in "
              "40 steps, and then halved down; a window narrower than a step may be missed.",
      .see = "fall place budget",
-     .columns = mend_columns,
      .rows = true,
-     .run = mend_run},
+     ANSWER(mend)},
     {.name = "place",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",
@@ -353,9 +349,8 @@ const struct command row_commands[] = {
              "long row tends to the endless train, 'rmax'.",
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
-     .columns = rowmax_columns,
      .echo = "s",
      .principal = "r_max",
-     .run = run_rowmax},
+     ANSWER(rowmax)},
     {.name = NULL},
 };

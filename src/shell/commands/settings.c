@@ -2,7 +2,6 @@
 /* Commands about the session itself. */
 #include "answer/format.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
@@ -198,9 +197,8 @@ const struct command session_commands[] = {
      .summary = "the parameters: value, unit, range, default, meaning",
      .example = "show fuel",
      .see = "set reset",
-     .columns = show_columns,
      .rows = true,
-     .run = run_show},
+     ANSWER(show)},
     {.name = "reset",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
@@ -217,8 +215,7 @@ const struct command session_commands[] = {
              "'ans.KEY', the last answer; commands, with a key or without: rmax, rmax(0.3).r_max_paper.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "set",
-     .columns = print_columns,
-     .run = run_print},
+     ANSWER(print)},
     {.name = "save",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",

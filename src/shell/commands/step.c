@@ -2,7 +2,6 @@
 /* Commands that go through one cycle: as a table, and event by event. */
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include <string.h>
 
@@ -224,9 +223,8 @@ const struct command walk_commands[] = {
              "Energies are in J where 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
-     .columns = cycle_columns,
      .rows = true,
-     .run = cycle_run},
+     ANSWER(cycle)},
     {.name = "step",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
@@ -268,8 +266,7 @@ const struct command walk_commands[] = {
      .equation = "(c6) (c7) (c8)",
      .example = "why",
      .see = "barrier rmax step",
-     .columns = why_columns,
      .principal = "margin",
-     .run = why_run},
+     ANSWER(why)},
     {.name = NULL},
 };

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, and the floor that hinges need. */
 #include "commands/falling.h"
-#include "commands/study_parts.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
@@ -153,9 +151,8 @@ const struct command study_commands[] = {
              "blocks of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 8 mm; placement 500",
      .see = "pool budget effect",
-     .columns = placement_columns,
      .principal = "probability",
-     .run = run_placement},
+     ANSWER(placement)},
     {.name = "pool",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "what 'placement' answers, from the parts of a study",
@@ -168,7 +165,7 @@ const struct command study_commands[] = {
      .unswept = "it reads a file",
      .principal = "probability",
      .files = true,
-     .run = pool_run},
+     .run = run_pool},
     {.name = "budget",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
@@ -176,17 +173,15 @@ const struct command study_commands[] = {
      .help = "The sigma at which the share P of ROWS rows (1000) falls, the same rows at every sigma.",
      .example = "effect row 13; effect placement 1 mm; budget 0.9 200",
      .see = "placement mend",
-     .columns = budget_columns,
      .principal = "sigma",
-     .run = run_budget},
+     ANSWER(budget)},
     {.name = "slip",
      .train = true,
      .summary = "the floor friction that the train's hinges need",
      .help = "In motion, over the whole cycle and all dominoes that move, and in the collision.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
-     .columns = slip_columns,
      .principal = "needs",
-     .run = run_slip},
+     ANSWER(slip)},
     {.name = NULL},
 };

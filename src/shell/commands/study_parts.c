@@ -4,8 +4,8 @@
  * them for blocks of fixed row numbers, which are the same into however many parts the study is cut, and
  * 'pool' reads them all and answers as 'placement' itself would.
  */
-#include "commands/study_parts.h"
 #include "commands/falling.h"
+#include "commands/tables.h"
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "language/quad.h"
@@ -345,7 +345,7 @@ static bool parts_check(struct pool *p, char *missing, size_t size)
     return true;
 }
 
-bool pool_run(struct session *session, const struct call *call)
+bool run_pool(struct session *session, const struct call *call)
 {
     char missing[128], shown[NAMES_SHOWN];
     struct pool p = {.session = session, .path = call->word[0]};

@@ -31,13 +31,6 @@ void walk_columns_in(const struct session *session, struct answer *answer);
 /* Why no cycle begins. */
 extern const char walk_no_start[];
 
-/* The commands 'cycle' and 'why'. */
-struct call;
-extern const struct column cycle_columns[], why_columns[];
-const char *cycle_by(const void *context, int k);
-bool cycle_run(struct session *session, const struct call *call);
-bool why_run(struct session *session, const struct call *call);
-
 /* The event in words, with the paper's symbols and the numbers of its equations. */
 void walk_say(const struct session *session, const struct walk *walk, const struct domq_state *state,
               struct answer *answer);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* cycle: one cycle as a table. */
+#include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include <string.h>
 
@@ -73,7 +73,7 @@ const char *cycle_by(const void *context, int k)
     return names[k];
 }
 
-bool cycle_run(struct session *session, const struct call *call)
+bool run_cycle(struct session *session, const struct call *call)
 {
     const struct domq_compute compute = session_compute(session);
     struct answer *a = call->answer;

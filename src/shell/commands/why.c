@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* why: the term that decides. */
+#include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include <string.h>
 
@@ -85,7 +85,7 @@ static void contact_say(const struct session *session, struct answer *a, const s
                    holds ? "is met" : "fails there");
 }
 
-bool why_run(struct session *session, const struct call *call)
+bool run_why(struct session *session, const struct call *call)
 {
     const struct domq_compute compute = session_compute(session);
     struct walk_units u = walk_units(session, 1);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The state of one calculator session: parameters, where input comes from, what went wrong.  registry.h has
+ * The state of one calculator session: parameters, where input comes from, what went wrong.  parameters.h has
  * the table of the parameters; messages.c writes errors and notes.
  */
 #ifndef SHELL_SESSION_H
