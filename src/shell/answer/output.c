@@ -33,6 +33,15 @@ struct column *answer_columns(struct answer *a, const struct column *columns)
     return a->own;
 }
 
+void answer_leave_out(struct answer *a, const char *key)
+{
+    struct column *c = answer_columns(a, a->columns);
+    while (strcmp(c->key, key) != 0)
+        c++;
+    for (; c->key; c++)
+        c[0] = c[1];
+}
+
 void column_fit(struct column *c, const char *word)
 {
     int wide = terminal_columns(word);

@@ -15,6 +15,10 @@ bool column_is_angle(const struct column *column);
  */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
+/* Leaves the column with this key out of the answer, before the first row; a cell of a row has no place for
+ * it. */
+void answer_leave_out(struct answer *answer, const char *key);
+
 /* Makes a column of words, in an answer's own columns, as wide as a word that it is to hold. */
 void column_fit(struct column *column, const char *word);
 

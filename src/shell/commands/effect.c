@@ -101,23 +101,17 @@ static double price_with(const struct session *session, enum dom_effect_name nam
     return scene_price(&scene);
 }
 
-#define PRICE_COLUMNS                                                                                        \
-    {"effect", "", "its name for 'effect' and 'help'", 9}, {"state", "", "off, or what it is set to", 12},   \
-        {"without", "us", "time of an answer of this scene without it", 9},                                  \
-        {"with", "us", "the same with it", 9}, {"times", "", "with over without", 7},                        \
-    {                                                                                                        \
-        "entered", "", "how often its code was entered in an answer of the scene", 8                         \
-    }
-
 static const struct column effects_columns[] = {
-    PRICE_COLUMNS,
+    {"effect", "", "its name for 'effect' and 'help'", 9},
+    {"state", "", "off, or what it is set to", 12},
+    {"without", "us", "time of an answer of this scene without it", 9},
+    {"with", "us", "the same with it", 9},
+    {"times", "", "with over without", 7},
+    {"entered", "", "how often its code was entered in an answer of the scene", 8},
     {"adds", "", "what it adds", 26},
     {"source", "", "where its mathematics is from", 20},
     {NULL, NULL, NULL, 0},
 };
-
-/* People read the last two below. */
-static const struct column price_columns[] = {PRICE_COLUMNS, {NULL, NULL, NULL, 0}};
 
 static void effects_say(const struct session *session, struct answer *a)
 {
@@ -139,10 +133,11 @@ static bool run_effects(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_work(session, session->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
-    struct column *fitted = answer_columns(a, price_columns);
+    answer_leave_out(a, "adds"); /* people read the last two below */
+    answer_leave_out(a, "source");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
-        column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
+        column_fit(&a->own[1], effect_setting(session, (enum dom_effect_name)k, setting));
     }
     for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];

@@ -10,29 +10,13 @@
 
 /* ---- row ---- */
 
-#define ROW_COLUMNS                                                                                          \
-    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 0}, {"thickness", "m", "", 0},              \
-    {                                                                                                        \
-        "gap", "m", "free, to the one before it", 0                                                          \
-    }
-
 static const struct column row_columns[] = {
-    ROW_COLUMNS,
-    {"mass", "kg", "", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-/* Either way. */
-static const struct column row_all_columns[] = {
-    ROW_COLUMNS,
+    {"domino", "", "its number, from 1", 6},
+    {"height", "m", "", 0},
+    {"thickness", "m", "", 0},
+    {"gap", "m", "free, to the one before it", 0},
     {"mass", "kg", "where it is known", 0},
     {"relative", "", "where it is not: mass over that of the first", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-static const struct column row_relative_columns[] = {
-    ROW_COLUMNS,
-    {"relative", "", "mass over that of the first", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -42,7 +26,7 @@ static bool run_row(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     bool weighed = scene_weighed(session);
-    call->answer->columns = weighed ? row_columns : row_relative_columns;
+    answer_leave_out(call->answer, weighed ? "relative" : "mass");
     call->answer->units = true;
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct domq_domino *d = &scene.domino[k];
@@ -57,21 +41,15 @@ static bool run_row(struct session *session, const struct call *call)
 
 /* ---- fall ---- */
 
-#define FALL_COLUMNS                                                                                         \
-    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 6},                                         \
-        {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 7},       \
-        {"falls", "s", "when it hits the next, or lies on the floor", 7},                                    \
-        {"omega", "rad/s", "angular velocity just after it was hit", 6},                                     \
-        {"kinetic", "mgh/2", "energy of all that move, then; in J where a mass is known", 9},                \
-        {"barrier", "mgh/2", "what of that it takes to go on", 9},                                           \
-    {                                                                                                        \
-        "margin", "mgh/2", "kinetic - barrier", 9                                                            \
-    }
-
-static const struct column fall_columns[] = {FALL_COLUMNS, {NULL, NULL, NULL, 0}};
-
-static const struct column fall_floor_columns[] = {
-    FALL_COLUMNS,
+static const struct column fall_columns[] = {
+    {"domino", "", "its number, from 1", 6},
+    {"height", "m", "", 6},
+    {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 7},
+    {"falls", "s", "when it hits the next, or lies on the floor", 7},
+    {"omega", "rad/s", "angular velocity just after it was hit", 6},
+    {"kinetic", "mgh/2", "energy of all that move, then; in J where a mass is known", 9},
+    {"barrier", "mgh/2", "what of that it takes to go on", 9},
+    {"margin", "mgh/2", "kinetic - barrier", 9},
     {"floor", "", "friction that the floor needs; with 'effect floor'", 5},
     {NULL, NULL, NULL, 0},
 };
@@ -188,7 +166,8 @@ static bool run_fall(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.session = session, .answer = a, .scene = &scene};
-    a->columns = scene.row.floor ? fall_floor_columns : fall_columns;
+    if (!scene.row.floor)
+        answer_leave_out(a, "floor");
     if (scene_weighed(session))
         columns_in_joules(a);
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
@@ -309,9 +288,8 @@ const struct command row_commands[] = {
              "that leaves over its barrier. 'effect row' says which row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
-     .columns = fall_floor_columns,
      .rows = true,
-     .run = run_fall},
+     ANSWER(fall)},
     {.name = "verdict",
      .summary = "whether the whole row falls, and where it is weakest",
      .example = "effect row 5; verdict",
@@ -339,9 +317,8 @@ const struct command row_commands[] = {
              "the units.",
      .example = "effect row 3; row",
      .see = "effect fall",
-     .columns = row_all_columns,
      .rows = true,
-     .run = run_row},
+     ANSWER(row)},
     {.name = "rowmax",
      .summary = "the largest growth r at which the whole row falls",
      .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. A first "

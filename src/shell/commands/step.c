@@ -7,24 +7,18 @@
 
 enum { CYCLES_MAX = 1000 };
 
-#define WALK_COLUMNS                                                                                         \
-    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 6},                \
-        {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
-        {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
-        {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \
-        {"lost", "mgh/2", "of that in the collision (c4)", 0},                                               \
-        {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},                   \
-        {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},                        \
-        {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},                               \
-    {                                                                                                        \
-        "potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0                                     \
-    }
-
-static const struct column walk_columns[] = {WALK_COLUMNS, {NULL, NULL, NULL, 0}};
-
-/* Where dominoes rub. */
-static const struct column rubbing_columns[] = {
-    WALK_COLUMNS,
+static const struct column walk_columns[] = {
+    {"cycle", "", "its number, from 1", 0},
+    {"event", "", "the last one that was passed", 6},
+    {"theta", "rad", "tilt of the head", 0},
+    {"t", "s", "time since the launch of this cycle", 0},
+    {"omega", "rad/s", "angular velocity of the head (c3)", 0},
+    {"before", "mgh/2", "kinetic energy before the collision", 0},
+    {"lost", "mgh/2", "of that in the collision (c4)", 0},
+    {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},
+    {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},
+    {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
+    {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
     {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -56,7 +50,8 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     struct domq_state s;
     struct domq_compute compute = w->compute;
     compute.errors = session->style.errors;
-    a->columns = domq_law(&w->train)->dissipates ? rubbing_columns : walk_columns;
+    if (!domq_law(&w->train)->dissipates)
+        answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOMQ_NAN);
         answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none, none),
@@ -70,20 +65,15 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     if (words)
         walk_say(session, w, &s, a);
     walk_columns_in(session, a);
-    struct cell energies[] = {
-        CELL_TIMES(s, before, u.energy),
-        CELL_TIMES(s, lost, u.energy),
-        cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
-        cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy),
-        CELL_TIMES(s, kinetic, u.energy),
-        CELL_TIMES(s, climbed, u.energy),
-        cell_bound(s.friction_work * u.energy, DOMQ_NAN),
-    };
     answer_row(a,
                ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
                    cell_real(s.theta), CELL_TIMES(s, time, u.tau),
-                   cell_omega(s.omegasq, s.error.omegasq, u.tau), energies[0], energies[1], energies[2],
-                   energies[3], energies[4], energies[5], energies[6]),
+                   cell_omega(s.omegasq, s.error.omegasq, u.tau), CELL_TIMES(s, before, u.energy),
+                   CELL_TIMES(s, lost, u.energy),
+                   cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
+                   cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy),
+                   CELL_TIMES(s, kinetic, u.energy), CELL_TIMES(s, climbed, u.energy),
+                   cell_bound(s.friction_work * u.energy, DOMQ_NAN)),
                NULL);
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
@@ -234,7 +224,7 @@ const struct command walk_commands[] = {
              "cycle begins. The ledger: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .run = run_step},
     {.name = "back",
      .train = true,
@@ -242,7 +232,7 @@ const struct command walk_commands[] = {
      .summary = "back to the event before",
      .example = "step 3; back",
      .see = "step goto",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .run = run_back},
     {.name = "goto",
      .train = true,
@@ -250,14 +240,14 @@ const struct command walk_commands[] = {
      .summary = "to a tilt, or to the launch, top, fall, stop or hit",
      .example = "goto 0.3",
      .see = "step where",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .run = run_goto},
     {.name = "where",
      .train = true,
      .summary = "where the walk stands",
      .example = "goto top; where",
      .see = "step goto",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .principal = "theta",
      .run = run_where},
     {.name = "why",
