@@ -6,8 +6,8 @@
  */
 #include "commands/grid.h"
 #include "commands/tables.h"
+#include "interpreter/arguments.h"
 #include "interpreter/command.h"
-#include "interpreter/lookup.h"
 #include "session.h"
 #include <dirent.h>
 #include <stdint.h>

@@ -3,9 +3,7 @@
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
-#include "language/quad.h"
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- effects: what each costs ---- */
 

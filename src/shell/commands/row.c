@@ -3,10 +3,8 @@
 #include "commands/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- row ---- */
 

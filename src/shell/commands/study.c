@@ -15,8 +15,7 @@ static bool study_make(struct session *session, domq_real rows, struct task_pool
         return false;
     if (!errors->on) {
         free(scene->domino);
-        session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
-        return false;
+        return session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
     }
     *p = (struct domq_placement){
         .sigma = errors->value[0],

@@ -4,7 +4,6 @@
 #include "commands/grid.h"
 #include "commands/swept.h"
 #include "commands/tables.h"
-#include "language/quad.h"
 #include "parallel/points.h"
 #include <stdint.h>
 #include <stdlib.h>

@@ -2,8 +2,6 @@
 /* cycle: one cycle as a table. */
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "language/quad.h"
-#include <string.h>
 
 const struct column cycle_columns[] = {
     {"event", "", "launch, fall, top, stop, hit: see 'step'", 6},

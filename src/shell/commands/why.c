@@ -2,8 +2,6 @@
 /* why: the term that decides. */
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "language/quad.h"
-#include <string.h>
 
 const struct column why_columns[] = {
     {"verdict", "", "goes on, stops, or no fuel", 7},

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/arguments.h"
-#include "interpreter/lookup.h"
 #include "language/quad.h"
 #include <ctype.h>
 #include <limits.h>
@@ -130,10 +129,9 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
             return false;
         char shown[NAMES_SHOWN], word[NAMES_SHOWN];
         snprintf(word, sizeof word, "%.*s", (int)strcspn(e.end, " \t;"), e.end);
-        bool (*tell)(struct session *, const char *, ...) = e.of_value ? session_no_answer : session_error;
-        if (*word == '\0')
-            return tell(session, "%s: %s", a->name, e.message);
-        return tell(session, "%s at '%s': %s", a->name, names_shown(word, shown), e.message);
+        return session_report(session, e.of_value ? MESSAGE_NO_ANSWER : MESSAGE_ERROR,
+                              *word ? "%s at '%s': %s" : "%s%s: %s", a->name, names_shown(word, shown),
+                              e.message);
     }
     bool ended = isspace((unsigned char)*e.end) || (command_ends(e.end) && *e.end != '#') || *e.end == '>' ||
                  (r->stops && strchr(r->stops, *e.end));

@@ -2,7 +2,6 @@
 #include "picture/picture.h"
 #include "io/terminal.h"
 #include "language/names.h"
-#include "language/quad.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "prompt/complete.h"
 #include "interpreter/command.h"
 #include "io/escape.h"
 #include "language/text.h"
+#include "prompt/prompt.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "prompt/history.h"
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
 #include "language/text.h"
+#include "prompt/prompt.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>

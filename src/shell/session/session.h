@@ -107,17 +107,18 @@ void listed_free(struct listed_row *row);
 domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness);
 domq_real session_mass(const struct session *session);
 
-/* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
-bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+enum message {
+    MESSAGE_ERROR,     /* the line is wrong */
+    MESSAGE_NO_ANSWER, /* the line is right, but has no answer with these values: a sweep goes on */
+    MESSAGE_NOTE,      /* no error, and not counted as one: why an answer is not whole */
+};
 
-/* A line on stderr like that of an error, which it is not: why an answer is not whole. */
-void session_note(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-/*
- * The same where the line is right, but has no answer with these values: a sweep goes on to its next point.
- */
-bool session_no_answer(struct session *session, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+/* Writes one line on stderr: where, what was wrong, what would be right.  Returns false. */
+bool session_report(struct session *session, enum message what, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+#define session_error(session, ...)     session_report(session, MESSAGE_ERROR, __VA_ARGS__)
+#define session_no_answer(session, ...) session_report(session, MESSAGE_NO_ANSWER, __VA_ARGS__)
+#define session_note(session, ...)      (void)session_report(session, MESSAGE_NOTE, __VA_ARGS__)
 
 /* Of so many points, or whatever stands in a row: the first of this session's part, and how many it has. */
 struct range {
