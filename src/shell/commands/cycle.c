@@ -34,11 +34,10 @@ static bool run_thetac(struct session *session, const struct call *call)
     enum dom_status status = domq_angles_find(&session->train, &compute, &a);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(call->answer,
-               ROW(CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf), CELL_OF(a, theta_f),
-                   CELL_OF(a, theta_leave), cell_flag(a.detaches)),
-               NULL);
-    return true;
+    return answer_row(call->answer,
+                      ROW(CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf),
+                          CELL_OF(a, theta_f), CELL_OF(a, theta_leave), cell_flag(a.detaches)),
+                      NULL);
 }
 
 static const struct column theta1_columns[] = {
@@ -59,11 +58,10 @@ static bool run_theta1(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     const char *why = isnan(c.arm_a) ? "the follower has fallen off: it lies at theta_f" : NULL;
-    answer_row(
+    return answer_row(
         call->answer,
         ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
         why);
-    return true;
 }
 
 static const struct column chain_columns[] = {
@@ -109,8 +107,8 @@ static bool run_energy(struct session *session, const struct call *call)
     enum dom_status status = domq_energy_find(&session->train, &compute, theta, &e);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(call->answer, ROW(cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0)), NULL);
-    return true;
+    return answer_row(call->answer, ROW(cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0)),
+                      NULL);
 }
 
 static const struct column fuel_columns[] = {
@@ -136,8 +134,7 @@ static bool run_fuel(struct session *session, const struct call *call)
             return session_status(session, status);
         used = cell_bound(launch.fuel, DOMQ_NAN);
     }
-    answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
-    return true;
+    return answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
 }
 
 enum { REASON_SIZE = 160 };
@@ -192,11 +189,10 @@ static bool run_launch(struct session *session, const struct call *call)
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
         return session_status(session, status);
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer,
-               ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau), CELL_OF(l, kinetic),
-                   CELL_OF(l, J0)),
-               no_cycle(session, status, reason));
-    return true;
+    return answer_row(call->answer,
+                      ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau),
+                          CELL_OF(l, kinetic), CELL_OF(l, J0)),
+                      no_cycle(session, status, reason));
 }
 
 static const struct column omega_columns[] = {
@@ -216,11 +212,10 @@ static bool run_omega(struct session *session, const struct call *call)
     if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer,
-               ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
-                   cell_omega(omegasq.value, omegasq.error, tau)),
-               no_cycle(session, status, reason));
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
+                          cell_omega(omegasq.value, omegasq.error, tau)),
+                      no_cycle(session, status, reason));
 }
 
 static const struct column barrier_columns[] = {
@@ -245,11 +240,10 @@ static bool run_barrier(struct session *session, const struct call *call)
                           : status == DOM_STOPS ? "stops"
                           : status == DOM_LOCKS ? "locks"
                                                 : "no fuel";
-    answer_row(call->answer,
-               ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
-                   cell_word(verdict)),
-               no_cycle(session, status, reason));
-    return true;
+    return answer_row(call->answer,
+                      ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
+                          cell_word(verdict)),
+                      no_cycle(session, status, reason));
 }
 
 static const struct column duration_columns[] = {
@@ -271,20 +265,14 @@ static bool run_duration(struct session *session, const struct call *call)
     if (status != DOM_OK && !why)
         return session_status(session, status);
     domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&session->scale, &session->train, duration.value);
-    answer_row(call->answer,
-               ROW(cell_bound(duration.value, duration.error), cell_real(tau),
-                   cell_bound(duration.value * tau, duration.error * tau),
-                   cell_bound(speed, speed * duration.error / duration.value)),
-               why);
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_bound(duration.value, duration.error), cell_real(tau),
+                          cell_bound(duration.value * tau, duration.error * tau),
+                          cell_bound(speed, speed * duration.error / duration.value)),
+                      why);
 }
 
-#define TILT                                                                                                 \
-    {                                                                                                        \
-        {                                                                                                    \
-            .name = "T", .kind = ARGUMENT_TILT                                                               \
-        }                                                                                                    \
-    }
+#define TILT .name = "T", .kind = ARGUMENT_TILT
 
 const struct command cycle_commands[] = {
     {.name = "thetac",
@@ -297,7 +285,7 @@ const struct command cycle_commands[] = {
      ANSWER(thetac)},
     {.name = "theta1",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "the follower that leans on the head at tilt T",
      .equation = "(b8) (b10)",
      .example = "theta1 10 deg",
@@ -306,7 +294,7 @@ const struct command cycle_commands[] = {
      ANSWER(theta1)},
     {.name = "chain",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "every domino that matters behind the head at tilt T",
      .equation = "(A2) (A6) (A9)",
      .help = "How many matter depends on 'tol': see 'help tol'.",
@@ -316,7 +304,7 @@ const struct command cycle_commands[] = {
      ANSWER(chain)},
     {.name = "energy",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "potential energy and inertia of the train at tilt T",
      .equation = "(c1) (c2) (d8)",
      .example = "energy 0.1",
@@ -344,7 +332,7 @@ const struct command cycle_commands[] = {
      ANSWER(launch)},
     {.name = "omega",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "angular velocity of the head at tilt T",
      .equation = "(c3)",
      .example = "omega 0.1",

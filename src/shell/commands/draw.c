@@ -10,12 +10,8 @@
 
 /* ---- In characters ---- */
 
-enum {
-    TEXT_LEFT = 6,
-    TEXT_BELOW = 6,
-    CELLS = 40000,
-    WIDTH_MOST = 200
-}; /* the scale at the left; ground, scale, words */
+/* Characters: the scale at the left; ground, scale and words below; all; the most in a line. */
+enum { TEXT_LEFT = 6, TEXT_BELOW = 6, CELLS = 40000, WIDTH_MOST = 200 };
 
 struct canvas {
     char cell[CELLS];
@@ -147,8 +143,7 @@ static const char *next_cut(const struct scene *scene, char text[32])
 
 enum { FORCES_MOST = 6 }; /* in characters: the others are hardly seen */
 
-/* Returns true where the domino behind touches this one at its hinge (r s = 1): no push there, however large,
- * turns it. */
+/* Returns true where the domino is touched at its hinge (r s = 1): no push there, however large, turns it. */
 static bool force_lost(const struct drawn *k)
 {
     return k->touched && !isfinite(k->of_own);

@@ -108,8 +108,7 @@ static void help_parameter(struct session *session, const struct parameter *p)
     fprintf(out, "\n'set %s' changes it, 'reset %s' takes it back.\n", usage, p->name);
 }
 
-/* The example runs in a session of its own, with the defaults: its output is true, or ends at its first
- * error. */
+/* Runs the example in a session of its own, with the defaults: the output is true, or ends at an error. */
 static void help_example(struct session *session, const char *example)
 {
     struct session fresh;

@@ -93,12 +93,11 @@ static bool run_pair(struct session *session, const struct call *call)
     enum dom_status status = domq_limit_pair(&train, &compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(
+    return answer_row(
         call->answer, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
                                      "the next one at this s and d"
                                    : NULL);
-    return true;
 }
 
 static const struct column best_columns[] = {
@@ -114,11 +113,10 @@ static bool run_best(struct session *session, const struct call *call)
     enum dom_status status = domq_limit_best(&session->train, &compute, &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return session_status(session, status);
-    answer_row(call->answer, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
-               status == DOM_OK
-                   ? NULL
-                   : "no growth possible: dominoes this thick do not topple larger ones at any s");
-    return true;
+    return answer_row(call->answer, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
+                      status == DOM_OK
+                          ? NULL
+                          : "no growth possible: dominoes this thick do not topple larger ones at any s");
 }
 
 static const struct column curve_columns[] = {
@@ -317,17 +315,12 @@ static bool run_count(struct session *session, const struct call *call)
     return !answer_for_people(a) || count_explain(session, call, &train, height);
 }
 
-#define SEPARATION                                                                                           \
-    {                                                                                                        \
-        {                                                                                                    \
-            .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true                                    \
-        }                                                                                                    \
-    }
+#define SEPARATION .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true
 
 const struct command limit_commands[] = {
     {.name = "rmax",
      .train = true,
-     .argument = SEPARATION,
+     .argument = {{SEPARATION}},
      .summary = "the largest growth r at separation S (or s)",
      .equation = "(c8), section 'A general domino train'",
      .help = "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s, "
@@ -339,7 +332,7 @@ const struct command limit_commands[] = {
      ANSWER(rmax)},
     {.name = "pair",
      .train = true,
-     .argument = SEPARATION,
+     .argument = {{SEPARATION}},
      .summary = "the largest growth for two: the first just tips over",
      .equation = "(b5) (b11) (b13)",
      .example = "pair 0.3",

@@ -178,11 +178,10 @@ static bool energy_row(struct session *session, struct cycle_samples *c, const s
                        struct answer *answer)
 {
     (void)session, (void)c;
-    answer_row(answer,
-               ROW(cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq), cell_real(at->J),
-                   cell_word(at->event)),
-               NULL);
-    return true;
+    return answer_row(answer,
+                      ROW(cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq),
+                          cell_real(at->J), cell_word(at->event)),
+                      NULL);
 }
 
 bool plot_energy(struct session *session, const struct call *call)
@@ -214,11 +213,10 @@ static bool omega_row(struct session *session, struct cycle_samples *c, const st
 {
     (void)c;
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    answer_row(answer,
-               ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(quad(sqrt)(at->omegasq) / tau),
-                   cell_word(at->event)),
-               NULL);
-    return true;
+    return answer_row(answer,
+                      ROW(cell_real(at->theta), cell_real(at->omegasq),
+                          cell_real(quad(sqrt)(at->omegasq) / tau), cell_word(at->event)),
+                      NULL);
 }
 
 bool plot_omega(struct session *session, const struct call *call)

@@ -271,12 +271,11 @@ static bool run_rowmax(struct session *session, const struct call *call)
         status = domq_limit_rmax(&session->train, &session->compute, &limit);
     if (status != DOM_OK)
         return row_status(session, status);
-    answer_row(call->answer,
-               ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
-                   cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
-               isnan(growth.r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why"
-                                   : NULL);
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
+                          cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
+                      isnan(growth.r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why"
+                                          : NULL);
 }
 
 const struct command row_commands[] = {

@@ -92,12 +92,11 @@ static bool run_budget(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     bool free_of_it = !isfinite(budget.sigma);
-    answer_row(call->answer,
-               ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
-                   cell_bound((domq_real)budget.low, DOMQ_NAN), cell_bound((domq_real)budget.high, DOMQ_NAN),
-                   cell_count(rows)),
-               free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
+                          cell_bound((domq_real)budget.low, DOMQ_NAN),
+                          cell_bound((domq_real)budget.high, DOMQ_NAN), cell_count(rows)),
+                      free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
 }
 
 /* ---- slip ---- */

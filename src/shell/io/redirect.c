@@ -88,8 +88,7 @@ static bool draft_end(struct redirect *r, bool keep)
 
 /* ---- Files ---- */
 
-/* Returns the path of the file behind all links, also where the last one points at nothing yet; NULL with
- * errno. */
+/* Returns the path of the file behind all links, the last of which may point at nothing; NULL with errno. */
 static char *real_path(const char *path)
 {
     enum { LINKS = 40 };
@@ -234,8 +233,7 @@ static bool file_fill(const struct redirect *r, int file)
     return whole;
 }
 
-/* The draft into the file, which nobody else who locks it writes meanwhile, and which no signal leaves half
- * done. */
+/* Copies the draft into the file, which is locked meanwhile, and which no signal leaves half done. */
 static bool redirect_copy(const struct redirect *r)
 {
     enum { SECONDS = 10 };

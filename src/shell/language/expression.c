@@ -11,8 +11,7 @@
 
 /* ---- Tables ---- */
 
-/* KEEPS: the value is of the same kind as the arguments, which are of one kind; HALVES: so are its
- * dimensions. */
+/* KEEPS: the value is of the one kind that the arguments are of; HALVES: it has half their dimensions. */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {

@@ -169,8 +169,7 @@ static int gnuplot_run(const struct session *session, FILE *script, FILE *drawin
     fflush(script);
     rewind(script);
     lseek(fileno(script), 0, SEEK_SET);
-    /* gnuplot tries the terminal of the environment before it reads the script, and gives up if it has none.
-     */
+    /* gnuplot tries the terminal of the environment before it reads the script, and ends without it. */
     if (setenv("GNUTERM", "unknown", 1) != 0)
         return errno;
     /*

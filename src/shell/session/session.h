@@ -102,8 +102,7 @@ void effects_apply(struct session *session);
 /* Gives back a listed row. */
 void listed_free(struct listed_row *row);
 
-/* The mass of the first domino in kg; 0 where it is not known.  As a block of these sizes in m, or as h and d
- * say. */
+/* Return the first domino's mass in kg, of a block of these sizes in m, or of h and d; 0: not known. */
 domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness);
 domq_real session_mass(const struct session *session);
 
