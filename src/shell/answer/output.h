@@ -28,6 +28,9 @@ void column_fit(struct column *column, const char *word);
  */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
+/* One row of these cells, in which nothing is missing. */
+#define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
+
 /*
  * Finds out now what the first row would, if it were like this one (NULL: no column has bounds).  Then copies
  * of the answer can write their rows elsewhere: answer_part gives one, whose next row is the first of all, or

@@ -34,10 +34,8 @@ static bool run_thetac(struct session *session, const struct call *call)
     enum dom_status status = domq_angles_find(&session->train, &compute, &a);
     if (status != DOM_OK)
         return session_status(session, status);
-    return answer_row(call->answer,
-                      ROW(CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf),
-                          CELL_OF(a, theta_f), CELL_OF(a, theta_leave), cell_flag(a.detaches)),
-                      NULL);
+    return answer_cells(call->answer, CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf),
+                        CELL_OF(a, theta_f), CELL_OF(a, theta_leave), cell_flag(a.detaches));
 }
 
 static const struct column theta1_columns[] = {
@@ -76,10 +74,8 @@ static const struct column chain_columns[] = {
 
 static bool chain_row(const struct domq_link *k, void *context)
 {
-    answer_row(context,
-               ROW(cell_count((domq_real)k->i), CELL_OF(*k, theta), CELL_OF(*k, slope), CELL_OF(*k, arm_a),
-                   CELL_OF(*k, arm_b), CELL_OF(*k, weight)),
-               NULL);
+    answer_cells(context, cell_count((domq_real)k->i), CELL_OF(*k, theta), CELL_OF(*k, slope),
+                 CELL_OF(*k, arm_a), CELL_OF(*k, arm_b), CELL_OF(*k, weight));
     return !answer_lost(context);
 }
 
@@ -107,8 +103,7 @@ static bool run_energy(struct session *session, const struct call *call)
     enum dom_status status = domq_energy_find(&session->train, &compute, theta, &e);
     if (status != DOM_OK)
         return session_status(session, status);
-    return answer_row(call->answer, ROW(cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0)),
-                      NULL);
+    return answer_cells(call->answer, cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0));
 }
 
 static const struct column fuel_columns[] = {

@@ -144,11 +144,9 @@ static bool run_effects(struct session *session, const struct call *call)
         double without = price_with(session, name, false), with = price_with(session, name, true);
         if (dom_raised(session->compute.interrupt))
             return session_status(session, DOM_INTERRUPTED);
-        answer_row(a,
-                   ROW(cell_word(e->name), cell_word(effect_setting(session, name, setting)),
-                       cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
-                       cell_count((domq_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
-                   NULL);
+        answer_cells(a, cell_word(e->name), cell_word(effect_setting(session, name, setting)),
+                     cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
+                     cell_count((domq_real)work.entered[k]), cell_word(e->adds), cell_word(e->source));
     }
     effects_say(session, a);
     return true;
@@ -166,10 +164,8 @@ static const struct column scene_columns[] = {
 
 static void plan_row(struct answer *a, const char *part, const char *solved, size_t dominoes, const char *why)
 {
-    answer_row(a,
-               ROW(cell_word(part), dominoes ? cell_count((domq_real)dominoes) : cell_real(DOMQ_NAN),
-                   cell_word(why), cell_word(solved)),
-               NULL);
+    answer_cells(a, cell_word(part), dominoes ? cell_count((domq_real)dominoes) : cell_real(DOMQ_NAN),
+                 cell_word(why), cell_word(solved));
 }
 
 /* The plan of a train. */

@@ -201,10 +201,8 @@ static bool film_rows(struct session *session, const struct film *film, struct a
         enum dom_status status = frame_tilt(film, frame, &m, &theta);
         if (status != DOM_OK)
             return session_status(session, status);
-        answer_row(answer,
-                   ROW(cell_real((domq_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
-                       cell_real(theta)),
-                   NULL);
+        answer_cells(answer, cell_real((domq_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
+                     cell_real(theta));
     }
     return true;
 }

@@ -150,10 +150,8 @@ static bool curve_point(void *own, size_t k, FILE *out)
         c->status = domq_limit_pair(&c->train, &c->compute, &pair);
     if (c->status != DOM_OK)
         return false;
-    answer_row(&a,
-               ROW(cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max), CELL_OF(pair, r_max),
-                   cell_real(1 / c->train.s)),
-               NULL);
+    answer_cells(&a, cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max),
+                 CELL_OF(pair, r_max), cell_real(1 / c->train.s));
     c->gaps = c->gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }

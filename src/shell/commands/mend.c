@@ -87,11 +87,9 @@ bool run_mend(struct session *session, const struct call *call)
     }
     for (size_t i = 0; i < found; i++) {
         domq_real change = list[i].to - list[i].gap;
-        answer_row(a,
-                   ROW(cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
-                       cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
-                       cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4)),
-                   NULL);
+        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
+                     cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
+                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4));
     }
     const struct cell none = cell_real(DOMQ_NAN);
     if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs want to know which */

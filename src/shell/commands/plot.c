@@ -158,10 +158,9 @@ static bool limits_find(struct session *session, const struct limit_curve *curve
 static bool limit_rows(const struct call *call, const struct limit_table *table)
 {
     for (int k = 0; k < SAMPLES && !answer_lost(call->answer); k++)
-        answer_row(call->answer,
-                   ROW(cell_real(table->s[k]), cell_real(table->r[k][0]), cell_real(table->r[k][1]),
-                       cell_real(table->r[k][2]), cell_real(table->r[k][3]), cell_real(1 / table->s[k])),
-                   NULL);
+        answer_cells(call->answer, cell_real(table->s[k]), cell_real(table->r[k][0]),
+                     cell_real(table->r[k][1]), cell_real(table->r[k][2]), cell_real(table->r[k][3]),
+                     cell_real(1 / table->s[k]));
     return true;
 }
 

@@ -178,10 +178,8 @@ static bool energy_row(struct session *session, struct cycle_samples *c, const s
                        struct answer *answer)
 {
     (void)session, (void)c;
-    return answer_row(answer,
-                      ROW(cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq),
-                          cell_real(at->J), cell_word(at->event)),
-                      NULL);
+    return answer_cells(answer, cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq),
+                        cell_real(at->J), cell_word(at->event));
 }
 
 bool plot_energy(struct session *session, const struct call *call)
@@ -213,10 +211,8 @@ static bool omega_row(struct session *session, struct cycle_samples *c, const st
 {
     (void)c;
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    return answer_row(answer,
-                      ROW(cell_real(at->theta), cell_real(at->omegasq),
-                          cell_real(quad(sqrt)(at->omegasq) / tau), cell_word(at->event)),
-                      NULL);
+    return answer_cells(answer, cell_real(at->theta), cell_real(at->omegasq),
+                        cell_real(quad(sqrt)(at->omegasq) / tau), cell_word(at->event));
 }
 
 bool plot_omega(struct session *session, const struct call *call)
@@ -281,9 +277,8 @@ static bool chain_rows(struct session *session, struct cycle_samples *c, const s
     if (!lines_at(session, c, at->theta, &a))
         return false;
     for (int i = 0; i < c->lines; i++)
-        answer_row(answer,
-                   ROW(cell_count(i), cell_real(at->theta), cell_real(a.theta[i]), cell_word(at->event)),
-                   NULL);
+        answer_cells(answer, cell_count(i), cell_real(at->theta), cell_real(a.theta[i]),
+                     cell_word(at->event));
     return true;
 }
 

@@ -28,10 +28,9 @@ static bool run_row(struct session *session, const struct call *call)
     call->answer->units = true;
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct domq_domino *d = &scene.domino[k];
-        answer_row(call->answer,
-                   ROW(cell_count((domq_real)k + 1), cell_real(d->height), cell_real(d->thickness),
-                       cell_real(d->gap), cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass)),
-                   NULL);
+        answer_cells(call->answer, cell_count((domq_real)k + 1), cell_real(d->height),
+                     cell_real(d->thickness), cell_real(d->gap),
+                     cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass));
     }
     free(scene.domino);
     return true;

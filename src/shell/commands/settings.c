@@ -167,7 +167,7 @@ static bool run_print(struct session *session, const struct call *call)
         answer_say(call->answer, "%s%s%s", quad_text(q.value, (int)call->answer->style.digits, number),
                    *unit ? " " : "", unit);
     else
-        answer_row(call->answer, ROW(cell_unbounded(q.value), cell_word(unit)), NULL);
+        answer_cells(call->answer, cell_unbounded(q.value), cell_word(unit));
     return true;
 }
 

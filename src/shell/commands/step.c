@@ -65,16 +65,13 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     if (words)
         walk_say(session, w, &s, a);
     walk_columns_in(session, a);
-    answer_row(a,
-               ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
-                   cell_real(s.theta), CELL_TIMES(s, time, u.tau),
-                   cell_omega(s.omegasq, s.error.omegasq, u.tau), CELL_TIMES(s, before, u.energy),
-                   CELL_TIMES(s, lost, u.energy),
-                   cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
-                   cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy),
-                   CELL_TIMES(s, kinetic, u.energy), CELL_TIMES(s, climbed, u.energy),
-                   cell_bound(s.friction_work * u.energy, DOMQ_NAN)),
-               NULL);
+    answer_cells(
+        a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)), cell_real(s.theta),
+        CELL_TIMES(s, time, u.tau), cell_omega(s.omegasq, s.error.omegasq, u.tau),
+        CELL_TIMES(s, before, u.energy), CELL_TIMES(s, lost, u.energy),
+        cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
+        cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy), CELL_TIMES(s, kinetic, u.energy),
+        CELL_TIMES(s, climbed, u.energy), cell_bound(s.friction_work * u.energy, DOMQ_NAN));
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;

@@ -155,13 +155,11 @@ static bool block_point(void *own, size_t block, FILE *out)
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block == 0);
         stops_text(stops, b->row->count, text);
-        answer_row(&a,
-                   ROW(cell_real(p.sigma), cell_real(p.heights), cell_count((domq_real)p.seed),
-                       cell_word(b->scene), cell_count((domq_real)b->row->count), cell_count((domq_real)all),
-                       cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
-                       cell_count((domq_real)study.fall), cell_count((domq_real)study.unknown),
-                       cell_word(text)),
-                   NULL);
+        answer_cells(&a, cell_real(p.sigma), cell_real(p.heights), cell_count((domq_real)p.seed),
+                     cell_word(b->scene), cell_count((domq_real)b->row->count), cell_count((domq_real)all),
+                     cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
+                     cell_count((domq_real)study.fall), cell_count((domq_real)study.unknown),
+                     cell_word(text));
     }
     free(stops);
     return b->status == DOM_OK;

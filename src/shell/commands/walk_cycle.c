@@ -54,12 +54,10 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     table->status = domq_chain_walk(&session->train, &session->compute, s->theta, follower_seen, &f);
     if (table->status != DOM_OK)
         return false;
-    answer_row(table->answer,
-               ROW(cell_word(event ? dom_event_text(event->kind) : ""), CELL_TIMES(*s, time, u.tau),
-                   cell_angle(s->theta), cell_angle(f.theta[1]), cell_angle(f.theta[2]),
-                   cell_omega(s->omegasq, s->error.omegasq, u.tau), CELL_TIMES(*s, kinetic, u.energy),
-                   CELL_TIMES(*s, climbed, u.energy)),
-               NULL);
+    answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
+                 CELL_TIMES(*s, time, u.tau), cell_angle(s->theta), cell_angle(f.theta[1]),
+                 cell_angle(f.theta[2]), cell_omega(s->omegasq, s->error.omegasq, u.tau),
+                 CELL_TIMES(*s, kinetic, u.energy), CELL_TIMES(*s, climbed, u.energy));
     table->last = *s;
     return !answer_lost(table->answer);
 }

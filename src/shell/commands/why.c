@@ -106,12 +106,11 @@ bool run_why(struct session *session, const struct call *call)
     if (domq_law(&session->train)->dissipates)
         a->columns = why_rubbing_columns;
     walk_columns_in(session, a);
-    return answer_row(a,
-                      ROW(cell_word(verdict == DOM_OK      ? "goes on"
-                                    : verdict == DOM_STOPS ? "stops"
-                                                           : "no fuel"),
-                          CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0), CELL_TIMES(b, kinetic, u.energy),
-                          CELL_TIMES(b, barrier, u.energy), CELL_TIMES(b, margin, u.energy),
-                          CELL_OF(limit, r_max)),
-                      NULL);
+    return answer_cells(a,
+                        cell_word(verdict == DOM_OK      ? "goes on"
+                                  : verdict == DOM_STOPS ? "stops"
+                                                         : "no fuel"),
+                        CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0), CELL_TIMES(b, kinetic, u.energy),
+                        CELL_TIMES(b, barrier, u.energy), CELL_TIMES(b, margin, u.energy),
+                        CELL_OF(limit, r_max));
 }
