@@ -3,8 +3,7 @@
 #ifndef SHELL_WALK_H
 #define SHELL_WALK_H
 
-#include "answer/output.h"
-#include "session/place.h"
+#include "session/session.h"
 
 /* What a length, a time and an energy of the model are in the cycle of a walk. */
 struct walk_units {
@@ -16,7 +15,6 @@ struct walk_units {
     const char *weight_unit;
 };
 
-struct session;
 struct walk_units walk_units(const struct session *session, int cycle);
 
 /* Returns the session's walk, or NULL where none has begun in the train that the session has now. */

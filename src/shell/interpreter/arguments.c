@@ -83,10 +83,10 @@ char *read_file(struct reader *r)
     return path;
 }
 
-static const char *unit_names(const void *context, int k)
+/* Returns true for a name that expressions know. */
+static bool is_value_name(const char *word)
 {
-    (void)context;
-    return expression_unit_name(k);
+    return names_exact(value_names, NULL, word) >= 0;
 }
 
 /* Is the word behind a value a value itself?  If not, it was meant as a unit. */
@@ -97,9 +97,9 @@ static bool known_word(struct session *session, struct reader *r, const char *at
     size_t name = word ? strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
     if (word)
         word[name] = '\0';
-    bool known = word && names_exact(value_names, NULL, word) >= 0;
+    bool known = word && is_value_name(word);
     if (!known && word) {
-        const char *close = names_closest(unit_names, NULL, word);
+        const char *close = names_closest(expression_units, NULL, word);
         session->column = reader_column(r, at);
         names_shown(word, shown);
         if (close && strcmp(close, word) == 0)
@@ -149,12 +149,6 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
     return argument_check(session, a, *q, number);
 }
 
-/* Is the word a name that expressions know? */
-static bool is_value_name(const char *word)
-{
-    return names_exact(value_names, NULL, word) >= 0;
-}
-
 bool read_value(struct reader *r, const struct parameter *p, int i, const char *name, domq_real *number)
 {
     const char *begin = r->at;
@@ -194,7 +188,7 @@ static bool is_expression_topic(const char *word)
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
         if (strcmp(topics[i], word) == 0)
             return true;
-    return is_value_name(word) || names_exact(unit_names, NULL, word) >= 0;
+    return is_value_name(word) || names_exact(expression_units, NULL, word) >= 0;
 }
 
 /* One of the argument's names; what is none of them hears which there are. */

@@ -34,8 +34,9 @@ static const struct function functions[] = {
     {"sqrt", HALVES, quad(sqrt), NULL},      {NULL, OF_NUMBER, NULL, NULL},
 };
 
-const char *expression_name(int k)
+const char *expression_names(const void *context, int k)
 {
+    (void)context;
     for (const struct function *f = functions; f->name; f++)
         if (k-- == 0)
             return f->name;

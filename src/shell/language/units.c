@@ -32,8 +32,9 @@ static const struct unit units[] = {
     {NULL, {0, 0, 0, 0}},
 };
 
-const char *expression_unit_name(int k)
+const char *expression_units(const void *context, int k)
 {
+    (void)context;
     return units[k].name;
 }
 

@@ -17,12 +17,6 @@ struct offer {
     bool files;
 };
 
-static const char *function_names(const void *context, int k)
-{
-    (void)context;
-    return expression_name(k);
-}
-
 /* Commands that have a value, and ans. */
 static const char *value_names(const void *context, int k)
 {
@@ -64,7 +58,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     }
     if (expression) {
         offer_list(&offer, value_names, NULL);
-        offer_list(&offer, function_names, NULL);
+        offer_list(&offer, expression_names, NULL);
     }
     return offer;
 }

@@ -9,7 +9,6 @@
 #include "answer/output.h"
 #include "domino_quad.h"
 #include "language/expression.h"
-#include "session/place.h"
 
 struct command;
 
@@ -45,6 +44,19 @@ struct listed_row {
         domq_real gap;
     } * placed;
     size_t changes;
+};
+
+/* Where a walk through the cycles stands: at an event of a cycle, or between two. */
+struct walk {
+    struct domq_train train;     /* that the session had when the walk began; another one begins anew */
+    struct domq_compute compute; /* to a finer tolerance than the session's */
+    domq_real tol;               /* the session's then */
+    struct domq_event events[DOM_EVENTS_MAX];
+    int count; /* of the events; 0: no walk has begun */
+    int event; /* the last one that was passed */
+    domq_real theta;
+    int cycle;               /* from 1 */
+    enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
 };
 
 struct session {
