@@ -151,16 +151,15 @@ static const char *stop_reason(const struct session *session, char *reason, size
     return reason;
 }
 
-static const char locks[] = "no domino effect: friction locks the collision, the force on the struck domino "
-                            "passes behind its hinge and cannot turn it; a smaller r s or mu leaves it free";
-
 /* Why a cycle is not completed; NULL where it is. */
 static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])
 {
     return status == DOM_NO_FUEL ? no_fuel(session)
            : status == DOM_STOPS ? stop_reason(session, reason, REASON_SIZE)
-           : status == DOM_LOCKS ? locks
-                                 : NULL;
+           : status == DOM_LOCKS
+               ? "no domino effect: friction locks the collision, the force on the struck domino "
+                 "passes behind its hinge and cannot turn it; a smaller r s or mu leaves it free"
+               : NULL;
 }
 
 static const struct column launch_columns[] = {

@@ -10,20 +10,16 @@ static domq_real argument_or(const struct call *call, int i, domq_real fallback)
     return i < call->count ? call->number[i] : fallback;
 }
 
-static const char no_growth_fuel[] = "no growth possible: at this s and d even equal dominoes (r = 1) have "
-                                     "no fuel, a fallen one lies no lower than it stood";
-static const char no_growth_stops[] =
-    "no growth possible: at this s and d even equal dominoes (r = 1) do not get over their barrier";
-
-static const char no_growth_locks[] = "no growth possible: friction locks already equal dominoes (r = 1)";
-
+/* Returns why no growth is possible, or NULL where one is. */
 static const char *no_growth(struct domq_limit limit)
 {
     if (limit.ends != DOM_END_NONE)
         return NULL;
-    return limit.why == DOM_NO_FUEL ? no_growth_fuel
-           : limit.why == DOM_LOCKS ? no_growth_locks
-                                    : no_growth_stops;
+    return limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) have "
+                                      "no fuel, a fallen one lies no lower than it stood"
+           : limit.why == DOM_LOCKS ? "no growth possible: friction locks already equal dominoes (r = 1)"
+                                    : "no growth possible: at this s and d even equal dominoes (r = 1) do "
+                                      "not get over their barrier";
 }
 
 /* Finds the limits with either fuel; with friction there is none with the paper's. */

@@ -11,13 +11,11 @@
 
 static const char *series_title(const struct cost_row *row, char title[64])
 {
-    const char *precision = domq_arithmetic(row->precision)->name;
-    snprintf(title, 64, "%s",
+    snprintf(title, 64,
              row->method == DOM_METHOD_PAPER ? "the paper's recipe"
              : row->method == DOM_METHOD_GSL ? "solvers of GSL"
-                                             : "");
-    if (*title == '\0')
-        snprintf(title, 64, "ours, %s", precision);
+                                             : "ours, %s",
+             domq_arithmetic(row->precision)->name);
     return title;
 }
 

@@ -43,7 +43,7 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
            session_status(session, w->verdict);
 }
 
-static bool walk_answer(struct session *session, const struct call *call, bool words)
+static bool walk_answer(struct session *session, const struct call *call)
 {
     const struct walk *w = &session->walk;
     struct answer *a = call->answer;
@@ -62,8 +62,7 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     if (status != DOM_OK)
         return session_status(session, status);
     struct walk_units u = walk_units(session, w->cycle);
-    if (words)
-        walk_say(session, w, &s, a);
+    walk_say(session, w, &s, a);
     walk_columns_in(session, a);
     answer_cells(
         a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)), cell_real(s.theta),
@@ -141,7 +140,7 @@ static bool walk_by(struct session *session, const struct call *call, bool forwa
     }
     bool short_of = !open && w->verdict != DOM_NO_FUEL;
     if (moved || !short_of)
-        if (!walk_answer(session, call, true))
+        if (!walk_answer(session, call))
             return false;
     return !short_of || walk_end(session, forward);
 }
@@ -159,7 +158,7 @@ static bool run_back(struct session *session, const struct call *call)
 static bool run_where(struct session *session, const struct call *call)
 {
     bool begun;
-    return walk_ready(session, call->answer, &begun) && walk_answer(session, call, true);
+    return walk_ready(session, call->answer, &begun) && walk_answer(session, call);
 }
 
 static const char *event_names(const void *context, int k)
@@ -176,7 +175,7 @@ static bool run_goto(struct session *session, const struct call *call)
     if (!walk_ready(session, call->answer, &begun))
         return false;
     if (w->verdict == DOM_NO_FUEL)
-        return walk_answer(session, call, true);
+        return walk_answer(session, call);
     int found = -1;
     for (int k = 0; k < w->count; k++)
         if (place < 0 ? w->events[k].kind == (enum dom_event_kind)(-1 - (int)place)
@@ -192,7 +191,7 @@ static bool run_goto(struct session *session, const struct call *call)
             style_angle_unit(&session->style));
     w->event = found;
     w->theta = place < 0 ? w->events[found].theta : place;
-    return walk_answer(session, call, true);
+    return walk_answer(session, call);
 }
 
 const struct command walk_commands[] = {

@@ -63,11 +63,6 @@ void walk_columns_in(const struct session *session, struct answer *a)
 
 /* ---- In words ---- */
 
-static double percent(domq_real part, domq_real whole)
-{
-    return (double)(100 * part / whole);
-}
-
 /* The first impulses of the collision, in text. */
 struct impulses {
     const struct walk_units *units;
@@ -131,8 +126,8 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         answer_say(a, "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0 (b10), and "
                       "its impulse has no bound in this model.");
     answer_say(a, "The collision takes %s%.4g %% of the kinetic energy; %.6g %s are left.",
-               rubs ? "" : "the share 1/J(0) = ", percent(s->lost, s->before), (double)(l.kinetic * u.energy),
-               u.energy_unit);
+               rubs ? "" : "the share 1/J(0) = ", (double)(100 * s->lost / s->before),
+               (double)(l.kinetic * u.energy), u.energy_unit);
     if (b.theta_m == 0)
         answer_say(a, "Nothing is left to climb: H falls from the first moment on, theta_m = 0 (c8).");
     else
