@@ -3,7 +3,7 @@
 #include "commands/tables.h"
 #include "interpreter/line.h"
 #include "io/io.h"
-#include "prompt/prompt.h"
+#include "prompt/input.h"
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>

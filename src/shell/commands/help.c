@@ -4,7 +4,7 @@
 #include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "prompt/prompt.h"
+#include "prompt/input.h"
 #include <string.h>
 
 enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */

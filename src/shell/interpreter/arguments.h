@@ -44,13 +44,6 @@ bool read_arguments(struct reader *reader, const struct command *command, struct
 /* A command's name; NULL where there is none of it, which was reported. */
 const struct command *read_command(struct reader *reader);
 
-/* Looks up a name of the session in expressions: a parameter, the last answer, a command with its key. */
-bool session_lookup(struct expression *expression, const char *name, const char *key,
-                    const struct quantity *arguments, int count, struct quantity *result);
-
-/* Lists for names.h every name that has a value. */
-const char *value_names(const void *context, int k);
-
 /* Gives back what reading has taken. */
 void call_free(struct call *call);
 

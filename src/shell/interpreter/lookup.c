@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The names of a session in expressions. */
-#include "interpreter/arguments.h"
+#include "interpreter/command.h"
 #include <string.h>
 
 static bool cell_quantity(struct expression *e, const char *name, const struct command *c, int i,

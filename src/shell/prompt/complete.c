@@ -2,7 +2,7 @@
 #include "interpreter/command.h"
 #include "io/escape.h"
 #include "language/text.h"
-#include "prompt/prompt.h"
+#include "prompt/input.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ struct offer {
 };
 
 /* Commands that have a value, and ans. */
-static const char *value_names(const void *context, int k)
+static const char *answer_names(const void *context, int k)
 {
     const char *name;
     int fewest;
@@ -57,7 +57,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
         expression = true;
     }
     if (expression) {
-        offer_list(&offer, value_names, NULL);
+        offer_list(&offer, answer_names, NULL);
         offer_list(&offer, expression_names, NULL);
     }
     return offer;

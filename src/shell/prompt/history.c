@@ -3,7 +3,7 @@
 #include "io/io.h"
 #include "io/redirect.h"
 #include "language/text.h"
-#include "prompt/prompt.h"
+#include "prompt/input.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>

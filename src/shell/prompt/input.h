@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands from a person at a terminal: the prompt, its history, and what may stand at the cursor. */
-#ifndef SHELL_PROMPT_H
-#define SHELL_PROMPT_H
+#ifndef SHELL_INPUT_H
+#define SHELL_INPUT_H
 
 #include "session/session.h"
 
