@@ -47,7 +47,7 @@ OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
 .PHONY: all run quick test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
-all: $(B)/domino $(B)/libdomino.a $(B)/domino.pc
+all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
 # ---- Dependencies: only what the goals of this call need ----
 

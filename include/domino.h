@@ -23,8 +23,8 @@
  * Otherwise the bounds are NaN; with friction so are those of motion and of limits, for which none are known.
  *
  * Precision: this header takes parameters and gives answers in double. <domino_quad.h>, which includes this
- * header, has the same functions, structures and lists in the widest type of the machine, with domq_ in the
- * place of dom_. Both compute in any precision; they differ only in the type of parameters and answers.
+ * header, has the same functions, structures and lists in the widest type of the machine, with domq_ instead
+ * of dom_. Both compute in any precision; they differ only in the type of parameters and answers.
  *
  * Units: lengths in the height h of the head (the foremost falling domino, number 0; the dominoes that push
  * it, its followers, are 1, 2, ... down the train), energies in m g h / 2 of the head, angles in radians from
@@ -118,21 +118,21 @@ enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*
- * Effects beyond the paper: struct dom_effect says what each adds. The code of an effect is entered only if
- * it is on: struct dom_work counts.
+ * Effects beyond the paper: struct dom_effect describes each. The code of an effect runs only if the effect
+ * is on; struct dom_work counts how often.
  *
- * Effects that change how dominoes move, each in src/model/dynamics/: X(effect, member, status). The member
- * of struct dom_train and struct dom_row holds its value, 0 for off; the status names a value outside its
+ * Lists the effects that change how dominoes move: X(effect, member, status). The member of struct dom_train
+ * and struct dom_row holds the value of the effect, 0 for off. The status is that of a value outside its
  * range.
  */
 #define DOM_DYNAMICS(X) X(friction, mu, DOM_BAD_MU)
 
-/* The number of these; they come first in enum dom_effect_name. */
+/* The number of effects in DOM_DYNAMICS, which are the first in enum dom_effect_name. */
 #define DOM_DYNAMICS_ONE(name, member, status) +1
 enum { DOM_DYNAMICS_COUNT = DOM_DYNAMICS(DOM_DYNAMICS_ONE) };
 #undef DOM_DYNAMICS_ONE
 
-/* Effects of a row and of what is asked about it, each in src/model/effects/: X(effect). */
+/* Lists the effects of a row and of questions about a row: X(effect). */
 #define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
 
 enum dom_effect_name {
@@ -210,20 +210,21 @@ static inline bool dom_raised(const volatile sig_atomic_t *flag)
 #endif
 }
 
-/* Reports that `done` of `of` parts of a long computation are done. */
+/* Reports that `done` of `of` parts of a long computation are done: a function of the caller. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
-/* ---- Work side by side ---- */
+/* ---- Parallel work ---- */
 
 /*
- * The library starts no thread: what can run side by side it hands to the caller's pool as tasks.
- * A dom_parallel runs task(0, context) to task(count - 1, context), each once, in any order and on any
- * threads, and returns when none runs any more: DOM_OK, or why some were left out, such as DOM_INTERRUPTED.
+ * The library starts no threads. It divides parallel work into tasks, and calls a function of the caller, a
+ * dom_parallel, to run them. That function runs task(0, context) to task(count - 1, context), each once, in
+ * any order and on any threads, and waits for all of them. It returns DOM_OK, or the reason why tasks were
+ * left out, such as DOM_INTERRUPTED. `pool` is the caller's own.
  */
 typedef void dom_task(size_t index, void *context);
 typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
 
-/* ==== From here on everything is also in <domino_quad.h>, with domq_ in the place of dom_ ==== */
+/* ==== From here on everything is also in <domino_quad.h>, with domq_ instead of dom_ ==== */
 
 /* The type that parameters and answers travel in. */
 typedef double dom_real;
@@ -258,9 +259,9 @@ struct dom_train {
 #define DOM_MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
     DOM_TRAIN_PARAMETERS(DOM_MEMBER)
     enum dom_fuel fuel; /* default DOM_FUEL_EXACT */
-    /* The effects of DOM_DYNAMICS, each 0 for off, the default: mu is the coefficient of Coulomb friction
-     * between dominoes. With any effect DOM_FUEL_PAPER and methods other than DOM_METHOD_OURS give
-     * DOM_NO_METHOD. With friction the equation of motion takes the place of (c3) and (c6). */
+    /* A member for each effect of DOM_DYNAMICS, default 0, off: mu is the coefficient of Coulomb friction
+     * between dominoes, 0 ... DOM_MU_HIGHEST. With any of these effects DOM_FUEL_PAPER and methods other than
+     * DOM_METHOD_OURS give DOM_NO_METHOD. With friction the equation of motion replaces (c3) and (c6). */
 #define DOM_DYNAMICS_MEMBER(effect, member, status) dom_real member;
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
 };
@@ -655,7 +656,7 @@ struct dom_row {
     size_t count;                    /* at least 1 */
     dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
     dom_real push; /* rad/s, >= 0, of the first, upright domino; NaN: it is tipped over its edge and let go */
-    DOM_DYNAMICS(DOM_DYNAMICS_MEMBER) /* as of a train */
+    DOM_DYNAMICS(DOM_DYNAMICS_MEMBER) /* the effects of motion, as in struct dom_train */
 #undef DOM_DYNAMICS_MEMBER
     bool floor; /* true: find the friction that the floor needs */
 };
@@ -701,62 +702,67 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
-/* Fills domino[0] to domino[count - 1] with the row of a family that has the growth r. */
+/* Writes a row with the growth r to domino[0] ... domino[count - 1]: a function of the caller. */
 typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, void *context);
 
+/* The largest growth of a row. */
 struct dom_row_growth {
-    dom_real r_max;        /* NaN where already the row at r = 1 does not fall */
-    enum dom_row_end ends; /* how the row ends just above r_max; DOM_ROW_FALLS where `highest` limits r_max */
+    dom_real r_max;        /* NaN if not all dominoes fall even at r = 1 */
+    enum dom_row_end ends; /* how the row ends just above r_max; DOM_ROW_FALLS if `highest` limits r_max */
 };
 
 /*
  * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance: the first r,
- * raised from 1 up to `highest`, beyond which they do not. For a row of a train (dom_row_of_train) `highest`
- * is 1/s. make(r, ...) makes the dominoes for each r that is tried; row->domino is not read, and row has
- * everything else. r rises in steps of 2 %: what opens and closes again within a step can be missed. Statuses
- * as dom_row_run, also for the dominoes of make; DOM_BAD_R: `highest` is not a number >= 1.
+ * raised from 1 to `highest`, beyond which they do not. make writes the dominoes for each r that is tried;
+ * for a train it calls dom_row_of_train, and `highest` is 1/s. row->domino is not used. With steps of
+ * 2 % in r, a narrower interval in which the row does not fall can be missed. Statuses as dom_row_run, also
+ * for the dominoes that make writes; DOM_BAD_R: `highest` is not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
 
-/* A change of one gap with which all dominoes of a row fall. */
+/* A change of one gap that makes all dominoes of a row fall. */
 struct dom_mend {
-    size_t domino;  /* the number of the domino before which the gap is changed, from 2 */
-    dom_real gap;   /* m, as it is */
-    dom_real to;    /* m, the nearest gap found with which all fall, of seven digits */
-    dom_real until; /* m, from `to` to here, away from `gap`, all fall */
+    size_t domino;  /* the number of the domino whose gap changes, from 2 */
+    dom_real gap;   /* m, the gap now */
+    dom_real to;    /* m, the nearest gap found with which all fall, to seven digits */
+    dom_real until; /* m, the farthest such gap: all fall from `to` to `until` */
 };
 
 /*
- * Finds the changes of single gaps that save a row, the smallest first, and counts them; 0 for a row that
- * falls.  Looks at the gap after the domino where the row ends and at the 30 before it, each made smaller
- * down to 0 and larger up to the height of the domino before it, in 40 steps that grow from a 64,000th of
- * that way, then by bisection; a window narrower than a step can be missed.  progress, unless NULL, is called
- * for each gap.  Statuses as dom_row_run.
+ * Finds the changes of single gaps that make all dominoes fall, the smallest change first, and writes their
+ * number to *count; 0 for a row that falls already. Tries the gap after the domino where the row ends, and
+ * the 30 gaps before that one: down to 0, and up to the height of the domino before the gap. Each way takes
+ * 40 steps, the first 1/64,000 of the way and each larger than the one before, then bisection; an interval of
+ * gaps narrower than a step can be missed. progress, unless NULL, is called for each gap. Statuses as
+ * dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
 /*
- * Finds the weakest push in rad/s with which all dominoes of a row fall, of four digits, and rounded up: by
- * doubling the push that turns the first domino over its edge, or the row's own if that is stronger, then by
- * bisection.  NaN where no such push up to `strongest` lets all fall; row->push where all fall already.
- * Statuses as dom_row_run; DOM_BAD_PUSH also where `strongest` is not a finite number > 0.
+ * Finds the weakest push with which all dominoes of a row fall, in rad/s, rounded up to four digits. Doubles
+ * the push that turns the first domino over its edge, or row->push if that is larger, until all fall; then
+ * bisects. Writes NaN if no push tried up to `strongest` is enough, and row->push if all fall already.
+ * Statuses as dom_row_run; DOM_BAD_PUSH also if `strongest` is not a finite number > 0.
  */
 enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
                              dom_real *push);
 
-/* ---- Errors of placement: the same row, set up again and again ---- */
+/* ---- Errors of placement: the same row, set up many times ---- */
 
-/* Normal errors of every gap and height. Masses follow the heights; dominoes that would overlap touch. */
+/*
+ * Random errors, normally distributed, of every gap and height. A domino keeps its density: its mass changes
+ * with its height. Dominoes that would overlap touch.
+ */
 struct dom_placement {
-    dom_real sigma;         /* m */
-    dom_real heights;       /* relative */
-    unsigned long seed;     /* row number i is the same for the same seed, whoever computes it */
-    size_t first, rows;     /* numbers of the rows: first, first + 1, ... */
-    dom_parallel *parallel; /* runs batches of rows; NULL: one after the other */
-    void *pool;             /* what `parallel` works with */
+    dom_real sigma;         /* standard deviation of a gap in m, >= 0 */
+    dom_real heights;       /* relative standard deviation of a height, 0 ... 1 */
+    unsigned long seed;     /* row number i depends on the seed and i alone */
+    size_t first, rows;     /* the rows are number first ... first + rows - 1; rows >= 1 */
+    dom_parallel *parallel; /* runs batches of rows; NULL: the batches run one after the other */
+    void *pool;             /* the last argument of `parallel` */
 };
 
 /* How many rows of a placement fall. */
@@ -767,9 +773,10 @@ struct dom_study {
 };
 
 /*
- * stops, unless NULL, has room for row->count: how often the row ended at each domino without falling, the
- * unknown left out. The answer does not depend on how the batches are run. Rows are computed to a tolerance
- * of 1e-9 at best.
+ * Counts how many rows fall. stops, unless NULL, has room for row->count numbers: how often a row ended at
+ * each domino, unknown rows left out. The answer does not depend on placement->parallel. Rows are computed
+ * with a tolerance of 1e-9 or compute->tol, whichever is larger. Statuses as dom_row_run, and those that
+ * placement->parallel returns.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
@@ -808,15 +815,16 @@ struct dom_effect_argument {
 /* The description of an effect. */
 struct dom_effect {
     const char *name;
-    const char *adds;   /* in a few words */
-    const char *help;   /* in full sentences, equations in the paper's letters */
-    const char *source; /* where its mathematics is from */
-    const char *plan;   /* what is solved where it is on, and how */
-    struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* ends early with a NULL name */
-    unsigned needs;  /* 1 << DOM_EFFECT_...: the effects without which this one cannot be on */
-    bool dissipates; /* true: a law of motion that takes energy, see dom_law */
+    const char *adds;   /* what the effect adds, in a few words */
+    const char *help;   /* the same in full sentences, with equations in the paper's letters */
+    const char *source; /* where the mathematics is from */
+    const char *plan;   /* what is solved, and how */
+    struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
+    unsigned needs;  /* bits 1 << DOM_EFFECT_...: other effects that must be on */
+    bool dissipates; /* true: dominoes lose energy while they move; see dom_law */
 };
 
+/* The descriptions of the effects in both lists. */
 #define DOM_DYNAMICS_DECLARE(name, member, status) extern const struct dom_effect dom_effect_##name;
 #define DOM_EFFECT_DECLARE(name)                   extern const struct dom_effect dom_effect_##name;
 DOM_DYNAMICS(DOM_DYNAMICS_DECLARE)
@@ -827,13 +835,13 @@ DOM_EFFECTS(DOM_EFFECT_DECLARE)
 /* Returns the description of an effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* Returns the first effect of DOM_DYNAMICS that is on; NULL for none. */
+/* Returns the first effect of DOM_DYNAMICS that is on in a train; NULL if all are off. */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
-/* The description of the law of motion without any effect. */
+/* Describes the law of motion of a train without effects: energy is conserved between collisions. */
 extern const struct dom_effect dom_energy_balance;
 
-/* Returns the law of motion of a train: the effect that takes energy in the motion, or dom_energy_balance. */
+/* Returns the law of motion of a train: the effect that is on and dissipates, or else dom_energy_balance. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */

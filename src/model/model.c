@@ -42,7 +42,9 @@ static enum dom_status request_check(const struct request *q)
     DOM_COMPUTE_PARAMETERS(CHECK)
     if (status == DOM_OK && (double)q->tol < (double)dom_arithmetic(q->precision)->tol_floor)
         status = DOM_BAD_TOL;
-    return status == DOM_OK && dynamics_first(q->effect) < DOM_DYNAMICS_COUNT && q->method != DOM_METHOD_OURS ? DOM_NO_METHOD : status;
+    return status == DOM_OK && dynamics_first(q->effect) < DOM_DYNAMICS_COUNT && q->method != DOM_METHOD_OURS
+               ? DOM_NO_METHOD
+               : status;
 }
 #undef CHECK
 
@@ -53,7 +55,7 @@ static struct dom_compute compute_or_default(const struct dom_compute *compute)
 
 /* The values of effects, by number. */
 #define TRAIN_VALUE(effect, member, status) train->member,
-#define ROW_VALUE(effect, member, status) row->member,
+#define ROW_VALUE(effect, member, status)   row->member,
 
 static struct question question_make(const struct dom_train *train, const struct dom_compute *asked)
 {
@@ -62,8 +64,9 @@ static struct question question_make(const struct dom_train *train, const struct
 #define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
     struct question q = {
         .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
-                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision, .method = compute.method,
-                    .errors = compute.errors, .work = compute.work, .interrupt = compute.interrupt}};
+                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision,
+                    .method = compute.method, .errors = compute.errors, .work = compute.work,
+                    .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE
     q.status = request_check(&q.request);
@@ -310,15 +313,14 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, cons
                                struct dom_count *count)
 {
     struct dom_compute compute = compute_or_default(asked);
-    struct dom_count_error bounds;
     if (compute.precision > DOM_QUAD)
         return DOM_BAD_PRECISION;
     if (dom_arithmetic(compute.precision)->bits == 0)
         return DOM_NO_PRECISION;
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status =
-        kernels[compute.precision]->count_find(first, height, r, count, compute.errors ? &bounds : NULL);
-    count->error = bounds;
+    enum dom_status status = kernels[compute.precision]->count_find(first, height, r, count,
+                                                                    compute.errors ? &count->error : NULL);
+    if (status != DOM_OK || !compute.errors)
+        no_bounds(&count->error, sizeof count->error);
     return status;
 }
 

@@ -5,7 +5,7 @@
  * usage: answers         all of them
  *        answers NAME    this one alone; prints the passes and dominoes that it took
  */
-#include "../unit/ask.h"
+#include "domino_quad.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,128 +15,126 @@ enum { ROW = 20, ROWS = 60, POINTS = 12 };
 /* Zeros stand for the defaults. */
 struct counted {
     const char *name;
-    enum dom_status (*ask)(const struct asked *train);
+    enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute);
     double s, r, q, mu;
     bool quad, single;
 };
 
-static enum dom_status ask_rmax(const struct asked *train)
+static enum dom_status ask_rmax(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_limit limit;
-    return ask_limit_rmax(train, &limit, NULL, NULL);
+    return domq_limit_rmax(train, compute, &limit);
 }
 
-static enum dom_status ask_rmax_bound(const struct asked *train)
+static enum dom_status ask_rmax_bound(const struct domq_train *train, const struct domq_compute *compute)
 {
-    struct domq_limit limit, error;
-    return ask_limit_rmax(train, &limit, &error, NULL);
+    struct domq_limit limit;
+    struct domq_compute with = *compute;
+    with.errors = true;
+    return domq_limit_rmax(train, &with, &limit);
 }
 
 /* Of both q, as the benchmark does, from 0.02 to 0.9. */
-static enum dom_status ask_curve(const struct asked *train)
+static enum dom_status ask_curve(const struct domq_train *train, const struct domq_compute *compute)
 {
     enum dom_status status = DOM_OK;
-    struct asked at = *train;
+    struct domq_train at = *train;
     for (int i = 0; i < 2 * POINTS && status == DOM_OK; i++) {
         at.q = i < POINTS ? 3 : 4;
         at.s = 0.02 + 0.88 * (i % POINTS) / (POINTS - 1);
-        status = ask_rmax(&at);
+        status = ask_rmax(&at, compute);
     }
     return status;
 }
 
-static enum dom_status ask_pair(const struct asked *train)
+static enum dom_status ask_pair(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_limit limit;
-    return ask_limit_pair(train, &limit, NULL);
+    return domq_limit_pair(train, compute, &limit);
 }
 
-static enum dom_status ask_best(const struct asked *train)
+static enum dom_status ask_best(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_best best;
-    return ask_limit_best(train, &best, NULL);
+    return domq_limit_best(train, compute, &best);
 }
 
-static enum dom_status ask_barrier(const struct asked *train)
+static enum dom_status ask_barrier(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_barrier barrier;
-    return ask_barrier_find(train, &barrier, NULL);
+    return domq_barrier_find(train, compute, &barrier);
 }
 
-static enum dom_status ask_duration(const struct asked *train)
+static enum dom_status ask_duration(const struct domq_train *train, const struct domq_compute *compute)
 {
-    domq_real duration;
-    return ask_cycle_duration(train, &duration, NULL);
+    struct domq_value duration;
+    return domq_cycle_duration(train, compute, &duration);
 }
 
-static enum dom_status ask_events(const struct asked *train)
+static enum dom_status ask_events(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_event events[DOM_EVENTS_MAX];
     int count;
-    return ask_cycle_events(train, events, &count);
+    return domq_cycle_events(train, compute, events, &count);
 }
 
-static enum dom_status ask_floor(const struct asked *train)
+static enum dom_status ask_floor(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_floor floor;
-    return ask_cycle_floor(train, &floor);
+    return domq_cycle_floor(train, compute, &floor);
 }
 
-static bool visit_link(const struct domq_link *link, const struct domq_link *error, void *context)
+static bool visit_link(const struct domq_link *link, void *context)
 {
-    (void)link, (void)error, (void)context;
+    (void)link, (void)context;
     return true;
 }
 
-static enum dom_status ask_chain(const struct asked *train)
+static enum dom_status ask_chain(const struct domq_train *train, const struct domq_compute *compute)
 {
-    return ask_chain_walk(train, 0.1, true, visit_link, NULL);
+    struct domq_compute with = *compute;
+    with.errors = true;
+    return domq_chain_walk(train, &with, 0.1, visit_link, NULL);
 }
 
-static enum dom_status ask_count(const struct asked *train)
+static enum dom_status ask_count(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_count count;
-    return ask_count_find(train->precision, 0.048, 112, train->r, &count, NULL);
+    return domq_count_find(0.048, 112, train->r, compute, &count);
 }
 
-static struct asked_row row_of(const struct asked *train, struct domq_domino *domino)
+static struct domq_row row_of(const struct domq_train *train, struct domq_domino *domino)
 {
     struct domq_scale scale = domq_scale_default();
-    ask_row_of_train(train, &scale, 1, domino, ROW);
-    return (struct asked_row){.domino = domino,
-                              .count = ROW,
-                              .g = scale.g,
-                              .push = 6,
-                              .mu = train->mu,
-                              .tol = train->tol,
-                              .precision = train->precision,
-                              .work = train->work};
+    domq_row_of_train(train, &scale, 1, domino, ROW);
+    return (struct domq_row){.domino = domino, .count = ROW, .g = scale.g, .push = 6, .mu = train->mu};
 }
 
-static enum dom_status ask_verdict(const struct asked *train)
+static enum dom_status ask_verdict(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_domino domino[ROW];
     struct domq_verdict verdict;
-    struct asked_row row = row_of(train, domino);
-    return ask_row_run(&row, false, NULL, NULL, &verdict);
+    struct domq_row row = row_of(train, domino);
+    return domq_row_run(&row, compute, false, NULL, NULL, &verdict);
 }
 
-static enum dom_status ask_row(const struct asked *train)
+static enum dom_status ask_row(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_domino domino[ROW];
     struct domq_verdict verdict;
-    struct asked_row row = row_of(train, domino);
-    return ask_row_run(&row, true, NULL, NULL, &verdict);
+    struct domq_row row = row_of(train, domino);
+    return domq_row_run(&row, compute, true, NULL, NULL, &verdict);
 }
 
-static enum dom_status ask_study(const struct asked *train)
+static enum dom_status ask_study(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_domino domino[ROW];
     struct domq_study study;
-    struct asked_row row = row_of(train, domino);
+    struct domq_row row = row_of(train, domino);
     struct domq_placement placement = {.sigma = 1e-3, .seed = 1, .rows = ROWS};
-    row.work = NULL;
-    return ask_placement_study(&row, &placement, &study, NULL);
+    struct domq_compute with = *compute;
+    with.work = NULL;
+    return domq_placement_study(&row, &with, &placement, &study, NULL);
 }
 
 static const struct counted table[] = {
@@ -169,11 +167,13 @@ static const struct counted table[] = {
 };
 
 /* The function that callgrind looks for: it must keep its name and be called. */
-__attribute__((noinline)) enum dom_status answer(const struct counted *counted, const struct asked *train);
+__attribute__((noinline)) enum dom_status
+answer(const struct counted *counted, const struct domq_train *train, const struct domq_compute *compute);
 
-enum dom_status answer(const struct counted *counted, const struct asked *train)
+enum dom_status answer(const struct counted *counted, const struct domq_train *train,
+                       const struct domq_compute *compute)
 {
-    return counted->ask(train);
+    return counted->ask(train, compute);
 }
 
 int main(int argc, char **argv)
@@ -181,17 +181,18 @@ int main(int argc, char **argv)
     struct dom_work work = {.passes = 0};
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         const struct counted *counted = &table[i];
-        struct asked train = asked_default();
+        struct domq_train train = domq_train_default();
+        struct domq_compute compute = domq_compute_default();
         if (argc > 1 && strcmp(argv[1], counted->name) != 0)
             continue;
         train.s = counted->s > 0 ? counted->s : train.s;
         train.r = counted->r > 0 ? counted->r : train.r;
         train.q = counted->q > 0 ? counted->q : train.q;
-        train.precision = counted->quad ? DOM_QUAD : counted->single ? DOM_FLOAT : DOM_DOUBLE;
-        train.tol = domq_arithmetic(train.precision)->tol_default;
+        compute.precision = counted->quad ? DOM_QUAD : counted->single ? DOM_FLOAT : DOM_DOUBLE;
+        compute.tol = domq_arithmetic(compute.precision)->tol_default;
         train.mu = counted->mu;
-        train.work = argc > 1 ? &work : NULL;
-        enum dom_status status = answer(counted, &train);
+        compute.work = argc > 1 ? &work : NULL;
+        enum dom_status status = answer(counted, &train, &compute);
         if (status != DOM_OK) {
             fprintf(stderr, "answers: %s: %s\n", counted->name, dom_status_text(status));
             return EXIT_FAILURE;

@@ -20,10 +20,15 @@ all_help() {
     { echo help; "$DOMINO" -e 'complete help ' | sed 's/^/help /'; } | "$DOMINO" -
 }
 
-# What the man page repeats of help is of help: sentences of its summaries and of the meanings of parameters.
+# What a man page repeats of help or of the library's lists is theirs: sentences of the summaries, of the meanings of
+# parameters, of statuses and of the ends of a row.
 of_help() {
-    { "$DOMINO" -e help | sed -nE 's/^  ([^ ].{20})(.*)/\2/p'; json show | values meaning; } |
-        sed -E 's/^(.)(.*)$/\U\1\E\2./'
+    {
+        "$DOMINO" -e help | sed -nE 's/^  ([^ ].{20})(.*)/\2/p'
+        json show | values meaning
+        printf '#include <domino.h>\n#define TEXT(name, text) @text@\nDOM_STATUSES(TEXT) DOM_ROW_ENDS(TEXT)\n' |
+            cc -E -P -I"$root/include" -x c - | sed -n '/@/{s/" *"//g;s/@"/\n@/g;s/"@/@/g;p}' | sed -nE 's/^@(.*)@ *$/\1/p'
+    } | sed -E 's/^(.)(.*)$/\U\1\E\2./'
 }
 
 @test "words that are not plain are found" {
@@ -37,7 +42,7 @@ of_help() {
 @test "README and man pages are in plain words" {
     of_help >"$BATS_TEST_TMPDIR/help"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/help")" -ge 60 ]
-    for text in README.md src/README.md man/domino.1 man/domino-model.7 man/domino-rows.7; do
+    for text in README.md src/README.md man/domino.1 man/domino-{effects,model,rows}.7 man/libdomino.3; do
         # An empty line in the place of each that is help's keeps the numbers.
         "$root/tests/prose" "$root/$text" |
             awk 'FNR == NR { help[$0]; next } $0 in help { $0 = "" } 1' "$BATS_TEST_TMPDIR/help" - >"$BATS_TEST_TMPDIR/prose"

@@ -92,9 +92,9 @@ KERNEL enum dom_status launch_find(const struct request *train, struct dom_launc
     };
     if (error)
         *error = (struct dom_launch_error){.fuel = e.fuel,
-                                     .J0 = e.J0,
-                                     .velocity_ratio = e.velocity_ratio,
-                                     .omegasq = e.omegasq,
-                                     .kinetic = e.kinetic};
+                                           .J0 = e.J0,
+                                           .velocity_ratio = e.velocity_ratio,
+                                           .omegasq = e.omegasq,
+                                           .kinetic = e.kinetic};
     return fuelled ? DOM_OK : DOM_NO_FUEL;
 }

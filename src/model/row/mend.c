@@ -131,8 +131,9 @@ static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_prog
     return found;
 }
 
-enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute, dom_progress *progress, void *context,
-                             struct dom_mend mends[DOM_MENDS], size_t *count)
+enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
+                             dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
+                             size_t *count)
 {
     struct trial t = trial_of(row, compute);
     struct dom_verdict verdict;
@@ -175,7 +176,7 @@ static dom_real push_over_edge(const struct dom_row *row)
 }
 
 enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
- dom_real *push)
+                             dom_real *push)
 {
     struct trial t = trial_of(row, compute);
     struct dom_verdict verdict;

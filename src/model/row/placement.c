@@ -213,9 +213,8 @@ static enum dom_status study_check(const struct dom_row *row, const struct dom_c
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *p, struct dom_study *study, size_t *stops)
 {
-    struct shared shared = {.row = row,
-                            .compute = compute ? *compute : dom_compute_default(),
-                            .placement = p};
+    struct shared shared = {
+        .row = row, .compute = compute ? *compute : dom_compute_default(), .placement = p};
     shared.status = (int)study_check(row, &shared.compute, p);
     if (shared.status != DOM_OK)
         return (enum dom_status)shared.status;

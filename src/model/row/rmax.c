@@ -31,14 +31,18 @@ static bool falls_at(dom_real r, void *context)
     return verdict.end == DOM_ROW_FALLS;
 }
 
-enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest, dom_row_make *make, void *context,
-                             struct dom_row_growth *growth)
+enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
+                             dom_row_make *make, void *context, struct dom_row_growth *growth)
 {
     if (row->count == 0)
         return DOM_BAD_COUNT;
     if (!(highest >= 1 && (double)highest < HUGE_VAL))
         return DOM_BAD_R;
-    struct trial t = {.row = *row, .compute = compute ? *compute : dom_compute_default(), .make = make, .context = context, .status = DOM_OK};
+    struct trial t = {.row = *row,
+                      .compute = compute ? *compute : dom_compute_default(),
+                      .make = make,
+                      .context = context,
+                      .status = DOM_OK};
     t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
     t.row.floor = false;
     if (!t.domino)

@@ -2,6 +2,7 @@
 /* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
 #include "commands/tables.h"
 #include "language/quad.h"
+#include "session/parameters.h"
 
 /* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
 static const char *no_fuel(const struct session *session)

@@ -5,6 +5,7 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "prompt/input.h"
+#include "session/parameters.h"
 #include <string.h>
 
 enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */

@@ -5,6 +5,7 @@
 #include "commands/swept.h"
 #include "commands/tables.h"
 #include "parallel/points.h"
+#include "session/parameters.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

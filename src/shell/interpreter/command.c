@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
 #include "language/quad.h"
+#include "session/parameters.h"
 #include <string.h>
 
 static const struct command_group no_group[] = {{NULL, NULL}};

@@ -5,6 +5,7 @@
 #include "io/redirect.h"
 #include "io/terminal.h"
 #include "picture/picture.h"
+#include "session/parameters.h"
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>

@@ -96,12 +96,7 @@ static void precision_put(struct session *session, domq_real precision)
 #define FORMAT_WORD(name)    {#name, FORMAT_##name},
 #define FORMAT_POINTER(name) &format_##name,
 enum { FORMATS(FORMAT_NUMBER) };
-
-const struct format *format_number(unsigned k)
-{
-    static const struct format *const formats[] = {FORMATS(FORMAT_POINTER)};
-    return formats[k];
-}
+static const struct format *const formats[] = {FORMATS(FORMAT_POINTER)};
 
 /* Rows whose commas are a macro's are not rows to clang-format. */
 /* clang-format off */
@@ -139,8 +134,8 @@ const struct parameter session_parameters[] = {
          .usual = SEED_DEFAULT, .whole = true)},
     {ROW("threads", threads, "", "of curves, sweeps and studies; 0: as many as there are processors",
          .highest = 256, .whole = true), .setting = true},
-    {ROW("output", style.output, "", "how answers are written", .usual = 0), .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true,
-     .setting = true},
+    {ROW("output", style.output, "", "how answers are written", .usual = 0),
+     .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
     {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
          .highest = WIDE_DIGITS, .whole = true), .fallback_of = digits_default, .setting = true},
     {ROW("angle", style.angle, "", "unit of angles, typed and answered", .usual = ANGLE_RAD),
@@ -318,4 +313,16 @@ bool parameter_check(struct session *session, const struct parameter *p, int i, 
     return session_no_answer(session, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,
                              quad_shown(value).text, of->name, meaning, range, *of->unit ? " " : "", of->unit,
                              p->words && !p->effect ? ", or one of its words" : "");
+}
+
+struct output_style session_style(const struct session *session)
+{
+    struct output_style style = session->style;
+    int bits = domq_arithmetic(session->compute.precision)->bits;
+    style.format = formats[style.output];
+    style.precision = session->compute.precision;
+    style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
+    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);
+    style.digits = quad_smaller(style.digits, style.all_digits);
+    return style;
 }

@@ -101,7 +101,7 @@ void parameter_range(const struct session *session, const struct parameter *para
 /* Writes a value as 'set' would take it back. */
 void parameter_text(const struct parameter *parameter, domq_real value, int digits, char *text, size_t size);
 
-/* Returns the format that the parameter output names. */
-const struct format *format_number(unsigned k);
+/* Returns the style of the session's answers. */
+struct output_style session_style(const struct session *session);
 
 #endif

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/session.h"
-#include "language/quad.h"
-#include "session/parameters.h"
 #include <stdlib.h>
 
 void session_init(struct session *session, FILE *out)
@@ -77,16 +75,4 @@ struct domq_compute session_compute(const struct session *session)
     struct domq_compute compute = session->compute;
     compute.errors = session->style.errors;
     return compute;
-}
-
-struct output_style session_style(const struct session *session)
-{
-    struct output_style style = session->style;
-    int bits = domq_arithmetic(session->compute.precision)->bits;
-    style.format = format_number(style.output);
-    style.precision = session->compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);
-    style.digits = quad_smaller(style.digits, style.all_digits);
-    return style;
 }
