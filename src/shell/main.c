@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
-#include "commands/registry.h"
-#include "interpreter/command.h"
+#include "commands/tables.h"
 #include "interpreter/line.h"
 #include "io/io.h"
+#include "prompt/input.h"
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>

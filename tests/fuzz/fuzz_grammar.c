@@ -5,9 +5,9 @@
  * safe, the others have a scratch folder, in which every name that is made stays; see 'make fuzz'.
  */
 #include "commands/grid.h"
-#include "commands/registry.h"
+#include "commands/tables.h"
+#include "interpreter/arguments.h"
 #include "interpreter/command.h"
-#include "interpreter/lookup.h"
 #include "session.h"
 #include <dirent.h>
 #include <stdint.h>
@@ -83,12 +83,6 @@ static void put_call(struct maker *m, int depth)
     put(m, ")");
 }
 
-static const char *expression_unit_names(const void *context, int k)
-{
-    (void)context;
-    return expression_unit_name(k);
-}
-
 static void put_value(struct maker *m, int depth)
 {
     const char *name;
@@ -118,7 +112,7 @@ static void put_value(struct maker *m, int depth)
         put_number(m);
         if (pick(m, 6) == 0) {
             put(m, " ");
-            put_name(m, expression_unit_names, NULL);
+            put_name(m, expression_units, NULL);
         }
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
-#include "commands/registry.h"
+#include "commands/tables.h"
 #include "interpreter/line.h"
 #include "io/escape.h"
 #include <ctype.h>

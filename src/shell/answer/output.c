@@ -33,13 +33,21 @@ struct column *answer_columns(struct answer *a, const struct column *columns)
     return a->own;
 }
 
+void answer_leave_out(struct answer *a, const char *key)
+{
+    struct column *c = answer_columns(a, a->columns);
+    while (strcmp(c->key, key) != 0)
+        c++;
+    for (; c->key; c++)
+        c[0] = c[1];
+}
+
 void column_fit(struct column *c, const char *word)
 {
     int wide = terminal_columns(word);
     c->width = wide > c->width ? wide : c->width;
 }
 
-/* Text whose lines end before the column `right`, and begin at `left`; 0 for no end. */
 void output_wrapped(FILE *out, const char *text, int left, int right)
 {
     int at = left;
@@ -180,7 +188,7 @@ static void answer_write(struct answer *a, const struct cell *cells, const char 
         free(own[i]);
 }
 
-void answer_row(struct answer *a, const struct cell *cells, const char *reason)
+bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     for (int n = 0; a->columns[n].key && a->kept; n++)
         a->kept[n] = cells[n];
@@ -191,6 +199,7 @@ void answer_row(struct answer *a, const struct cell *cells, const char *reason)
         if (reason)
             answer_say(a, "%s", reason);
     }
+    return true;
 }
 
 bool answer_lost(const struct answer *a)

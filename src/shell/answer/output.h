@@ -11,18 +11,25 @@
 /* Returns true for a column of angles, which follow the style's unit. */
 bool column_is_angle(const struct column *column);
 
-/* Gives the answer its own copy of these columns, and returns that: it may be changed before the first row.
- */
+/* Returns these columns as the answer's own copy, which may be changed before the first row. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
+
+/* Leaves the column with this key out of the answer, before the first row; a cell of a row has no place for
+ * it. */
+void answer_leave_out(struct answer *answer, const char *key);
 
 /* Makes a column of words, in an answer's own columns, as wide as a word that it is to hold. */
 void column_fit(struct column *column, const char *word);
 
 /*
  * One row; reason, unless NULL, says why something does not exist: a line for people, a last column or
- * key "reason" for programs; csv has that column where its first row has a reason.
+ * key "reason" for programs; csv has that column where its first row has a reason.  Returns true, with which
+ * a command ends that has answered.
  */
-void answer_row(struct answer *answer, const struct cell *cells, const char *reason);
+bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
+
+/* One row of these cells, in which nothing is missing. */
+#define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 
 /*
  * Finds out now what the first row would, if it were like this one (NULL: no column has bounds).  Then copies

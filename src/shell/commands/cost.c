@@ -6,7 +6,6 @@
  */
 #include "commands/costs.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 
 static const struct column cost_columns[] = {
     {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
@@ -24,14 +23,12 @@ static void cost_line(const struct call *call, const struct cost *cost, const st
 {
     bool good = row->status == DOM_OK;
     struct cell none = cell_real(DOMQ_NAN);
-    answer_row(call->answer,
-               ROW(cell_word(cost_method(row->method)), cell_word(domq_arithmetic(row->precision)->name),
-                   cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
-                   good ? cell_count((domq_real)row->work.longest) : none,
-                   good ? cell_count((domq_real)row->work.passes) : none,
-                   good ? cell_brief(1e6 * row->seconds) : none,
-                   good ? cell_brief(row->seconds / cost->cheapest) : none),
-               NULL);
+    answer_cells(
+        call->answer, cell_word(cost_method(row->method)), cell_word(domq_arithmetic(row->precision)->name),
+        cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
+        good ? cell_count((domq_real)row->work.longest) : none,
+        good ? cell_count((domq_real)row->work.passes) : none, good ? cell_brief(1e6 * row->seconds) : none,
+        good ? cell_brief(row->seconds / cost->cheapest) : none);
 }
 
 /* How many times the time of another row; 0 where one of them is missing. */
@@ -96,9 +93,8 @@ const struct command cost_commands[] = {
              "method and precision is asked for more and more digits. The error is the true one, the "
              "rounding of typed parameters included; times are measured in runs of their own.",
      .see = "plot",
-     .columns = cost_columns,
      .unswept = "it measures time, which points side by side would disturb",
      .rows = true,
-     .run = run_cost},
+     ANSWER(cost)},
     {.name = NULL},
 };

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include "session/parameters.h"
 
@@ -11,15 +10,12 @@ static const char *no_fuel(const struct session *session)
     struct domq_fuels fuels;
     if (domq_law(&session->train)->dissipates)
         return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
-               "'rmax' tells how "
-               "large r may be";
+               "'rmax' tells how large r may be";
     if (domq_fuel_find(&session->train, &session->compute, &fuels) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
-               "give "
-               "less than the head takes up; 'rmax' tells how large r may be";
+               "give less than the head takes up; 'rmax' tells how large r may be";
     return "no domino effect: the fuel P is not positive, a fallen domino lies no lower than it stood (s is "
-           "too "
-           "small for this d)";
+           "too small for this d)";
 }
 
 static const struct column thetac_columns[] = {
@@ -39,11 +35,8 @@ static bool run_thetac(struct session *session, const struct call *call)
     enum dom_status status = domq_angles_find(&session->train, &compute, &a);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(call->answer,
-               ROW(CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf), CELL_OF(a, theta_f),
-                   CELL_OF(a, theta_leave), cell_flag(a.detaches)),
-               NULL);
-    return true;
+    return answer_cells(call->answer, CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf),
+                        CELL_OF(a, theta_f), CELL_OF(a, theta_leave), cell_flag(a.detaches));
 }
 
 static const struct column theta1_columns[] = {
@@ -64,11 +57,10 @@ static bool run_theta1(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     const char *why = isnan(c.arm_a) ? "the follower has fallen off: it lies at theta_f" : NULL;
-    answer_row(
+    return answer_row(
         call->answer,
         ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
         why);
-    return true;
 }
 
 static const struct column chain_columns[] = {
@@ -83,10 +75,8 @@ static const struct column chain_columns[] = {
 
 static bool chain_row(const struct domq_link *k, void *context)
 {
-    answer_row(context,
-               ROW(cell_count((domq_real)k->i), CELL_OF(*k, theta), CELL_OF(*k, slope), CELL_OF(*k, arm_a),
-                   CELL_OF(*k, arm_b), CELL_OF(*k, weight)),
-               NULL);
+    answer_cells(context, cell_count((domq_real)k->i), CELL_OF(*k, theta), CELL_OF(*k, slope),
+                 CELL_OF(*k, arm_a), CELL_OF(*k, arm_b), CELL_OF(*k, weight));
     return !answer_lost(context);
 }
 
@@ -114,8 +104,7 @@ static bool run_energy(struct session *session, const struct call *call)
     enum dom_status status = domq_energy_find(&session->train, &compute, theta, &e);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(call->answer, ROW(cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0)), NULL);
-    return true;
+    return answer_cells(call->answer, cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0));
 }
 
 static const struct column fuel_columns[] = {
@@ -141,8 +130,7 @@ static bool run_fuel(struct session *session, const struct call *call)
             return session_status(session, status);
         used = cell_bound(launch.fuel, DOMQ_NAN);
     }
-    answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
-    return true;
+    return answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
 }
 
 enum { REASON_SIZE = 160 };
@@ -164,17 +152,15 @@ static const char *stop_reason(const struct session *session, char *reason, size
     return reason;
 }
 
-static const char locks[] =
-    "no domino effect: friction locks the collision, the force on the struck domino passes behind its "
-    "hinge and cannot turn it; a smaller r s or mu leaves it free";
-
 /* Why a cycle is not completed; NULL where it is. */
 static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])
 {
     return status == DOM_NO_FUEL ? no_fuel(session)
            : status == DOM_STOPS ? stop_reason(session, reason, REASON_SIZE)
-           : status == DOM_LOCKS ? locks
-                                 : NULL;
+           : status == DOM_LOCKS
+               ? "no domino effect: friction locks the collision, the force on the struck domino "
+                 "passes behind its hinge and cannot turn it; a smaller r s or mu leaves it free"
+               : NULL;
 }
 
 static const struct column launch_columns[] = {
@@ -198,11 +184,10 @@ static bool run_launch(struct session *session, const struct call *call)
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
         return session_status(session, status);
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer,
-               ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau), CELL_OF(l, kinetic),
-                   CELL_OF(l, J0)),
-               no_cycle(session, status, reason));
-    return true;
+    return answer_row(call->answer,
+                      ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau),
+                          CELL_OF(l, kinetic), CELL_OF(l, J0)),
+                      no_cycle(session, status, reason));
 }
 
 static const struct column omega_columns[] = {
@@ -222,11 +207,10 @@ static bool run_omega(struct session *session, const struct call *call)
     if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    answer_row(call->answer,
-               ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
-                   cell_omega(omegasq.value, omegasq.error, tau)),
-               no_cycle(session, status, reason));
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
+                          cell_omega(omegasq.value, omegasq.error, tau)),
+                      no_cycle(session, status, reason));
 }
 
 static const struct column barrier_columns[] = {
@@ -251,11 +235,10 @@ static bool run_barrier(struct session *session, const struct call *call)
                           : status == DOM_STOPS ? "stops"
                           : status == DOM_LOCKS ? "locks"
                                                 : "no fuel";
-    answer_row(call->answer,
-               ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
-                   cell_word(verdict)),
-               no_cycle(session, status, reason));
-    return true;
+    return answer_row(call->answer,
+                      ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
+                          cell_word(verdict)),
+                      no_cycle(session, status, reason));
 }
 
 static const struct column duration_columns[] = {
@@ -277,20 +260,14 @@ static bool run_duration(struct session *session, const struct call *call)
     if (status != DOM_OK && !why)
         return session_status(session, status);
     domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&session->scale, &session->train, duration.value);
-    answer_row(call->answer,
-               ROW(cell_bound(duration.value, duration.error), cell_real(tau),
-                   cell_bound(duration.value * tau, duration.error * tau),
-                   cell_bound(speed, speed * duration.error / duration.value)),
-               why);
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_bound(duration.value, duration.error), cell_real(tau),
+                          cell_bound(duration.value * tau, duration.error * tau),
+                          cell_bound(speed, speed * duration.error / duration.value)),
+                      why);
 }
 
-#define TILT                                                                                                 \
-    {                                                                                                        \
-        {                                                                                                    \
-            .name = "T", .kind = ARGUMENT_TILT                                                               \
-        }                                                                                                    \
-    }
+#define TILT .name = "T", .kind = ARGUMENT_TILT
 
 const struct command cycle_commands[] = {
     {.name = "thetac",
@@ -299,40 +276,36 @@ const struct command cycle_commands[] = {
      .equation = "(a2) (b1) (A16) (A17) (A18)",
      .example = "thetac",
      .see = "theta1 chain",
-     .columns = thetac_columns,
      .principal = "theta_c",
-     .run = run_thetac},
+     ANSWER(thetac)},
     {.name = "theta1",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "the follower that leans on the head at tilt T",
      .equation = "(b8) (b10)",
      .example = "theta1 10 deg",
      .see = "thetac chain",
-     .columns = theta1_columns,
      .principal = "theta_1",
-     .run = run_theta1},
+     ANSWER(theta1)},
     {.name = "chain",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "every domino that matters behind the head at tilt T",
      .equation = "(A2) (A6) (A9)",
      .help = "How many matter depends on 'tol': see 'help tol'.",
      .example = "set tol 1e-3; chain 0.1",
      .see = "theta1 energy",
-     .columns = chain_columns,
      .rows = true,
-     .run = run_chain},
+     ANSWER(chain)},
     {.name = "energy",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "potential energy and inertia of the train at tilt T",
      .equation = "(c1) (c2) (d8)",
      .example = "energy 0.1",
      .see = "barrier omega",
-     .columns = energy_columns,
      .principal = "dH",
-     .run = run_energy},
+     ANSWER(energy)},
     {.name = "fuel",
      .train = true,
      .summary = "the energy that one cycle sets free",
@@ -342,28 +315,25 @@ const struct command cycle_commands[] = {
              "r^(-q i) spoil the telescoping. 'set fuel paper' gives the paper's figures.",
      .example = "fuel",
      .see = "launch rmax",
-     .columns = fuel_columns,
      .principal = "fuel",
-     .run = run_fuel},
+     ANSWER(fuel)},
     {.name = "launch",
      .train = true,
      .summary = "the collision: with which speed a cycle begins",
      .equation = "(c4) (c5) (c6)",
      .example = "launch",
      .see = "fuel barrier",
-     .columns = launch_columns,
      .principal = "omega0sq",
-     .run = run_launch},
+     ANSWER(launch)},
     {.name = "omega",
      .train = true,
-     .argument = TILT,
+     .argument = {{TILT}},
      .summary = "angular velocity of the head at tilt T",
      .equation = "(c3)",
      .example = "omega 0.1",
      .see = "launch duration",
-     .columns = omega_columns,
      .principal = "omega",
-     .run = run_omega},
+     ANSWER(omega)},
     {.name = "barrier",
      .train = true,
      .summary = "what the train must climb, and whether it can",
@@ -372,9 +342,8 @@ const struct command cycle_commands[] = {
              "must climb when its pushing follower has left.",
      .example = "barrier",
      .see = "launch rmax",
-     .columns = barrier_columns,
      .principal = "barrier",
-     .run = run_barrier},
+     ANSWER(barrier)},
     {.name = "duration",
      .train = true,
      .summary = "how long a cycle lasts, and how fast the front runs",
@@ -383,8 +352,7 @@ const struct command cycle_commands[] = {
          "The seconds are those of solid blocks; a hollow box has a larger moment of inertia, and is slower.",
      .example = "duration",
      .see = "omega",
-     .columns = duration_columns,
      .principal = "duration",
-     .run = run_duration},
+     ANSWER(duration)},
     {.name = NULL},
 };

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The train itself, to scale, in characters or by gnuplot. */
-#include "commands/film.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"
@@ -12,12 +10,8 @@
 
 /* ---- In characters ---- */
 
-enum {
-    TEXT_LEFT = 6,
-    TEXT_BELOW = 6,
-    CELLS = 40000,
-    WIDTH_MOST = 200
-}; /* the scale at the left; ground, scale, words */
+/* Characters: the scale at the left; ground, scale and words below; all; the most in a line. */
+enum { TEXT_LEFT = 6, TEXT_BELOW = 6, CELLS = 40000, WIDTH_MOST = 200 };
 
 struct canvas {
     char cell[CELLS];
@@ -149,8 +143,7 @@ static const char *next_cut(const struct scene *scene, char text[32])
 
 enum { FORCES_MOST = 6 }; /* in characters: the others are hardly seen */
 
-/* Returns true where the domino behind touches this one at its hinge (r s = 1): no push there, however large,
- * turns it. */
+/* Returns true where the domino is touched at its hinge (r s = 1): no push there, however large, turns it. */
 static bool force_lost(const struct drawn *k)
 {
     return k->touched && !isfinite(k->of_own);
@@ -344,11 +337,10 @@ const struct command draw_commands[] = {
      .equation = "(b8) (A2)",
      .example = "draw 0.3",
      .see = "chain animate plot",
-     .columns = draw_columns,
      .unswept = "it draws",
      .draws = true,
      .rows = true,
-     .run = run_draw},
+     ANSWER(draw)},
     {.name = "animate",
      .train = true,
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
@@ -362,11 +354,10 @@ const struct command draw_commands[] = {
              "before, and is r times larger. A train that does not go on is shown to its stop. It needs "
              "gnuplot; in csv and json the times and tilts of the frames come instead.",
      .see = "draw duration",
-     .columns = film_columns,
      .unswept = "it draws",
      .draws = true,
      .rows = true,
      .files = true,
-     .run = film_run},
+     ANSWER(animate)},
     {.name = NULL},
 };

@@ -2,12 +2,8 @@
 /* What the scene asks for beyond the paper, what follows from it, and what it costs. */
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
-#include "language/quad.h"
-#include "session/effects.h"
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- effects: what each costs ---- */
 
@@ -103,23 +99,17 @@ static double price_with(const struct session *session, enum dom_effect_name nam
     return scene_price(&scene);
 }
 
-#define PRICE_COLUMNS                                                                                        \
-    {"effect", "", "its name for 'effect' and 'help'", 9}, {"state", "", "off, or what it is set to", 12},   \
-        {"without", "us", "time of an answer of this scene without it", 9},                                  \
-        {"with", "us", "the same with it", 9}, {"times", "", "with over without", 7},                        \
-    {                                                                                                        \
-        "entered", "", "how often its code was entered in an answer of the scene", 8                         \
-    }
-
 static const struct column effects_columns[] = {
-    PRICE_COLUMNS,
+    {"effect", "", "its name for 'effect' and 'help'", 9},
+    {"state", "", "off, or what it is set to", 12},
+    {"without", "us", "time of an answer of this scene without it", 9},
+    {"with", "us", "the same with it", 9},
+    {"times", "", "with over without", 7},
+    {"entered", "", "how often its code was entered in an answer of the scene", 8},
     {"adds", "", "what it adds", 26},
     {"source", "", "where its mathematics is from", 20},
     {NULL, NULL, NULL, 0},
 };
-
-/* People read the last two below. */
-static const struct column price_columns[] = {PRICE_COLUMNS, {NULL, NULL, NULL, 0}};
 
 static void effects_say(const struct session *session, struct answer *a)
 {
@@ -141,10 +131,11 @@ static bool run_effects(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_work(session, session->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
-    struct column *fitted = answer_columns(a, price_columns);
+    answer_leave_out(a, "adds"); /* people read the last two below */
+    answer_leave_out(a, "source");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
-        column_fit(&fitted[1], effect_setting(session, (enum dom_effect_name)k, setting));
+        column_fit(&a->own[1], effect_setting(session, (enum dom_effect_name)k, setting));
     }
     for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
@@ -153,11 +144,9 @@ static bool run_effects(struct session *session, const struct call *call)
         double without = price_with(session, name, false), with = price_with(session, name, true);
         if (dom_raised(session->compute.interrupt))
             return session_status(session, DOM_INTERRUPTED);
-        answer_row(a,
-                   ROW(cell_word(e->name), cell_word(effect_setting(session, name, setting)),
-                       cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
-                       cell_count((domq_real)work.entered[k]), cell_word(e->adds), cell_word(e->source)),
-                   NULL);
+        answer_cells(a, cell_word(e->name), cell_word(effect_setting(session, name, setting)),
+                     cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
+                     cell_count((domq_real)work.entered[k]), cell_word(e->adds), cell_word(e->source));
     }
     effects_say(session, a);
     return true;
@@ -175,10 +164,8 @@ static const struct column scene_columns[] = {
 
 static void plan_row(struct answer *a, const char *part, const char *solved, size_t dominoes, const char *why)
 {
-    answer_row(a,
-               ROW(cell_word(part), dominoes ? cell_count((domq_real)dominoes) : cell_real(DOMQ_NAN),
-                   cell_word(why), cell_word(solved)),
-               NULL);
+    answer_cells(a, cell_word(part), dominoes ? cell_count((domq_real)dominoes) : cell_real(DOMQ_NAN),
+                 cell_word(why), cell_word(solved));
 }
 
 /* The plan of a train. */
@@ -253,19 +240,16 @@ const struct command effect_commands[] = {
     {.name = "effects",
      .summary = "all effects: on or off, what they add and cost here",
      .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "
-             "value, or at "
-             "a usual one where it is off.",
+             "value, or at a usual one where it is off.",
      .see = "effect scene",
-     .columns = effects_columns,
      .unswept = "it measures time, which points side by side would disturb",
      .rows = true,
-     .run = run_effects},
+     ANSWER(effects)},
     {.name = "scene",
      .summary = "the scene, and the plan that follows from it",
      .example = "scene; effect friction 0.2; scene; effect friction off",
      .see = "effect effects",
-     .columns = scene_columns,
      .rows = true,
-     .run = run_scene},
+     ANSWER(scene)},
     {.name = NULL},
 };

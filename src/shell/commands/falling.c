@@ -11,20 +11,14 @@ struct cell cell_narrow(domq_real value, int digits)
     return cell;
 }
 
-static const char *energy_unit(const struct session *session)
-{
-    return scene_weighed(session) ? "J" : "m g h/2 of the first";
-}
-
 bool row_status(struct session *session, enum dom_status status)
 {
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return session_status(session, status);
-    return session_no_answer(
-        session,
-        "the dominoes of this row become larger or smaller than %s precision can hold; fewer of "
-        "them, a smaller r, or a wider precision",
-        domq_arithmetic(session->compute.precision)->name);
+    return session_no_answer(session,
+                             "the dominoes of this row become larger or smaller than %s precision can hold; "
+                             "fewer of them, a smaller r, or a wider precision",
+                             domq_arithmetic(session->compute.precision)->name);
 }
 
 void verdict_say(struct session *session, struct answer *a, const struct scene_row *scene,
@@ -45,8 +39,8 @@ void verdict_say(struct session *session, struct answer *a, const struct scene_r
         answer_say(a, "It stops at domino %zu of %zu: %s.", v->domino, count, locks_farther_on);
     else if (v->end == DOM_ROW_STOPS)
         answer_say(a, "It stops at domino %zu of %zu, short by %.4g %s: %s.%s", v->domino, count,
-                   (double)v->short_by, energy_unit(session), dom_row_end_text(v->end),
-                   count > 1 ? " 'mend' looks for what saves it." : "");
+                   (double)v->short_by, scene_weighed(session) ? "J" : "m g h/2 of the first",
+                   dom_row_end_text(v->end), count > 1 ? " 'mend' looks for what saves it." : "");
     else
         answer_say(a, "It ends at domino %zu of %zu: %s.", v->domino, count, dom_row_end_text(v->end));
     if (v->weakest > 0 && isfinite(v->spare))

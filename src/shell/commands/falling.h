@@ -4,7 +4,6 @@
 #define SHELL_FALLING_H
 
 #include "interpreter/command.h"
-#include "session/effects.h"
 
 /* A number that a narrow column shows with so many digits; its errors are not known. */
 struct cell cell_narrow(domq_real value, int digits);

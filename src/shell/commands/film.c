@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cycles as they run in time, each r times larger than the one before. */
-#include "commands/film.h"
+#include "commands/tables.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -74,9 +74,8 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->cycles = call->count > 1 ? (int)call->number[1] : cycles_within(film->r, 4, 5);
     enum dom_status status = domq_cycle_events(t, &film->compute, events, &count);
     if (status == DOM_NO_MARGIN)
-        return session_error(session,
-                             "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "
-                             "has an end");
+        return session_error(
+            session, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r has an end");
     if (status == DOM_NO_FUEL)
         return picture_comes_to(session, 0);
     if (status != DOM_OK && status != DOM_STOPS)
@@ -186,7 +185,7 @@ static bool film_file(struct session *session, const struct film *film, const ch
            (!wrong || session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong));
 }
 
-const struct column film_columns[] = {
+const struct column animate_columns[] = {
     {"time", "s", "of the frame, since the first head was hit", 0},
     {"cycle", "", "from 1; each is r times larger", 0},
     {"theta", "rad", "tilt of its head", 0},
@@ -202,15 +201,13 @@ static bool film_rows(struct session *session, const struct film *film, struct a
         enum dom_status status = frame_tilt(film, frame, &m, &theta);
         if (status != DOM_OK)
             return session_status(session, status);
-        answer_row(answer,
-                   ROW(cell_real((domq_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
-                       cell_real(theta)),
-                   NULL);
+        answer_cells(answer, cell_real((domq_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
+                     cell_real(theta));
     }
     return true;
 }
 
-bool film_run(struct session *session, const struct call *call)
+bool run_animate(struct session *session, const struct call *call)
 {
     struct film film;
     return film_make(session, call, &film) &&

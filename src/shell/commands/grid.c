@@ -45,10 +45,9 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
     names_shown(word, shown);
     free(word);
     if (setting && setting->setting)
-        return session_error(session,
-                             "'%s' is a setting of the calculator; a grid has parameters of the model "
-                             "and effects",
-                             shown);
+        return session_error(
+            session, "'%s' is a setting of the calculator; a grid has parameters of the model and effects",
+            shown);
     if (k < 0 && isalpha((unsigned char)*shown))
         return session_error(session, "%s", message);
     if (k < 0)

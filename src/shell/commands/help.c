@@ -2,10 +2,9 @@
 /* Help, all of it from the tables of commands and parameters. */
 #include "answer/format.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "prompt/complete.h"
+#include "prompt/input.h"
 #include "session/parameters.h"
 #include <string.h>
 
@@ -110,8 +109,7 @@ static void help_parameter(struct session *session, const struct parameter *p)
     fprintf(out, "\n'set %s' changes it, 'reset %s' takes it back.\n", usage, p->name);
 }
 
-/* The example runs in a session of its own, with the defaults: its output is true, or ends at its first
- * error. */
+/* Runs the example in a session of its own, with the defaults: the output is true, or ends at an error. */
 static void help_example(struct session *session, const char *example)
 {
     struct session fresh;

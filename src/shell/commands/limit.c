@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include "parallel/points.h"
 
@@ -11,21 +10,16 @@ static domq_real argument_or(const struct call *call, int i, domq_real fallback)
     return i < call->count ? call->number[i] : fallback;
 }
 
-static const char no_growth_fuel[] =
-    "no growth possible: at this s and d even equal dominoes (r = 1) have no "
-    "fuel, a fallen one lies no lower than it stood";
-static const char no_growth_stops[] =
-    "no growth possible: at this s and d even equal dominoes (r = 1) do not get over their barrier";
-
-static const char no_growth_locks[] = "no growth possible: friction locks already equal dominoes (r = 1)";
-
+/* Returns why no growth is possible, or NULL where one is. */
 static const char *no_growth(struct domq_limit limit)
 {
     if (limit.ends != DOM_END_NONE)
         return NULL;
-    return limit.why == DOM_NO_FUEL ? no_growth_fuel
-           : limit.why == DOM_LOCKS ? no_growth_locks
-                                    : no_growth_stops;
+    return limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) have "
+                                      "no fuel, a fallen one lies no lower than it stood"
+           : limit.why == DOM_LOCKS ? "no growth possible: friction locks already equal dominoes (r = 1)"
+                                    : "no growth possible: at this s and d even equal dominoes (r = 1) do "
+                                      "not get over their barrier";
 }
 
 /* Finds the limits with either fuel; with friction there is none with the paper's. */
@@ -95,12 +89,11 @@ static bool run_pair(struct session *session, const struct call *call)
     enum dom_status status = domq_limit_pair(&train, &compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
-    answer_row(
+    return answer_row(
         call->answer, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
                                      "the next one at this s and d"
                                    : NULL);
-    return true;
 }
 
 static const struct column best_columns[] = {
@@ -116,11 +109,10 @@ static bool run_best(struct session *session, const struct call *call)
     enum dom_status status = domq_limit_best(&session->train, &compute, &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return session_status(session, status);
-    answer_row(call->answer, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
-               status == DOM_OK
-                   ? NULL
-                   : "no growth possible: dominoes this thick do not topple larger ones at any s");
-    return true;
+    return answer_row(call->answer, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
+                      status == DOM_OK
+                          ? NULL
+                          : "no growth possible: dominoes this thick do not topple larger ones at any s");
 }
 
 static const struct column curve_columns[] = {
@@ -154,10 +146,8 @@ static bool curve_point(void *own, size_t k, FILE *out)
         c->status = domq_limit_pair(&c->train, &c->compute, &pair);
     if (c->status != DOM_OK)
         return false;
-    answer_row(&a,
-               ROW(cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max), CELL_OF(pair, r_max),
-                   cell_real(1 / c->train.s)),
-               NULL);
+    answer_cells(&a, cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max),
+                 CELL_OF(pair, r_max), cell_real(1 / c->train.s));
     c->gaps = c->gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
@@ -285,11 +275,10 @@ static bool run_count(struct session *session, const struct call *call)
     char number[WIDE_TEXT], growth[WIDE_TEXT], tall[WIDE_TEXT];
     train.r = argument_or(call, 1, train.r);
     if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
-        return session_no_answer(session,
-                                 "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted "
-                                 "in %s precision",
-                                 quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
-                                 domq_arithmetic(compute.precision)->name);
+        return session_no_answer(
+            session, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
+            quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
+            domq_arithmetic(compute.precision)->name);
     enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
     if (status != DOM_OK)
         return session_status(session, status);
@@ -320,46 +309,38 @@ static bool run_count(struct session *session, const struct call *call)
     return !answer_for_people(a) || count_explain(session, call, &train, height);
 }
 
-#define SEPARATION                                                                                           \
-    {                                                                                                        \
-        {                                                                                                    \
-            .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true                                    \
-        }                                                                                                    \
-    }
+#define SEPARATION .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true
 
 const struct command limit_commands[] = {
     {.name = "rmax",
      .train = true,
-     .argument = SEPARATION,
+     .argument = {{SEPARATION}},
      .summary = "the largest growth r at separation S (or s)",
      .equation = "(c8), section 'A general domino train'",
      .help = "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s, "
              "beyond which a domino falls past the next one.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
-     .columns = rmax_columns,
      .echo = "s",
      .principal = "r_max",
-     .run = run_rmax},
+     ANSWER(rmax)},
     {.name = "pair",
      .train = true,
-     .argument = SEPARATION,
+     .argument = {{SEPARATION}},
      .summary = "the largest growth for two: the first just tips over",
      .equation = "(b5) (b11) (b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
-     .columns = pair_columns,
      .echo = "s",
      .principal = "r_max",
-     .run = run_pair},
+     ANSWER(pair)},
     {.name = "best",
      .train = true,
      .summary = "the separation that allows the largest growth",
      .example = "best",
      .see = "rmax curve",
-     .columns = best_columns,
      .principal = "s",
-     .run = run_best},
+     ANSWER(best)},
     {.name = "curve",
      .train = true,
      .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
@@ -368,9 +349,8 @@ const struct command limit_commands[] = {
      .summary = "the largest growth at N separations: the paper's figures",
      .example = "set q hollow; curve 0.1 0.9 5",
      .see = "rmax pair best",
-     .columns = curve_columns,
      .rows = true,
-     .run = run_curve},
+     ANSWER(curve)},
     {.name = "count",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
@@ -379,9 +359,8 @@ const struct command limit_commands[] = {
              "at least H tall.",
      .example = "count 112 m 2",
      .see = "rmax best",
-     .columns = count_columns,
      .echo = "r",
      .principal = "dominoes",
-     .run = run_count},
+     ANSWER(count)},
     {.name = NULL},
 };

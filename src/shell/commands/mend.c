@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* mend: the smallest change of one gap that lets all fall. */
-#include "commands/mend.h"
 #include "commands/falling.h"
+#include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
@@ -66,7 +66,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, 
                    (double)(1000 * m->until), m->domino, room);
 }
 
-bool mend_run(struct session *session, const struct call *call)
+bool run_mend(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct domq_verdict v;
@@ -87,11 +87,9 @@ bool mend_run(struct session *session, const struct call *call)
     }
     for (size_t i = 0; i < found; i++) {
         domq_real change = list[i].to - list[i].gap;
-        answer_row(a,
-                   ROW(cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
-                       cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
-                       cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4)),
-                   NULL);
+        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
+                     cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
+                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4));
     }
     const struct cell none = cell_real(DOMQ_NAN);
     if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs want to know which */

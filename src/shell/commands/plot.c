@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot: curves, drawn by gnuplot. */
 #include "commands/costs.h"
-#include "commands/plot_cycle.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"
@@ -13,13 +11,11 @@
 
 static const char *series_title(const struct cost_row *row, char title[64])
 {
-    const char *precision = domq_arithmetic(row->precision)->name;
-    snprintf(title, 64, "%s",
+    snprintf(title, 64,
              row->method == DOM_METHOD_PAPER ? "the paper's recipe"
              : row->method == DOM_METHOD_GSL ? "solvers of GSL"
-                                             : "");
-    if (*title == '\0')
-        snprintf(title, 64, "ours, %s", precision);
+                                             : "ours, %s",
+             domq_arithmetic(row->precision)->name);
     return title;
 }
 
@@ -160,10 +156,9 @@ static bool limits_find(struct session *session, const struct limit_curve *curve
 static bool limit_rows(const struct call *call, const struct limit_table *table)
 {
     for (int k = 0; k < SAMPLES && !answer_lost(call->answer); k++)
-        answer_row(call->answer,
-                   ROW(cell_real(table->s[k]), cell_real(table->r[k][0]), cell_real(table->r[k][1]),
-                       cell_real(table->r[k][2]), cell_real(table->r[k][3]), cell_real(1 / table->s[k])),
-                   NULL);
+        answer_cells(call->answer, cell_real(table->s[k]), cell_real(table->r[k][0]),
+                     cell_real(table->r[k][1]), cell_real(table->r[k][2]), cell_real(table->r[k][3]),
+                     cell_real(1 / table->s[k]));
     return true;
 }
 
@@ -330,11 +325,10 @@ const struct command plot_commands[] = {
              "columns, and those of 'cost'.",
      .equation = "(c1) (c2) (c3) (A2), figures 'growth' and 'marginal'",
      .see = "curve pair energy omega chain cost draw",
-     .columns = plot_columns,
      .unswept = "it draws",
      .draws = true,
      .rows = true,
      .files = true,
-     .run = run_plot},
+     ANSWER(plot)},
     {.name = NULL},
 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/plot_cycle.h"
+#include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"
@@ -35,9 +35,8 @@ static bool events_find(struct session *session, struct cycle_samples *c)
     if (status == DOM_NO_FUEL)
         return picture_comes_to(session, 0);
     if (status == DOM_NO_MARGIN)
-        return session_error(session,
-                             "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller "
-                             "r has one");
+        return session_error(
+            session, "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller r has one");
     c->end = c->angles.theta_c;
     /* Of a train that stops, the barrier is what there is to see. */
     if (status == DOM_STOPS)
@@ -179,11 +178,8 @@ static bool energy_row(struct session *session, struct cycle_samples *c, const s
                        struct answer *answer)
 {
     (void)session, (void)c;
-    answer_row(answer,
-               ROW(cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq), cell_real(at->J),
-                   cell_word(at->event)),
-               NULL);
-    return true;
+    return answer_cells(answer, cell_real(at->theta), cell_real(at->dH), cell_real(at->J * at->omegasq),
+                        cell_real(at->J), cell_word(at->event));
 }
 
 bool plot_energy(struct session *session, const struct call *call)
@@ -215,11 +211,8 @@ static bool omega_row(struct session *session, struct cycle_samples *c, const st
 {
     (void)c;
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    answer_row(answer,
-               ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(quad(sqrt)(at->omegasq) / tau),
-                   cell_word(at->event)),
-               NULL);
-    return true;
+    return answer_cells(answer, cell_real(at->theta), cell_real(at->omegasq),
+                        cell_real(quad(sqrt)(at->omegasq) / tau), cell_word(at->event));
 }
 
 bool plot_omega(struct session *session, const struct call *call)
@@ -284,9 +277,8 @@ static bool chain_rows(struct session *session, struct cycle_samples *c, const s
     if (!lines_at(session, c, at->theta, &a))
         return false;
     for (int i = 0; i < c->lines; i++)
-        answer_row(answer,
-                   ROW(cell_count(i), cell_real(at->theta), cell_real(a.theta[i]), cell_word(at->event)),
-                   NULL);
+        answer_cells(answer, cell_count(i), cell_real(at->theta), cell_real(a.theta[i]),
+                     cell_word(at->event));
     return true;
 }
 
@@ -295,9 +287,7 @@ static bool chain_script(const struct picture *picture, struct session *session,
     FILE *out = picture->script;
     struct angles a = {.count = 0};
     script_cycle(picture, session, c, picture->text ? "Tilts theta_i" : "Tilts");
-    fprintf(out,
-            "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain "
-            "<< END\n",
+    fprintf(out, "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain << END\n",
             picture->theta, style_angle_unit(&session->style),
             1.02 * shown_angle(session, c->angles.theta_f));
     for (int k = 0; k < c->count; k++) {

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/registry.h"
 #include "commands/tables.h"
 
 const struct command_group all_commands[] = {

@@ -1,40 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A finite row: what it is, how it falls, and what to change where it does not. */
 #include "commands/falling.h"
-#include "commands/mend.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
-#include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- row ---- */
 
-#define ROW_COLUMNS                                                                                          \
-    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 0}, {"thickness", "m", "", 0},              \
-    {                                                                                                        \
-        "gap", "m", "free, to the one before it", 0                                                          \
-    }
-
 static const struct column row_columns[] = {
-    ROW_COLUMNS,
-    {"mass", "kg", "", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-/* Either way. */
-static const struct column row_all_columns[] = {
-    ROW_COLUMNS,
+    {"domino", "", "its number, from 1", 6},
+    {"height", "m", "", 0},
+    {"thickness", "m", "", 0},
+    {"gap", "m", "free, to the one before it", 0},
     {"mass", "kg", "where it is known", 0},
     {"relative", "", "where it is not: mass over that of the first", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-static const struct column row_relative_columns[] = {
-    ROW_COLUMNS,
-    {"relative", "", "mass over that of the first", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -44,14 +24,13 @@ static bool run_row(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     bool weighed = scene_weighed(session);
-    call->answer->columns = weighed ? row_columns : row_relative_columns;
+    answer_leave_out(call->answer, weighed ? "relative" : "mass");
     call->answer->units = true;
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct domq_domino *d = &scene.domino[k];
-        answer_row(call->answer,
-                   ROW(cell_count((domq_real)k + 1), cell_real(d->height), cell_real(d->thickness),
-                       cell_real(d->gap), cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass)),
-                   NULL);
+        answer_cells(call->answer, cell_count((domq_real)k + 1), cell_real(d->height),
+                     cell_real(d->thickness), cell_real(d->gap),
+                     cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass));
     }
     free(scene.domino);
     return true;
@@ -59,21 +38,15 @@ static bool run_row(struct session *session, const struct call *call)
 
 /* ---- fall ---- */
 
-#define FALL_COLUMNS                                                                                         \
-    {"domino", "", "its number, from 1", 6}, {"height", "m", "", 6},                                         \
-        {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 7},       \
-        {"falls", "s", "when it hits the next, or lies on the floor", 7},                                    \
-        {"omega", "rad/s", "angular velocity just after it was hit", 6},                                     \
-        {"kinetic", "mgh/2", "energy of all that move, then; in J where a mass is known", 9},                \
-        {"barrier", "mgh/2", "what of that it takes to go on", 9},                                           \
-    {                                                                                                        \
-        "margin", "mgh/2", "kinetic - barrier", 9                                                            \
-    }
-
-static const struct column fall_columns[] = {FALL_COLUMNS, {NULL, NULL, NULL, 0}};
-
-static const struct column fall_floor_columns[] = {
-    FALL_COLUMNS,
+static const struct column fall_columns[] = {
+    {"domino", "", "its number, from 1", 6},
+    {"height", "m", "", 6},
+    {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 7},
+    {"falls", "s", "when it hits the next, or lies on the floor", 7},
+    {"omega", "rad/s", "angular velocity just after it was hit", 6},
+    {"kinetic", "mgh/2", "energy of all that move, then; in J where a mass is known", 9},
+    {"barrier", "mgh/2", "what of that it takes to go on", 9},
+    {"margin", "mgh/2", "kinetic - barrier", 9},
     {"floor", "", "friction that the floor needs; with 'effect floor'", 5},
     {NULL, NULL, NULL, 0},
 };
@@ -165,11 +138,10 @@ static void floor_say(const struct session *session, struct answer *a, const str
     if (c->first.head == 0)
         answer_say(a, "A floor with %.4g holds every hinge, as far as the row goes.", floor);
     else
-        answer_say(
-            a,
-            "On a floor with %.4g domino %zu is the first to slip, %s: it needs %s. The answer holds up to "
-            "there.",
-            floor, c->first.domino, slip_when(&c->first, when), needs_text(c->first.needs, needs));
+        answer_say(a,
+                   "On a floor with %.4g domino %zu is the first to slip, %s: it needs %s. The answer holds "
+                   "up to there.",
+                   floor, c->first.domino, slip_when(&c->first, when), needs_text(c->first.needs, needs));
     if (c->most.head > 0)
         answer_say(a, "The most that is needed: %s, under domino %zu %s.", needs_text(c->most.needs, needs),
                    c->most.domino, slip_when(&c->most, when));
@@ -191,7 +163,8 @@ static bool run_fall(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.session = session, .answer = a, .scene = &scene};
-    a->columns = scene.row.floor ? fall_floor_columns : fall_columns;
+    if (!scene.row.floor)
+        answer_leave_out(a, "floor");
     if (scene_weighed(session))
         columns_in_joules(a);
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
@@ -297,42 +270,36 @@ static bool run_rowmax(struct session *session, const struct call *call)
         status = domq_limit_rmax(&session->train, &session->compute, &limit);
     if (status != DOM_OK)
         return row_status(session, status);
-    answer_row(call->answer,
-               ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
-                   cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
-               isnan(growth.r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why"
-                                   : NULL);
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
+                          cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
+                      isnan(growth.r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why"
+                                          : NULL);
 }
 
 const struct command row_commands[] = {
     {.name = "fall",
      .summary = "run the row, domino by domino, to its verdict",
      .help = "Of each domino that is hit: when, when it hits the next, how fast it starts, and what energy "
-             "that leaves "
-             "over its barrier. 'effect row' says which row.",
+             "that leaves over its barrier. 'effect row' says which row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
-     .columns = fall_floor_columns,
      .rows = true,
-     .run = run_fall},
+     ANSWER(fall)},
     {.name = "verdict",
      .summary = "whether the whole row falls, and where it is weakest",
      .example = "effect row 5; verdict",
      .see = "fall mend",
-     .columns = verdict_columns,
      .principal = "seconds",
-     .run = run_verdict},
+     ANSWER(verdict)},
     {.name = "mend",
      .summary = "the smallest change of one gap that saves a row",
-     .help =
-         "For each gap up to where the row ends, the nearest value with which all fall, the smallest change "
-         "first; and before them the push, where that is what is missing. "
-         "Each is looked for in 40 steps, and then halved down; a window narrower than a step may be missed.",
+     .help = "For each gap up to where the row ends, the nearest value with which all fall, the smallest "
+             "change first; and before them the push, where that is what is missing. Each is looked for in "
+             "40 steps, and then halved down; a window narrower than a step may be missed.",
      .see = "fall place budget",
-     .columns = mend_columns,
      .rows = true,
-     .run = mend_run},
+     ANSWER(mend)},
     {.name = "place",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",
@@ -346,21 +313,17 @@ const struct command row_commands[] = {
              "the units.",
      .example = "effect row 3; row",
      .see = "effect fall",
-     .columns = row_all_columns,
      .rows = true,
-     .run = run_row},
+     ANSWER(row)},
     {.name = "rowmax",
      .summary = "the largest growth r at which the whole row falls",
      .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. A first "
-             "domino that "
-             "just tips over, or a weak push, may end it at the second; where that is not so, a long row "
-             "tends to the "
-             "endless train, 'rmax'.",
+             "domino that just tips over, or a weak push, may end it at the second; where that is not so, a "
+             "long row tends to the endless train, 'rmax'.",
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
-     .columns = rowmax_columns,
      .echo = "s",
      .principal = "r_max",
-     .run = run_rowmax},
+     ANSWER(rowmax)},
     {.name = NULL},
 };

@@ -2,7 +2,6 @@
 /* Commands about the session itself. */
 #include "answer/format.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
@@ -168,7 +167,7 @@ static bool run_print(struct session *session, const struct call *call)
         answer_say(call->answer, "%s%s%s", quad_text(q.value, (int)call->answer->style.digits, number),
                    *unit ? " " : "", unit);
     else
-        answer_row(call->answer, ROW(cell_unbounded(q.value), cell_word(unit)), NULL);
+        answer_cells(call->answer, cell_unbounded(q.value), cell_word(unit));
     return true;
 }
 
@@ -187,10 +186,9 @@ const struct command session_commands[] = {
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
-     .help =
-         "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, rmax. "
-         "Each value is judged alone; whether r s <= 1 holds is seen when a command needs it. NAME may also "
-         "be an effect: 'set friction 0.2', 'set friction off'.",
+     .help = "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, "
+             "rmax. Each value is judged alone; whether r s <= 1 holds is seen when a command needs it. NAME "
+             "may also be an effect: 'set friction 0.2', 'set friction off'.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
      .run = run_set},
@@ -199,9 +197,8 @@ const struct command session_commands[] = {
      .summary = "the parameters: value, unit, range, default, meaning",
      .example = "show fuel",
      .see = "set reset",
-     .columns = show_columns,
      .rows = true,
-     .run = run_show},
+     ANSWER(show)},
     {.name = "reset",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
@@ -218,8 +215,7 @@ const struct command session_commands[] = {
              "'ans.KEY', the last answer; commands, with a key or without: rmax, rmax(0.3).r_max_paper.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "set",
-     .columns = print_columns,
-     .run = run_print},
+     ANSWER(print)},
     {.name = "save",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",

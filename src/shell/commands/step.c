@@ -2,30 +2,23 @@
 /* Commands that go through one cycle: as a table, and event by event. */
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include <string.h>
 
 enum { CYCLES_MAX = 1000 };
 
-#define WALK_COLUMNS                                                                                         \
-    {"cycle", "", "its number, from 1", 0}, {"event", "", "the last one that was passed", 6},                \
-        {"theta", "rad", "tilt of the head", 0}, {"t", "s", "time since the launch of this cycle", 0},       \
-        {"omega", "rad/s", "angular velocity of the head (c3)", 0},                                          \
-        {"before", "mgh/2", "kinetic energy before the collision", 0},                                       \
-        {"lost", "mgh/2", "of that in the collision (c4)", 0},                                               \
-        {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},                   \
-        {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},                        \
-        {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},                               \
-    {                                                                                                        \
-        "potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0                                     \
-    }
-
-static const struct column walk_columns[] = {WALK_COLUMNS, {NULL, NULL, NULL, 0}};
-
-/* Where dominoes rub. */
-static const struct column rubbing_columns[] = {
-    WALK_COLUMNS,
+static const struct column walk_columns[] = {
+    {"cycle", "", "its number, from 1", 0},
+    {"event", "", "the last one that was passed", 6},
+    {"theta", "rad", "tilt of the head", 0},
+    {"t", "s", "time since the launch of this cycle", 0},
+    {"omega", "rad/s", "angular velocity of the head (c3)", 0},
+    {"before", "mgh/2", "kinetic energy before the collision", 0},
+    {"lost", "mgh/2", "of that in the collision (c4)", 0},
+    {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},
+    {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},
+    {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
+    {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
     {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -50,14 +43,15 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
            session_status(session, w->verdict);
 }
 
-static bool walk_answer(struct session *session, const struct call *call, bool words)
+static bool walk_answer(struct session *session, const struct call *call)
 {
     const struct walk *w = &session->walk;
     struct answer *a = call->answer;
     struct domq_state s;
     struct domq_compute compute = w->compute;
     compute.errors = session->style.errors;
-    a->columns = domq_law(&w->train)->dissipates ? rubbing_columns : walk_columns;
+    if (!domq_law(&w->train)->dissipates)
+        answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOMQ_NAN);
         answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none, none),
@@ -68,24 +62,15 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
     if (status != DOM_OK)
         return session_status(session, status);
     struct walk_units u = walk_units(session, w->cycle);
-    if (words)
-        walk_say(session, w, &s, a);
+    walk_say(session, w, &s, a);
     walk_columns_in(session, a);
-    struct cell energies[] = {
-        CELL_TIMES(s, before, u.energy),
-        CELL_TIMES(s, lost, u.energy),
+    answer_cells(
+        a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)), cell_real(s.theta),
+        CELL_TIMES(s, time, u.tau), cell_omega(s.omegasq, s.error.omegasq, u.tau),
+        CELL_TIMES(s, before, u.energy), CELL_TIMES(s, lost, u.energy),
         cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
-        cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy),
-        CELL_TIMES(s, kinetic, u.energy),
-        CELL_TIMES(s, climbed, u.energy),
-        cell_bound(s.friction_work * u.energy, DOMQ_NAN),
-    };
-    answer_row(a,
-               ROW(cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)),
-                   cell_real(s.theta), CELL_TIMES(s, time, u.tau),
-                   cell_omega(s.omegasq, s.error.omegasq, u.tau), energies[0], energies[1], energies[2],
-                   energies[3], energies[4], energies[5], energies[6]),
-               NULL);
+        cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy), CELL_TIMES(s, kinetic, u.energy),
+        CELL_TIMES(s, climbed, u.energy), cell_bound(s.friction_work * u.energy, DOMQ_NAN));
     if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
@@ -132,9 +117,8 @@ static bool walk_end(struct session *session, bool forward)
     if (!forward)
         return session_no_answer(session, "this is the launch of the first cycle; 'step' goes on");
     return w->verdict == DOM_STOPS
-               ? session_no_answer(
-                     session, "the train has stopped, it comes no further; 'why' says more, 'goto launch' "
-                              "begins again")
+               ? session_no_answer(session, "the train has stopped, it comes no further; 'why' says more, "
+                                            "'goto launch' begins again")
                : session_no_answer(session,
                                    "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
                                    CYCLES_MAX);
@@ -156,7 +140,7 @@ static bool walk_by(struct session *session, const struct call *call, bool forwa
     }
     bool short_of = !open && w->verdict != DOM_NO_FUEL;
     if (moved || !short_of)
-        if (!walk_answer(session, call, true))
+        if (!walk_answer(session, call))
             return false;
     return !short_of || walk_end(session, forward);
 }
@@ -174,7 +158,7 @@ static bool run_back(struct session *session, const struct call *call)
 static bool run_where(struct session *session, const struct call *call)
 {
     bool begun;
-    return walk_ready(session, call->answer, &begun) && walk_answer(session, call, true);
+    return walk_ready(session, call->answer, &begun) && walk_answer(session, call);
 }
 
 static const char *event_names(const void *context, int k)
@@ -191,7 +175,7 @@ static bool run_goto(struct session *session, const struct call *call)
     if (!walk_ready(session, call->answer, &begun))
         return false;
     if (w->verdict == DOM_NO_FUEL)
-        return walk_answer(session, call, true);
+        return walk_answer(session, call);
     int found = -1;
     for (int k = 0; k < w->count; k++)
         if (place < 0 ? w->events[k].kind == (enum dom_event_kind)(-1 - (int)place)
@@ -207,7 +191,7 @@ static bool run_goto(struct session *session, const struct call *call)
             style_angle_unit(&session->style));
     w->event = found;
     w->theta = place < 0 ? w->events[found].theta : place;
-    return walk_answer(session, call, true);
+    return walk_answer(session, call);
 }
 
 const struct command walk_commands[] = {
@@ -222,24 +206,21 @@ const struct command walk_commands[] = {
      .summary = "one cycle in N rows, even in time or in tilt",
      .equation = "(b8) (c3)",
      .help = "12 rows, even in time, unless N and BY say otherwise; the events have rows of their own. "
-             "Energies are "
-             "in J where 'mass' or 'density' is set.",
+             "Energies are in J where 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
-     .columns = cycle_columns,
      .rows = true,
-     .run = cycle_run},
+     ANSWER(cycle)},
     {.name = "step",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "to the next event: what happens, and its ledger of energy",
      .equation = "(a2) (c3) (c4) (c6) (c7) (c8) (A17)",
      .help = "The first step is to the launch of the first cycle; behind the hit the next, larger and slower "
-             "cycle "
-             "begins. The ledger: before - lost + gained = kinetic.",
+             "cycle begins. The ledger: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .run = run_step},
     {.name = "back",
      .train = true,
@@ -247,7 +228,7 @@ const struct command walk_commands[] = {
      .summary = "back to the event before",
      .example = "step 3; back",
      .see = "step goto",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .run = run_back},
     {.name = "goto",
      .train = true,
@@ -255,14 +236,14 @@ const struct command walk_commands[] = {
      .summary = "to a tilt, or to the launch, top, fall, stop or hit",
      .example = "goto 0.3",
      .see = "step where",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .run = run_goto},
     {.name = "where",
      .train = true,
      .summary = "where the walk stands",
      .example = "goto top; where",
      .see = "step goto",
-     .columns = rubbing_columns,
+     .columns = walk_columns,
      .principal = "theta",
      .run = run_where},
     {.name = "why",
@@ -271,8 +252,7 @@ const struct command walk_commands[] = {
      .equation = "(c6) (c7) (c8)",
      .example = "why",
      .see = "barrier rmax step",
-     .columns = why_columns,
      .principal = "margin",
-     .run = why_run},
+     ANSWER(why)},
     {.name = NULL},
 };

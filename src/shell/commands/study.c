@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, and the floor that hinges need. */
 #include "commands/falling.h"
-#include "commands/study_parts.h"
 #include "commands/tables.h"
-#include "interpreter/command.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
@@ -17,8 +15,7 @@ static bool study_make(struct session *session, domq_real rows, struct task_pool
         return false;
     if (!errors->on) {
         free(scene->domino);
-        session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
-        return false;
+        return session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
     }
     *p = (struct domq_placement){
         .sigma = errors->value[0],
@@ -95,12 +92,11 @@ static bool run_budget(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     bool free_of_it = !isfinite(budget.sigma);
-    answer_row(call->answer,
-               ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
-                   cell_bound((domq_real)budget.low, DOMQ_NAN), cell_bound((domq_real)budget.high, DOMQ_NAN),
-                   cell_count(rows)),
-               free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
-    return true;
+    return answer_row(call->answer,
+                      ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
+                          cell_bound((domq_real)budget.low, DOMQ_NAN),
+                          cell_bound((domq_real)budget.high, DOMQ_NAN), cell_count(rows)),
+                      free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
 }
 
 /* ---- slip ---- */
@@ -148,31 +144,26 @@ const struct command study_commands[] = {
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where not",
      .help = "The scene's row is set up ROWS times (2000), each gap with a random error: 'effect placement "
-             "SIGMA'. "
-             "Row number i is the same for the same 'seed', whatever 'threads' is. ^C stops it. With 'domino "
-             "--shard 2/7' it is the second of seven parts of the study, and answers with counts of blocks "
-             "of 100 "
-             "rows, which 'pool' adds up.",
+             "SIGMA'. Row number i is the same for the same 'seed', whatever 'threads' is. ^C stops it. With "
+             "'domino --shard 2/7' it is the second of seven parts of the study, and answers with counts of "
+             "blocks of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 8 mm; placement 500",
      .see = "pool budget effect",
-     .columns = placement_columns,
      .principal = "probability",
-     .run = run_placement},
+     ANSWER(placement)},
     {.name = "pool",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "what 'placement' answers, from the parts of a study",
-     .help =
-         "FILE, or '-' for standard input, is the outputs of 'domino --shard I/N' with 'set output csv' and "
-         "'placement' for all I, one behind the other in any order. The answer is that of the whole study, "
-         "digit "
-         "for digit. Rows that are missing are told, rows that stand there twice and blocks of another study "
-         "are errors.",
+     .help = "FILE, or '-' for standard input, is the outputs of 'domino --shard I/N' with 'set output csv' "
+             "and 'placement' for all I, one behind the other in any order. The answer is that of the whole "
+             "study, digit for digit. Rows that are missing are told, rows that stand there twice and blocks "
+             "of another study are errors.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",
      .principal = "probability",
      .files = true,
-     .run = pool_run},
+     .run = run_pool},
     {.name = "budget",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
@@ -180,17 +171,15 @@ const struct command study_commands[] = {
      .help = "The sigma at which the share P of ROWS rows (1000) falls, the same rows at every sigma.",
      .example = "effect row 13; effect placement 1 mm; budget 0.9 200",
      .see = "placement mend",
-     .columns = budget_columns,
      .principal = "sigma",
-     .run = run_budget},
+     ANSWER(budget)},
     {.name = "slip",
      .train = true,
      .summary = "the floor friction that the train's hinges need",
      .help = "In motion, over the whole cycle and all dominoes that move, and in the collision.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
-     .columns = slip_columns,
      .principal = "needs",
-     .run = run_slip},
+     ANSWER(slip)},
     {.name = NULL},
 };

@@ -4,8 +4,8 @@
  * them for blocks of fixed row numbers, which are the same into however many parts the study is cut, and
  * 'pool' reads them all and answers as 'placement' itself would.
  */
-#include "commands/study_parts.h"
 #include "commands/falling.h"
+#include "commands/tables.h"
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "language/quad.h"
@@ -155,13 +155,11 @@ static bool block_point(void *own, size_t block, FILE *out)
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block == 0);
         stops_text(stops, b->row->count, text);
-        answer_row(&a,
-                   ROW(cell_real(p.sigma), cell_real(p.heights), cell_count((domq_real)p.seed),
-                       cell_word(b->scene), cell_count((domq_real)b->row->count), cell_count((domq_real)all),
-                       cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
-                       cell_count((domq_real)study.fall), cell_count((domq_real)study.unknown),
-                       cell_word(text)),
-                   NULL);
+        answer_cells(&a, cell_real(p.sigma), cell_real(p.heights), cell_count((domq_real)p.seed),
+                     cell_word(b->scene), cell_count((domq_real)b->row->count), cell_count((domq_real)all),
+                     cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
+                     cell_count((domq_real)study.fall), cell_count((domq_real)study.unknown),
+                     cell_word(text));
     }
     free(stops);
     return b->status == DOM_OK;
@@ -345,7 +343,7 @@ static bool parts_check(struct pool *p, char *missing, size_t size)
     return true;
 }
 
-bool pool_run(struct session *session, const struct call *call)
+bool run_pool(struct session *session, const struct call *call)
 {
     char missing[128], shown[NAMES_SHOWN];
     struct pool p = {.session = session, .path = call->word[0]};

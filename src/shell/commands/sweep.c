@@ -4,7 +4,6 @@
 #include "commands/grid.h"
 #include "commands/swept.h"
 #include "commands/tables.h"
-#include "language/quad.h"
 #include "parallel/points.h"
 #include "session/parameters.h"
 #include <stdint.h>
@@ -376,14 +375,11 @@ const struct command sweep_commands[] = {
      .help =
          "GRID is NAME FROM TO N for each parameter or effect: N values, evenly spaced, or with 'log' behind "
          "N by equal ratios; or NAME VALUE, VALUE, ... in a list. The first of them is the slowest. ANSWER "
-         "is "
-         "any command that answers, its arguments being evaluated at each point: 'sweep s 0.1 0.9 9 : count "
-         "112 0.9*rmax'. A row is the values of the point, then the answer, which may be several rows. A "
-         "point "
-         "without an answer has a row with its reason, in csv and json. The session stays as it is. Points "
-         "are "
-         "computed on all cores ('set threads'), and the rows are the same bytes on any number of them; "
-         "'domino --shard 2/7' gives the second of seven parts.",
+         "is any command that answers, its arguments being evaluated at each point: 'sweep s 0.1 0.9 9 : "
+         "count 112 0.9*rmax'. A row is the values of the point, then the answer, which may be several rows. "
+         "A point without an answer has a row with its reason, in csv and json. The session stays as it is. "
+         "Points are computed on all cores ('set threads'), and the rows are the same bytes on any number of "
+         "them; 'domino --shard 2/7' gives the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, massive : rmax",
      .see = "curve set effect",
      .columns = sweep_answers,

@@ -1,15 +1,55 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of commands, each in the file with its name; registry.c lists them. */
+/* The tables of commands, each in the file with its name, and what the files of this folder give to them. */
 #ifndef SHELL_TABLES_H
 #define SHELL_TABLES_H
 
 #include "interpreter/command.h"
 
+/* The one list of all commands in the order of 'help'; ends with a NULL title. */
+extern const struct command_group all_commands[];
+
 extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
     session_commands[], help_commands[], draw_commands[], plot_commands[], effect_commands[], row_commands[],
     study_commands[], sweep_commands[];
 
+/* The last members of a row: columns and function of a command that answers. */
+#define ANSWER(name_) .columns = name_##_columns, .run = run_##name_
+
 /* Gives the parameter or effect that the call names its values: 'set' and 'effect'. */
 bool run_set(struct session *session, const struct call *call);
+
+/* Commands that have a file of their own beside their table. */
+extern const struct column cycle_columns[], why_columns[], animate_columns[], mend_columns[],
+    placement_columns[];
+bool run_cycle(struct session *session, const struct call *call);
+bool run_why(struct session *session, const struct call *call);
+bool run_animate(struct session *session, const struct call *call);
+bool run_mend(struct session *session, const struct call *call);
+bool run_pool(struct session *session, const struct call *call);
+
+/* Lists for names.h the ways to space the rows of 'cycle'. */
+const char *cycle_by(const void *context, int k);
+
+/* Returns how many cycles one picture can show: the first head can still be seen, and the film has an end. */
+int film_most(const struct session *session);
+
+/* Draw one cycle, with its events, for 'plot'; their columns are those of its table. */
+bool plot_energy(struct session *session, const struct call *call);
+bool plot_omega(struct session *session, const struct call *call);
+bool plot_chain(struct session *session, const struct call *call);
+
+/*
+ * Writes the answer of 'placement' from what was counted: stops[k] of the rows ended at domino k + 1, of
+ * `count`.  reason, unless NULL, says what is missing.
+ */
+void study_answer(const struct call *call, domq_real sigma, domq_real heights, const struct domq_study *study,
+                  const size_t *stops, size_t count, const char *reason);
+
+/*
+ * Answers the session's part of a study as counts of fixed blocks of its rows: whichever part computes them,
+ * the blocks are the same, and those of all parts are all.
+ */
+bool study_blocks(struct session *session, const struct call *call, const struct scene_row *scene,
+                  const struct domq_placement *placement);
 
 #endif

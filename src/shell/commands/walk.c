@@ -63,11 +63,6 @@ void walk_columns_in(const struct session *session, struct answer *a)
 
 /* ---- In words ---- */
 
-static double percent(domq_real part, domq_real whole)
-{
-    return (double)(100 * part / whole);
-}
-
 /* The first impulses of the collision, in text. */
 struct impulses {
     const struct walk_units *units;
@@ -115,13 +110,12 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     domq_real omega = quad(sqrt)(l.omegasq) / u.tau;
     bool rubs = domq_law(&w->train)->dissipates;
     const char *inertia = rubs ? "A(0)" : "J(0)";
-    answer_say(
-        a,
-        "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %s and hits the head, "
-        "domino 0, %.6g m tall. All move on as one train: %s omega(0) = (%s - 1) omega_1(theta_c) (c4) "
-        "with %s = %.6g, so omega(0) = %s (c6).",
-        spoken_omega(session, omega / l.velocity_ratio).text, (double)u.height, inertia, inertia, inertia,
-        (double)(1 / (1 - l.velocity_ratio)), spoken_omega(session, omega).text);
+    answer_say(a,
+               "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %s and hits the head, "
+               "domino 0, %.6g m tall. All move on as one train: %s omega(0) = (%s - 1) omega_1(theta_c) "
+               "(c4) with %s = %.6g, so omega(0) = %s (c6).",
+               spoken_omega(session, omega / l.velocity_ratio).text, (double)u.height, inertia, inertia,
+               inertia, (double)(1 / (1 - l.velocity_ratio)), spoken_omega(session, omega).text);
     if (rubs)
         answer_say(a,
                    "A(0) = sum r^-(q+1)i S_i theta_i' is J(0) with friction: S_i is what the arms pass on.");
@@ -129,12 +123,11 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         answer_say(a, "The impulse runs down the train, from contact to contact: %s%s %s s; all push (> 0).",
                    impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit);
     else
-        answer_say(a,
-                   "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0 (b10), and its "
-                   "impulse has no bound in this model.");
+        answer_say(a, "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0 (b10), and "
+                      "its impulse has no bound in this model.");
     answer_say(a, "The collision takes %s%.4g %% of the kinetic energy; %.6g %s are left.",
-               rubs ? "" : "the share 1/J(0) = ", percent(s->lost, s->before), (double)(l.kinetic * u.energy),
-               u.energy_unit);
+               rubs ? "" : "the share 1/J(0) = ", (double)(100 * s->lost / s->before),
+               (double)(l.kinetic * u.energy), u.energy_unit);
     if (b.theta_m == 0)
         answer_say(a, "Nothing is left to climb: H falls from the first moment on, theta_m = 0 (c8).");
     else
@@ -155,8 +148,7 @@ static void say_top(const struct session *session, const struct walk *w, const s
     if (domq_law(&w->train)->dissipates) {
         answer_say(a,
                    "The hardest tilt, theta_m = %.6g %s (c8): the train has climbed %.6g %s, friction has "
-                   "taken %.6g, and "
-                   "%.6g %s of motion are left. From now on it gains more than it rubs away.",
+                   "taken %.6g, and %.6g %s of motion are left. From now on it gains more than it rubs away.",
                    (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
                    (double)(s->climbed * u.energy), u.energy_unit, (double)(s->friction_work * u.energy),
                    (double)(s->kinetic * u.energy), u.energy_unit);
@@ -181,15 +173,14 @@ static void say_fall(const struct session *session, const struct walk *w, const 
     double cosine = (double)quad(cos)(angles.theta_f), sine = (double)quad(sin)(angles.theta_f);
     double velocity_ratio = (double)(quad(pow)(w->train.r, -w->train.q * (domq_real)domino) * u.energy) *
                             (cosine + (double)w->train.d * sine);
-    answer_say(
-        a,
-        "Domino %zu falls off domino %zu, which has come to theta_leave = %.6g %s (A17): the arm of its "
-        "force is 0. It comes to rest at theta_f = %.6g %s (A18) with all behind it, and pushes no more. "
-        "Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
-        domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
-        style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
-        style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit,
-        velocity_ratio);
+    answer_say(a,
+               "Domino %zu falls off domino %zu, which has come to theta_leave = %.6g %s (A17): the arm of "
+               "its force is 0. It comes to rest at theta_f = %.6g %s (A18) with all behind it, and pushes "
+               "no more. Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
+               domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
+               style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
+               style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit,
+               velocity_ratio);
 }
 
 static void say_stop(const struct session *session, const struct walk *w, const struct domq_state *s,
@@ -217,19 +208,17 @@ static void say_hit(const struct session *session, const struct walk *w, const s
     answer_say(
         a,
         "The head reaches the next domino, %.6g m tall, at theta_c = %.6g %s: sin theta_c = r s (a2). It "
-        "comes "
-        "with omega = %s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
+        "comes with omega = %s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
         (double)next.height, (double)style_angle(&session->style, s->theta),
         style_angle_unit(&session->style), spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text,
         (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
     if (domq_law(&w->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
                    (double)(s->friction_work * u.energy), u.energy_unit);
-    answer_say(
-        a,
-        "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r) (c5): "
-        "%.6g s.",
-        (double)(s->time * next.tau));
+    answer_say(a,
+               "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r) "
+               "(c5): %.6g s.",
+               (double)(s->time * next.tau));
 }
 
 static void say_between(const struct session *session, const struct walk *w, const struct domq_state *s,

@@ -3,8 +3,7 @@
 #ifndef SHELL_WALK_H
 #define SHELL_WALK_H
 
-#include "answer/output.h"
-#include "session/place.h"
+#include "session/session.h"
 
 /* What a length, a time and an energy of the model are in the cycle of a walk. */
 struct walk_units {
@@ -16,7 +15,6 @@ struct walk_units {
     const char *weight_unit;
 };
 
-struct session;
 struct walk_units walk_units(const struct session *session, int cycle);
 
 /* Returns the session's walk, or NULL where none has begun in the train that the session has now. */
@@ -30,13 +28,6 @@ void walk_columns_in(const struct session *session, struct answer *answer);
 
 /* Why no cycle begins. */
 extern const char walk_no_start[];
-
-/* The commands 'cycle' and 'why'. */
-struct call;
-extern const struct column cycle_columns[], why_columns[];
-const char *cycle_by(const void *context, int k);
-bool cycle_run(struct session *session, const struct call *call);
-bool why_run(struct session *session, const struct call *call);
 
 /* The event in words, with the paper's symbols and the numbers of its equations. */
 void walk_say(const struct session *session, const struct walk *walk, const struct domq_state *state,

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* cycle: one cycle as a table. */
+#include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
-#include "language/quad.h"
-#include <string.h>
 
 const struct column cycle_columns[] = {
     {"event", "", "launch, fall, top, stop, hit: see 'step'", 6},
@@ -56,12 +54,10 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     table->status = domq_chain_walk(&session->train, &session->compute, s->theta, follower_seen, &f);
     if (table->status != DOM_OK)
         return false;
-    answer_row(table->answer,
-               ROW(cell_word(event ? dom_event_text(event->kind) : ""), CELL_TIMES(*s, time, u.tau),
-                   cell_angle(s->theta), cell_angle(f.theta[1]), cell_angle(f.theta[2]),
-                   cell_omega(s->omegasq, s->error.omegasq, u.tau), CELL_TIMES(*s, kinetic, u.energy),
-                   CELL_TIMES(*s, climbed, u.energy)),
-               NULL);
+    answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
+                 CELL_TIMES(*s, time, u.tau), cell_angle(s->theta), cell_angle(f.theta[1]),
+                 cell_angle(f.theta[2]), cell_omega(s->omegasq, s->error.omegasq, u.tau),
+                 CELL_TIMES(*s, kinetic, u.energy), CELL_TIMES(*s, climbed, u.energy));
     table->last = *s;
     return !answer_lost(table->answer);
 }
@@ -73,7 +69,7 @@ const char *cycle_by(const void *context, int k)
     return names[k];
 }
 
-bool cycle_run(struct session *session, const struct call *call)
+bool run_cycle(struct session *session, const struct call *call)
 {
     const struct domq_compute compute = session_compute(session);
     struct answer *a = call->answer;

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* why: the term that decides. */
+#include "commands/tables.h"
 #include "commands/walk.h"
-#include "interpreter/command.h"
-#include "language/quad.h"
-#include <string.h>
 
 const struct column why_columns[] = {
     {"verdict", "", "goes on, stops, or no fuel", 7},
@@ -33,29 +31,26 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
 {
     const struct domq_train *t = &session->train;
     if (verdict == DOM_NO_FUEL) {
-        answer_say(
-            a,
-            "No cycle begins: (c7) decides. The fuel P = H(0) - H(theta_c) is not positive, so a cycle sets "
-            "no energy free: the dominoes that lean down the train lie no lower than they stood, or the "
-            "larger one in front takes up more than the smaller ones behind give.");
+        answer_say(a,
+                   "No cycle begins: (c7) decides. The fuel P = H(0) - H(theta_c) is not positive, so a "
+                   "cycle sets no energy free: the dominoes that lean down the train lie no lower than they "
+                   "stood, or the larger one in front takes up more than the smaller ones behind give.");
     } else if (b->barrier == 0) {
         answer_say(a, "It goes on: there is no barrier (c8), H falls from the first moment on, and any K > 0 "
                       "is enough.");
     } else {
         bool goes = verdict == DOM_OK;
-        answer_say(
-            a,
-            "It %s: (c8) decides, K %s B. After the collision the train has %.4g times the energy that it "
-            "needs to climb to theta_m = %.6g %s; K - B is %.3g times B.",
-            goes ? "goes on" : "stops", goes ? ">=" : "<", (double)(b->kinetic / b->barrier),
-            (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
-            (double)(b->margin / b->barrier));
+        answer_say(a,
+                   "It %s: (c8) decides, K %s B. After the collision the train has %.4g times the energy "
+                   "that it needs to climb to theta_m = %.6g %s; K - B is %.3g times B.",
+                   goes ? "goes on" : "stops", goes ? ">=" : "<", (double)(b->kinetic / b->barrier),
+                   (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
+                   (double)(b->margin / b->barrier));
     }
     if (domq_law(t)->dissipates && verdict != DOM_NO_FUEL)
         answer_say(a,
                    "Friction of %.6g between dominoes is in K and in B: B is the kinetic energy that it "
-                   "takes to come "
-                   "over theta_m.",
+                   "takes to come over theta_m.",
                    (double)t->mu);
     if (limit->ends == DOM_END_NONE)
         answer_say(a, "At s = %.6g no growth r >= 1 is possible.", (double)t->s);
@@ -76,22 +71,19 @@ static void contact_say(const struct session *session, struct answer *a, const s
 {
     bool holds = c->force > 0 && c->impulse > 0;
     if (!isfinite(c->force) || !isfinite(c->impulse))
-        answer_say(
-            a, "Contact: at r s = 1 the head is hit at its own hinge, the arm of the contact is 0 (b10), and "
-               "the model's impulse has no bound: there its assumption fails.");
+        answer_say(a, "Contact: at r s = 1 the head is hit at its own hinge, the arm of the contact is 0 "
+                      "(b10), and the model's impulse has no bound: there its assumption fails.");
     else
-        answer_say(
-            a,
-            "%s: on the way the smallest contact force is %.4g of the weight of domino %zu, which it pushes, "
-            "at "
-            "theta = %.4g %s, and every impulse of the collision pushes. So the paper's assumption, dominoes "
-            "stay in contact, %s.",
-            holds ? "Contact holds" : "Contact is lost", (double)c->force, c->domino,
-            (double)style_angle(&session->style, c->theta), style_angle_unit(&session->style),
-            holds ? "is met" : "fails there");
+        answer_say(a,
+                   "%s: on the way the smallest contact force is %.4g of the weight of domino %zu, which it "
+                   "pushes, at theta = %.4g %s, and every impulse of the collision pushes. So the paper's "
+                   "assumption, dominoes stay in contact, %s.",
+                   holds ? "Contact holds" : "Contact is lost", (double)c->force, c->domino,
+                   (double)style_angle(&session->style, c->theta), style_angle_unit(&session->style),
+                   holds ? "is met" : "fails there");
 }
 
-bool why_run(struct session *session, const struct call *call)
+bool run_why(struct session *session, const struct call *call)
 {
     const struct domq_compute compute = session_compute(session);
     struct walk_units u = walk_units(session, 1);
@@ -114,12 +106,11 @@ bool why_run(struct session *session, const struct call *call)
     if (domq_law(&session->train)->dissipates)
         a->columns = why_rubbing_columns;
     walk_columns_in(session, a);
-    answer_row(a,
-               ROW(cell_word(verdict == DOM_OK      ? "goes on"
-                             : verdict == DOM_STOPS ? "stops"
-                                                    : "no fuel"),
-                   CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0), CELL_TIMES(b, kinetic, u.energy),
-                   CELL_TIMES(b, barrier, u.energy), CELL_TIMES(b, margin, u.energy), CELL_OF(limit, r_max)),
-               NULL);
-    return true;
+    return answer_cells(a,
+                        cell_word(verdict == DOM_OK      ? "goes on"
+                                  : verdict == DOM_STOPS ? "stops"
+                                                         : "no fuel"),
+                        CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0), CELL_TIMES(b, kinetic, u.energy),
+                        CELL_TIMES(b, barrier, u.energy), CELL_TIMES(b, margin, u.energy),
+                        CELL_OF(limit, r_max));
 }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/arguments.h"
-#include "interpreter/lookup.h"
 #include "language/quad.h"
 #include <ctype.h>
 #include <limits.h>
@@ -84,10 +83,10 @@ char *read_file(struct reader *r)
     return path;
 }
 
-static const char *unit_names(const void *context, int k)
+/* Returns true for a name that expressions know. */
+static bool is_value_name(const char *word)
 {
-    (void)context;
-    return expression_unit_name(k);
+    return names_exact(value_names, NULL, word) >= 0;
 }
 
 /* Is the word behind a value a value itself?  If not, it was meant as a unit. */
@@ -98,9 +97,9 @@ static bool known_word(struct session *session, struct reader *r, const char *at
     size_t name = word ? strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
     if (word)
         word[name] = '\0';
-    bool known = word && names_exact(value_names, NULL, word) >= 0;
+    bool known = word && is_value_name(word);
     if (!known && word) {
-        const char *close = names_closest(unit_names, NULL, word);
+        const char *close = names_closest(expression_units, NULL, word);
         session->column = reader_column(r, at);
         names_shown(word, shown);
         if (close && strcmp(close, word) == 0)
@@ -130,10 +129,9 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
             return false;
         char shown[NAMES_SHOWN], word[NAMES_SHOWN];
         snprintf(word, sizeof word, "%.*s", (int)strcspn(e.end, " \t;"), e.end);
-        bool (*tell)(struct session *, const char *, ...) = e.of_value ? session_no_answer : session_error;
-        if (*word == '\0')
-            return tell(session, "%s: %s", a->name, e.message);
-        return tell(session, "%s at '%s': %s", a->name, names_shown(word, shown), e.message);
+        return session_report(session, e.of_value ? MESSAGE_NO_ANSWER : MESSAGE_ERROR,
+                              *word ? "%s at '%s': %s" : "%s%s: %s", a->name, names_shown(word, shown),
+                              e.message);
     }
     bool ended = isspace((unsigned char)*e.end) || (command_ends(e.end) && *e.end != '#') || *e.end == '>' ||
                  (r->stops && strchr(r->stops, *e.end));
@@ -149,12 +147,6 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
     r->at = e.end;
     session->column = begin;
     return argument_check(session, a, *q, number);
-}
-
-/* Is the word a name that expressions know? */
-static bool is_value_name(const char *word)
-{
-    return names_exact(value_names, NULL, word) >= 0;
 }
 
 bool read_value(struct reader *r, const struct parameter *p, int i, const char *name, domq_real *number)
@@ -196,7 +188,7 @@ static bool is_expression_topic(const char *word)
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
         if (strcmp(topics[i], word) == 0)
             return true;
-    return is_value_name(word) || names_exact(unit_names, NULL, word) >= 0;
+    return is_value_name(word) || names_exact(expression_units, NULL, word) >= 0;
 }
 
 /* One of the argument's names; what is none of them hears which there are. */

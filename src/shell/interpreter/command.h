@@ -102,6 +102,13 @@ const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *command_keys(const void *command, int k);
 
+/* Looks up a name of the session in expressions: a parameter, the last answer, a command with its key. */
+bool session_lookup(struct expression *expression, const char *name, const char *key,
+                    const struct quantity *arguments, int count, struct quantity *result);
+
+/* Lists for names.h every name that has a value. */
+const char *value_names(const void *context, int k);
+
 /* The command with this very name, or NULL. */
 const struct command *command_find(const char *name);
 

@@ -1,19 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where commands come from: a person at a terminal, or a stream. */
+/* Commands from a stream, and where a person's files are. */
 #ifndef SHELL_LINE_H
 #define SHELL_LINE_H
 
 #include "session/session.h"
 
-/* Reads lines with Readline until quit or ^D.  Only for terminals. */
-void line_prompt(struct session *session);
-
 /* Runs a stream line by line; name stands in the messages. */
 void line_stream(struct session *session, FILE *in, const char *name);
 
-/*
- * $variable/domino/name, or $HOME/fallback/domino/name, as XDG has it; false if neither is known.
- */
+/* Writes $variable/domino/name, or $HOME/fallback/domino/name, as XDG has it; false if neither is known. */
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
 
 #endif

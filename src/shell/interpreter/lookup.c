@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/lookup.h"
+/* The names of a session in expressions. */
 #include "interpreter/command.h"
 #include <string.h>
 
@@ -57,9 +57,9 @@ static bool command_quantity(struct expression *e, const struct command *c, cons
 
 const char *value_names(const void *context, int k)
 {
-    for (int n = 0; expression_name(n); n++)
+    for (int n = 0; expression_names(context, n); n++)
         if (k-- == 0)
-            return expression_name(n);
+            return expression_names(context, n);
     return k == 0 ? "ans" : topic_names(context, k - 1);
 }
 

@@ -131,8 +131,7 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Opens a stream with these functions on a copy of the cookie, which its close gives back.  NULL with errno.
- */
+/* Opens a stream with these functions on a copy of the cookie, which its close frees.  NULL with errno. */
 static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, cookie_io_functions_t functions)
 {
     void *kept = malloc(size);

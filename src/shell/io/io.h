@@ -19,8 +19,7 @@
  */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
-/* Makes a stream of an open file, which belongs to the stream from then on.  NULL with errno, and file is
- * closed. */
+/* Makes a stream of an open file, which belongs to the stream.  NULL with errno: the file is closed. */
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
 
 /* Opens a file to read; a directory is an error.  NULL with errno. */

@@ -88,8 +88,7 @@ static bool draft_end(struct redirect *r, bool keep)
 
 /* ---- Files ---- */
 
-/* Returns the path of the file behind all links, also where the last one points at nothing yet; NULL with
- * errno. */
+/* Returns the path of the file behind all links, the last of which may point at nothing; NULL with errno. */
 static char *real_path(const char *path)
 {
     enum { LINKS = 40 };
@@ -152,13 +151,6 @@ static FILE *draft_apart(const char *path, bool exists)
     return may ? tmpfile() : NULL;
 }
 
-/* Opens what is no regular file, such as a device or a FIFO: it is written as it comes. */
-static FILE *channel_open(const struct redirect *r, const char *path)
-{
-    int file = io_open(path, O_WRONLY, 0, r->interrupt);
-    return file >= 0 ? io_stream(file, "w", r->interrupt) : NULL;
-}
-
 const char *redirect_open(struct redirect *r, const char *path, bool append,
                           const volatile sig_atomic_t *interrupt)
 {
@@ -174,8 +166,9 @@ const char *redirect_open(struct redirect *r, const char *path, bool append,
     if (ours) {
         fflush(stdout);
         r->file = fdopen(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0), "a");
-    } else if (exists && !S_ISREG(now.st_mode)) {
-        r->file = channel_open(r, path);
+    } else if (exists && !S_ISREG(now.st_mode)) { /* such as a device or a FIFO: written as it comes */
+        int file = io_open(path, O_WRONLY, 0, interrupt);
+        r->file = file >= 0 ? io_stream(file, "w", interrupt) : NULL;
     } else {
         /* A file of many names, or of somebody else, keeps its place: the draft is copied into it. */
         bool replace = !append && !(exists && (now.st_nlink > 1 || now.st_uid != geteuid()));
@@ -234,8 +227,7 @@ static bool file_fill(const struct redirect *r, int file)
     return whole;
 }
 
-/* The draft into the file, which nobody else who locks it writes meanwhile, and which no signal leaves half
- * done. */
+/* Copies the draft into the file, which is locked meanwhile, and which no signal leaves half done. */
 static bool redirect_copy(const struct redirect *r)
 {
     enum { SECONDS = 10 };

@@ -11,8 +11,7 @@
 
 /* ---- Tables ---- */
 
-/* KEEPS: the value is of the same kind as the arguments, which are of one kind; HALVES: so are its
- * dimensions. */
+/* KEEPS: the value is of the one kind that the arguments are of; HALVES: it has half their dimensions. */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {
@@ -35,8 +34,9 @@ static const struct function functions[] = {
     {"sqrt", HALVES, quad(sqrt), NULL},      {NULL, OF_NUMBER, NULL, NULL},
 };
 
-const char *expression_name(int k)
+const char *expression_names(const void *context, int k)
 {
+    (void)context;
     for (const struct function *f = functions; f->name; f++)
         if (k-- == 0)
             return f->name;

@@ -37,7 +37,7 @@ void expression_message(struct expression *expression, bool of_value, const char
 #define expression_fail(e, ...)     (expression_message(e, false, __VA_ARGS__), false)
 #define expression_no_value(e, ...) (expression_message(e, true, __VA_ARGS__), false)
 
-/* The k-th name that the language itself has, for completion; NULL behind the last. */
-const char *expression_name(int k);
+/* Lists for names.h the names that the language itself has. */
+const char *expression_names(const void *context, int k);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/names.h"
 #include "io/escape.h"
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -34,7 +34,7 @@ ssize_t text_read(char **line, size_t *size, FILE *in);
 /* Returns the first place from c on that is no blank. */
 const char *skip_blanks(const char *c);
 
-/* Returns the place behind the '"' that closes the one at c; '""' in between is one '"'.  NULL if none does.
+/* Returns the place behind the '"' that closes the one at c, NULL if none does; '""' in between is one '"'.
  */
 const char *text_quote(const char *c);
 

@@ -32,8 +32,9 @@ static const struct unit units[] = {
     {NULL, {0, 0, 0, 0}},
 };
 
-const char *expression_unit_name(int k)
+const char *expression_units(const void *context, int k)
 {
+    (void)context;
     return units[k].name;
 }
 
@@ -86,15 +87,10 @@ size_t name_length(const char *c)
     return n;
 }
 
-static bool same(const char *name, const char *text, size_t length)
-{
-    return strlen(name) == length && strncmp(name, text, length) == 0;
-}
-
 static const struct unit *unit_at(const char *c, size_t length)
 {
     for (const struct unit *u = units; u->name; u++)
-        if (same(u->name, c, length))
+        if (strlen(u->name) == length && strncmp(u->name, c, length) == 0)
             return u;
     return NULL;
 }

@@ -31,8 +31,8 @@ const char *expression_unit_text(struct quantity quantity, char *text, size_t si
 /* "a length", "a time", "m^2 s^-1": what a quantity is, for messages. */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
 
-/* The k-th unit; NULL behind the last. */
-const char *expression_unit_name(int k);
+/* Lists for names.h the units. */
+const char *expression_units(const void *context, int k);
 
 /* Of names, of units and of anything else: letters, digits and '_', no digit first. */
 bool name_start(char c);

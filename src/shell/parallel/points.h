@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An answer whose rows come point by point: on all processors, in order, as the part that the session asks
- * for. */
+/* An answer whose rows come point by point, on all processors, in order: the part that the session wants. */
 #ifndef SHELL_POINTS_H
 #define SHELL_POINTS_H
 

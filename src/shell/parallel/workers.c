@@ -115,8 +115,7 @@ static size_t crew_take(struct crew *c, const struct pace *pace, size_t *from, s
     return points;
 }
 
-/* Computes blocks until there are no more.  The first worker shows the progress: its thread is the caller's.
- */
+/* Computes blocks until there are no more.  The first worker, the caller's thread, shows the progress. */
 static void worker_run(struct crew *c, void *own, bool shows)
 {
     const struct workers *w = c->asked;

@@ -33,8 +33,7 @@ struct workers_end {
     int error; /* WORKERS_LOST: errno of the rows that cannot be written */
 };
 
-/* Computes all points.  The caller's thread is the first worker; if a thread cannot be had, fewer do the
- * work. */
+/* Computes all points.  The first worker is the caller's thread; without threads for all, fewer do it. */
 struct workers_end workers_run(const struct workers *workers);
 
 /* What the library's tasks are run with. */

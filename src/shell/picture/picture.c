@@ -2,7 +2,6 @@
 #include "picture/picture.h"
 #include "io/terminal.h"
 #include "language/names.h"
-#include "language/quad.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -72,9 +71,8 @@ static bool script_begin(struct session *session, struct picture *picture, const
     static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555"};
     static const int points[] = {1, 2, 6, 4, 8, 10};
     if (!gnuplot_there())
-        return session_error(session,
-                             "pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'; "
-                             "'set output csv' gives the data");
+        return session_error(session, "pictures need gnuplot, which is not installed: 'apt install "
+                                      "gnuplot-nox'; 'set output csv' gives the data");
     picture->script = tmpfile();
     if (!picture->script)
         return session_error(session, "cannot draw: %s", strerror(errno));
@@ -131,20 +129,18 @@ bool picture_comes_to(struct session *session, domq_real theta)
     const struct output_style *style = &session->style;
     enum dom_status status = domq_cycle_omegasq(&session->train, &session->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
-        return session_error(session,
-                             "no domino effect: the fuel P is not positive, nothing moves; 'fuel' says "
-                             "why, 'rmax' how large r may be");
+        return session_error(session, "no domino effect: the fuel P is not positive, nothing moves; 'fuel' "
+                                      "says why, 'rmax' how large r may be");
     if (status == DOM_STOPS)
         status = domq_cycle_stop(&session->train, &session->compute, &stop);
     if (status != DOM_OK)
         return session_status(session, status);
     /* As it was answered, with 10 digits, the end may have been rounded up. */
     if (stop.value < theta * (1 - (domq_real)1e-9))
-        return session_error(session,
-                             "the train does not come to T = %.10g %s: it stops at %.10g %s, below the "
-                             "barrier",
-                             (double)style_angle(style, theta), style_angle_unit(style),
-                             (double)style_angle(style, stop.value), style_angle_unit(style));
+        return session_error(
+            session, "the train does not come to T = %.10g %s: it stops at %.10g %s, below the barrier",
+            (double)style_angle(style, theta), style_angle_unit(style),
+            (double)style_angle(style, stop.value), style_angle_unit(style));
     return true;
 }
 
@@ -173,8 +169,7 @@ static int gnuplot_run(const struct session *session, FILE *script, FILE *drawin
     fflush(script);
     rewind(script);
     lseek(fileno(script), 0, SEEK_SET);
-    /* gnuplot tries the terminal of the environment before it reads the script, and gives up if it has none.
-     */
+    /* gnuplot tries the terminal of the environment before it reads the script, and ends without it. */
     if (setenv("GNUTERM", "unknown", 1) != 0)
         return errno;
     /*

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a train as they stand and lean: hinges, corners and contacts, and how gnuplot draws them.
- */
+/* The dominoes of a train as they stand and lean: hinges, corners, contacts, and how gnuplot draws them. */
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "prompt/complete.h"
 #include "interpreter/command.h"
 #include "io/escape.h"
 #include "language/text.h"
+#include "prompt/input.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,14 +17,8 @@ struct offer {
     bool files;
 };
 
-static const char *function_names(const void *context, int k)
-{
-    (void)context;
-    return expression_name(k);
-}
-
 /* Commands that have a value, and ans. */
-static const char *value_names(const void *context, int k)
+static const char *answer_names(const void *context, int k)
 {
     const char *name;
     int fewest;
@@ -63,8 +57,8 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
         expression = true;
     }
     if (expression) {
-        offer_list(&offer, value_names, NULL);
-        offer_list(&offer, function_names, NULL);
+        offer_list(&offer, answer_names, NULL);
+        offer_list(&offer, expression_names, NULL);
     }
     return offer;
 }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "prompt/history.h"
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
 #include "language/text.h"
+#include "prompt/input.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -17,8 +17,7 @@
 /* The file may have twice as many lines as are kept, so that it is not written anew at every start. */
 enum { HISTORY_LINES = 2000, HISTORY_FILE = 2 * HISTORY_LINES };
 
-/* A person does not wait longer for another session; without the lock the line is still written in one piece.
- */
+/* A person does not wait longer for another session; without the lock a line is still written whole. */
 #define LOCK_SECONDS 1.0
 
 /* Where lines go; "" for nowhere. */
@@ -107,8 +106,7 @@ static void make_folders(char *path)
     }
 }
 
-/* Opens and locks the file that has the name now: another session may just have written it anew. -1 with
- * errno. */
+/* Opens and locks the file that has the name now: another session may have replaced it. -1 with errno. */
 static int file_open(const volatile sig_atomic_t *interrupt)
 {
     enum { TRIES = 10 };

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prompt: Readline's callback interface under pselect, so that no signal is missed. */
 #include "interpreter/command.h"
-#include "interpreter/line.h"
 #include "io/terminal.h"
-#include "prompt/complete.h"
-#include "prompt/history.h"
+#include "prompt/input.h"
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>

@@ -127,7 +127,7 @@ static void row_drop(struct session *session)
 /* False: an error was reported, and there is no row any more: what was asked for is not the one before. */
 static bool row_from_file(struct session *session, const char *name)
 {
-    struct rowfile file = {.domino = NULL};
+    struct listed_row file = {.domino = NULL};
     char then[EFFECT_SETTING + 160] = "", setting[EFFECT_SETTING], needed[64], shown[NAMES_SHOWN],
                                *kept = NULL;
     row_needed(session, needed, sizeof needed);
@@ -151,13 +151,12 @@ static bool row_from_file(struct session *session, const char *name)
             session_error(session, "%s%s", dom_status_text(DOM_NO_MEMORY), then);
     }
     if (!kept) {
-        rowfile_free(&file);
         row_drop(session);
         return false;
     }
     listed_free(&session->listed);
-    session->listed = (struct listed_row){
-        .domino = file.domino, .count = file.count, .weighed = file.weighed, .path = kept};
+    file.path = kept;
+    session->listed = file;
     return true;
 }
 
@@ -239,11 +238,10 @@ bool effects_savable(struct session *session)
     const char *path = session->listed.domino ? session->listed.path : "";
     for (const char *c = path; *c; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
-            return session_error(
-                session,
-                "cannot save: the name of the row's file, '%s', has a control character; rename "
-                "the file, or first 'effect row off'",
-                names_shown(path, shown));
+            return session_error(session,
+                                 "cannot save: the name of the row's file, '%s', has a control character; "
+                                 "rename the file, or first 'effect row off'",
+                                 names_shown(path, shown));
     return true;
 }
 
@@ -306,16 +304,13 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
 {
     const struct listed_row *listed = &session->listed;
     const struct effect_state *effect = session->effect;
-    if (!effect[DOM_EFFECT_row].on) {
-        session_error(session, "there is no row here: 'effect row N', or 'effect row FILE' with a csv file");
-        return false;
-    }
+    if (!effect[DOM_EFFECT_row].on)
+        return session_error(session,
+                             "there is no row here: 'effect row N', or 'effect row FILE' with a csv file");
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
     scene->domino = malloc(count * sizeof *scene->domino);
-    if (!scene->domino) {
-        session_status(session, DOM_NO_MEMORY);
-        return false;
-    }
+    if (!scene->domino)
+        return session_status(session, DOM_NO_MEMORY);
     scene_row_fill(session, scene->domino, count);
     scene->row = (struct domq_row){
         .domino = scene->domino,

@@ -58,8 +58,7 @@ bool effect_needs(struct session *session, enum dom_effect_name name);
  */
 bool effects_savable(struct session *session);
 
-/* Writes the command that turns the effect off, or on with its values, and the gaps of its row that changed.
- */
+/* Writes the commands that turn the effect off, or on with its values and the changed gaps of its row. */
 void effect_save(const struct session *session, enum dom_effect_name name, FILE *out);
 
 /* ---- The row ---- */

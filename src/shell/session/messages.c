@@ -78,39 +78,16 @@ static void session_tell(struct session *session, const char *format, va_list ar
     session->fresh = false;
 }
 
-static bool session_say(struct session *session, bool no_answer, const char *format, va_list arguments)
+bool session_report(struct session *session, enum message what, const char *format, ...)
 {
-    if (session->captured_error)
-        session_hear(session, no_answer, format, arguments);
+    va_list arguments;
+    va_start(arguments, format);
+    if (session->captured_error && what != MESSAGE_NOTE)
+        session_hear(session, what == MESSAGE_NO_ANSWER, format, arguments);
     else
         session_tell(session, format, arguments);
-    session->errors++;
-    return false;
-}
-
-bool session_error(struct session *session, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    session_say(session, false, format, arguments);
     va_end(arguments);
-    return false;
-}
-
-void session_note(struct session *session, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    session_tell(session, format, arguments);
-    va_end(arguments);
-}
-
-bool session_no_answer(struct session *session, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    session_say(session, true, format, arguments);
-    va_end(arguments);
+    session->errors += what != MESSAGE_NOTE;
     return false;
 }
 

@@ -276,7 +276,7 @@ static bool cell_value(const struct reader *r, int kind, const char *cell, domq_
     return true;
 }
 
-static bool row_keep(struct reader *r, struct rowfile *rows, const domq_real value[KINDS])
+static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real value[KINDS])
 {
     domq_real ratio = value[THICKNESS] / value[HEIGHT];
     domq_real width = r->column[WIDTH] ? value[WIDTH] : value[HEIGHT] / 2;
@@ -301,7 +301,7 @@ static bool row_keep(struct reader *r, struct rowfile *rows, const domq_real val
     return true;
 }
 
-static bool row_read(struct reader *r, struct rowfile *rows)
+static bool row_read(struct reader *r, struct listed_row *rows)
 {
     domq_real value[KINDS] = {[DENSITY] = 1};
     if (!cells_cut(r))
@@ -323,7 +323,7 @@ static bool row_read(struct reader *r, struct rowfile *rows)
     return row_keep(r, rows, value);
 }
 
-static bool lines_read(struct reader *r, struct rowfile *rows)
+static bool lines_read(struct reader *r, struct listed_row *rows)
 {
     for (;;) {
         if (!line_read(r))
@@ -339,11 +339,11 @@ static bool lines_read(struct reader *r, struct rowfile *rows)
     }
 }
 
-bool rowfile_read(struct session *session, const char *path, const char *then, struct rowfile *rows)
+bool rowfile_read(struct session *session, const char *path, const char *then, struct listed_row *rows)
 {
     char shown[NAMES_SHOWN];
     struct reader r = {.session = session, .then = then, .in = io_read(path, session->compute.interrupt)};
-    *rows = (struct rowfile){NULL, 0, false};
+    *rows = (struct listed_row){.domino = NULL};
     if (r.in && !(r.buffer = malloc(LINE_MOST))) {
         fclose(r.in);
         r.in = NULL;
@@ -359,12 +359,6 @@ bool rowfile_read(struct session *session, const char *path, const char *then, s
     free(r.buffer);
     fclose(r.in);
     if (!good)
-        rowfile_free(rows);
+        listed_free(rows);
     return good;
-}
-
-void rowfile_free(struct rowfile *rows)
-{
-    free(rows->domino);
-    *rows = (struct rowfile){NULL, 0, false};
 }

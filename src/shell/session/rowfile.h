@@ -20,17 +20,12 @@
 
 #include "session/session.h"
 
-struct rowfile {
-    struct domq_domino *domino; /* in the order of the file; the gap of the first is 0 */
-    size_t count;
-    bool weighed; /* masses are known: else all are relative, as for solid blocks of density 1 */
-};
-
 /*
- * False: an error of the session was reported, with the file's name, the line, the column (character, from
- * 1), the reason, and `then`, what the error leads to; nothing is kept.  Free with rowfile_free.
+ * Reads the dominoes in the order of the file; the gap of the first is 0.  Masses that are not known are
+ * relative, as for solid blocks of density 1.  False: an error of the session was reported, with the file's
+ * name, the line, the column (character, from 1), the reason, and `then`, what the error leads to; nothing is
+ * kept.  Free with listed_free.
  */
-bool rowfile_read(struct session *session, const char *path, const char *then, struct rowfile *rows);
-void rowfile_free(struct rowfile *rows);
+bool rowfile_read(struct session *session, const char *path, const char *then, struct listed_row *rows);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The state of one calculator session: parameters, where input comes from, what went wrong.  registry.h has
+ * The state of one calculator session: parameters, where input comes from, what went wrong.  parameters.h has
  * the table of the parameters; messages.c writes errors and notes.
  */
 #ifndef SHELL_SESSION_H
@@ -9,7 +9,6 @@
 #include "answer/output.h"
 #include "domino_quad.h"
 #include "language/expression.h"
-#include "session/place.h"
 
 struct command;
 
@@ -45,6 +44,19 @@ struct listed_row {
         domq_real gap;
     } * placed;
     size_t changes;
+};
+
+/* Where a walk through the cycles stands: at an event of a cycle, or between two. */
+struct walk {
+    struct domq_train train;     /* that the session had when the walk began; another one begins anew */
+    struct domq_compute compute; /* to a finer tolerance than the session's */
+    domq_real tol;               /* the session's then */
+    struct domq_event events[DOM_EVENTS_MAX];
+    int count; /* of the events; 0: no walk has begun */
+    int event; /* the last one that was passed */
+    domq_real theta;
+    int cycle;               /* from 1 */
+    enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
 };
 
 struct session {
@@ -102,22 +114,22 @@ void effects_apply(struct session *session);
 /* Gives back a listed row. */
 void listed_free(struct listed_row *row);
 
-/* The mass of the first domino in kg; 0 where it is not known.  As a block of these sizes in m, or as h and d
- * say. */
+/* Return the first domino's mass in kg, of a block of these sizes in m, or of h and d; 0: not known. */
 domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness);
 domq_real session_mass(const struct session *session);
 
-/* One line on stderr: where, what was wrong, what would be right.  Counts, and returns false. */
-bool session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+enum message {
+    MESSAGE_ERROR,     /* the line is wrong */
+    MESSAGE_NO_ANSWER, /* the line is right, but has no answer with these values: a sweep goes on */
+    MESSAGE_NOTE,      /* no error, and not counted as one: why an answer is not whole */
+};
 
-/* A line on stderr like that of an error, which it is not: why an answer is not whole. */
-void session_note(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-/*
- * The same where the line is right, but has no answer with these values: a sweep goes on to its next point.
- */
-bool session_no_answer(struct session *session, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+/* Writes one line on stderr: where, what was wrong, what would be right.  Returns false. */
+bool session_report(struct session *session, enum message what, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+#define session_error(session, ...)     session_report(session, MESSAGE_ERROR, __VA_ARGS__)
+#define session_no_answer(session, ...) session_report(session, MESSAGE_NO_ANSWER, __VA_ARGS__)
+#define session_note(session, ...)      (void)session_report(session, MESSAGE_NOTE, __VA_ARGS__)
 
 /* Of so many points, or whatever stands in a row: the first of this session's part, and how many it has. */
 struct range {
