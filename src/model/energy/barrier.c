@@ -423,8 +423,7 @@ KERNEL enum dom_status barrier_error(const struct geometry *geometry, const stru
     return status;
 }
 
-KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier,
-                                    struct dom_barrier_error *error)
+KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier)
 {
     struct geometry geometry;
     struct barrier b, b_error;
@@ -433,9 +432,9 @@ KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barr
     if (status == DOM_OK)
         status = dynamics_begin(&geometry);
     if (status == DOM_OK)
-        status =
-            barrier_balance(&geometry, train->fuel, tilt_angle(geometry.c), &l, error ? &l_error : NULL, &b);
-    if (status == DOM_OK && error)
+        status = barrier_balance(&geometry, train->fuel, tilt_angle(geometry.c), &l,
+                                 train->errors ? &l_error : NULL, &b);
+    if (status == DOM_OK && train->errors)
         status = barrier_error(&geometry, &b, &b_error);
     dynamics_end(&geometry);
     if (status != DOM_OK)
@@ -449,8 +448,8 @@ KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barr
         .kinetic = fuelled ? l.kinetic : REAL_NAN,
         .margin = fuelled ? margin : REAL_NAN,
     };
-    if (error)
-        *error = (struct dom_barrier_error){
+    if (train->errors)
+        barrier->error = (struct dom_barrier_error){
             .theta_m = b_error.theta_m,
             .barrier = b_error.height,
             .kinetic = l_error.kinetic,

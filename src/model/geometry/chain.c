@@ -141,8 +141,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     }
 }
 
-KERNEL enum dom_status contact_find(const struct request *train, dom_real theta, struct dom_contact *contact,
-                                    struct dom_contact_error *error)
+KERNEL enum dom_status contact_find(const struct request *train, dom_real theta, struct dom_contact *contact)
 {
     struct geometry geometry;
     struct tilt head;
@@ -166,8 +165,8 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     }
     *contact =
         (struct dom_contact){.theta_1 = theta_1, .slope = slope, .arm_a = link.arm_a, .arm_b = link.arm_b};
-    if (error)
-        *error = (struct dom_contact_error){angle_error + 2 * UNIT * theta_1, slope_error, link_bound.arm_a,
-                                            link_bound.arm_b};
+    if (train->errors)
+        contact->error = (struct dom_contact_error){angle_error + 2 * UNIT * theta_1, slope_error,
+                                                    link_bound.arm_a, link_bound.arm_b};
     return DOM_OK;
 }

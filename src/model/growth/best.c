@@ -350,8 +350,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     return status != DOM_OK ? status : c->status;
 }
 
-static enum dom_status best_find(struct margin_context *c, struct dom_best *best,
-                                 struct dom_best_error *error)
+static enum dom_status best_find(struct margin_context *c, struct dom_best *best)
 {
     struct search b = {.c = c, .finest = BEST_FINEST, .finer = 1};
     bool smooth;
@@ -375,20 +374,20 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     }
     if (status == DOM_OK)
         status = search_top(&b, (real)c->train->tol, &smooth);
-    if (status == DOM_OK && error)
-        status = best_error(&b, smooth, error);
+    struct dom_best found = {.s = b.s, .r_max = b.r_max};
+    if (status == DOM_OK && c->train->errors)
+        status = best_error(&b, smooth, &found.error);
     if (status == DOM_OK)
-        *best = (struct dom_best){.s = b.s, .r_max = b.r_max};
+        *best = found;
     return c->status = status;
 }
 
-KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best,
-                                  struct dom_best_error *error)
+KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best)
 {
     struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
     limit_begin(&c, &work);
-    enum dom_status status = c.status == DOM_OK ? best_find(&c, best, error) : c.status;
+    enum dom_status status = c.status == DOM_OK ? best_find(&c, best) : c.status;
     limit_end(train, &work);
     return status;
 }

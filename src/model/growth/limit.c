@@ -42,16 +42,13 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
 
 /* As the caller wants it. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
-                                    struct dom_limit *wide, struct dom_limit_error *error)
+                                    struct dom_limit *wide)
 {
     real r_error = 0;
-    enum dom_status status = error ? limit_error(c, limit, &r_error) : DOM_OK;
-    if (status != DOM_OK)
-        return status;
-    *wide = (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends};
-    if (error)
-        *error = (struct dom_limit_error){.r_max = r_error};
-    return DOM_OK;
+    enum dom_status status = c->train->errors ? limit_error(c, limit, &r_error) : DOM_OK;
+    if (status == DOM_OK)
+        *wide = (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends, .error.r_max = r_error};
+    return status;
 }
 
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
@@ -136,8 +133,7 @@ KERNEL void limit_end(const struct request *train, const struct dom_work *work)
         train->work->entered[i] += work->entered[i];
 }
 
-KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit,
-                                  struct dom_limit_error *error)
+KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)
 {
     struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
@@ -146,7 +142,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
     limit_begin(&c, &work);
     enum dom_status status = limit_find(&c, &found, &why);
     if (status == DOM_OK)
-        status = limit_public(&c, &found, limit, error);
+        status = limit_public(&c, &found, limit);
     if (status == DOM_OK)
         limit->why = why;
     limit_end(train, &work);
@@ -166,8 +162,7 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;
 }
 
-KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit,
-                                  struct dom_limit_error *error)
+KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)
 {
     struct dom_work work = {0};
     struct margin_context c = margin_of_pair(train);
@@ -175,7 +170,7 @@ KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit 
     limit_begin(&c, &work);
     enum dom_status status = c.status == DOM_OK ? pair_find(&c, &found) : c.status;
     if (status == DOM_OK)
-        status = limit_public(&c, &found, limit, error);
+        status = limit_public(&c, &found, limit);
     limit_end(train, &work);
     return status;
 }

@@ -186,10 +186,8 @@ struct table {
 static enum dom_status table_row(struct table *t, real theta, const struct instant *event)
 {
     struct dom_state state;
-    struct dom_state_error error;
-    no_bounds(&error, sizeof error);
     real time = t->clock.pieces > 0 ? clock_time(&t->m, &t->clock, theta) : REAL_NAN;
-    enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors ? &error : NULL);
+    enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors);
     if (status != DOM_OK)
         return status;
     struct dom_event timed = {.theta = theta, .time = state.time};
@@ -197,7 +195,8 @@ static enum dom_status table_row(struct table *t, real theta, const struct insta
         timed.kind = event->kind;
         timed.domino = event->domino;
     }
-    state.error = error;
+    if (!t->errors)
+        no_bounds(&state.error, sizeof state.error);
     t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
     return DOM_OK;
 }

@@ -39,6 +39,6 @@ KERNEL enum dom_status motion_events(const struct motion *motion, struct instant
 
 /* The state at a tilt; time NaN where it is not known yet. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,
-                                    struct dom_state_error *error);
+                                    bool errors);
 
 #endif
