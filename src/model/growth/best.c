@@ -326,7 +326,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
     /* A jump of r_max(s) is where a dip of the margin begins, of which the shallowest are not resolved
-     * (scan.h). */
+     * (scan.c). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth && c->geometry.dynamics->conservative) {
         real h = slope_step(s, r) * b->finer, width = 4 * h;

@@ -2,8 +2,8 @@
 /*
  * The largest growth: the first root of the margin as a function of r, looked for upwards from r = 1 to the
  * reach r = 1/s.  The margin need not be monotone (thin dominoes: it falls, rises again and drops near 1/s),
- * so the scan goes on only over intervals that a bound covers (scan.h); with friction over samples and their
- * slopes (probe.h).
+ * so the scan goes on only over intervals that a bound covers (scan.c); with friction over samples and their
+ * slopes (probe.c).
  */
 #include "growth/limit.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "growth/scan.h"
+#include "growth/limit.h"
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
 /* The share of the barrier that margin_sign may be wrong by. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "motion/cycle.h"
+#include "motion/motion.h"
 
 KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors)
 {

@@ -7,7 +7,7 @@
  *
  * Inside, the head of the moment is the unit, as everywhere in here: its height, m g h / 2, tau.
  */
-#include "motion/floor.h"
+#include "motion/forces.h"
 #include <stdlib.h>
 
 /* ---- The row as a chain ---- */
@@ -105,8 +105,9 @@ static enum dom_status row_check(const struct row_request *row)
     return row->count == 0     ? DOM_BAD_COUNT
            : !positive(row->g) ? DOM_BAD_G
            : !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
-           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push)) ? DOM_BAD_PUSH
-                                                                                 : dynamics_check(row->effect);
+           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))
+               ? DOM_BAD_PUSH
+               : dynamics_check(row->effect);
 }
 
 /* Names what is wrong with a domino; what is made of its sizes must be a number of the precision, too. */
