@@ -31,7 +31,7 @@ static real rmax_at(real s, void *context)
     if (c->status != DOM_OK) /* the reason of the first failure */
         return REAL_NAN;
     c->s = s;
-    if (limit_find(c, &limit, NULL) != DOM_OK)
+    if (limit_find(c, &limit) != DOM_OK)
         return REAL_NAN;
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
@@ -322,7 +322,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     real s = b->s, r = b->r_max, r_error = 0;
     struct limit limit;
     c->s = s;
-    enum dom_status status = limit_find(c, &limit, NULL);
+    enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
     /* A jump of r_max(s) is where a dip of the margin begins, of which the shallowest are not resolved
@@ -384,10 +384,7 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
 
 KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best)
 {
-    struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
-    limit_begin(&c, &work);
-    enum dom_status status = c.status == DOM_OK ? best_find(&c, best) : c.status;
-    limit_end(train, &work);
-    return status;
+    limit_begin(&c);
+    return c.status == DOM_OK ? best_find(&c, best) : c.status;
 }

@@ -47,17 +47,16 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
 struct limit {
     real r_max;
     enum dom_end ends;
+    enum dom_status why; /* where r_max does not exist */
 };
 
-/* r_max at the separation c->s; *why, where it does not exist and why is not NULL, says why not. */
-KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit, enum dom_status *why);
+/* r_max at the separation c->s. */
+KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit);
 
 /* Bound of the error of r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
-/* Limits the work of a search (DOM_TOO_LONG beyond), which is counted in `work`; limit_end adds it to the
- * caller's. */
-KERNEL void limit_begin(struct margin_context *c, struct dom_work *work);
-KERNEL void limit_end(const struct request *train, const struct dom_work *work);
+/* Limits the work of a search: DOM_TOO_LONG beyond. */
+KERNEL void limit_begin(struct margin_context *c);
 
 #endif
