@@ -24,11 +24,8 @@ struct gsl_context {
 static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;
-    struct tilt head;
     struct sums at = {0};
-    c->status = geometry_tilt(&c->geometry, theta, &head);
-    if (c->status == DOM_OK)
-        c->status = chain_energy_change(&c->geometry, head, &at, NULL);
+    c->status = chain_energy_at(&c->geometry, theta, &at, NULL);
     return -at.dH;
 }
 
@@ -156,11 +153,8 @@ static enum dom_status gsl_limit_rmax(const struct request *train, struct dom_li
 static double gsl_slowness(double theta, void *context)
 {
     struct gsl_context *c = context;
-    struct tilt head;
     struct sums at = {.J = 1};
-    c->status = geometry_tilt(&c->geometry, theta, &head);
-    if (c->status == DOM_OK)
-        c->status = chain_energy_change(&c->geometry, head, &at, NULL);
+    c->status = chain_energy_at(&c->geometry, theta, &at, NULL);
     return sqrt(at.J / (c->kinetic - at.dH));
 }
 

@@ -347,11 +347,8 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
 /* H' at a tilt: its sign, 0 where rounding hides it, and its size. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
-    struct tilt head;
     struct sums at, e;
-    enum dom_status status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, &e);
+    enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status != DOM_OK)
         return status;
     *sign = at.H1 > e.H1 ? 1 : at.H1 < -e.H1 ? -1 : 0;
@@ -403,7 +400,6 @@ static enum dom_status top_error(const struct geometry *geometry, real theta, re
 KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *b,
                                      struct barrier *error)
 {
-    struct tilt head;
     struct sums at, e;
     real steepest = 0;
     *error = (struct barrier){.theta_m = 0, .height = 0};
@@ -415,45 +411,8 @@ KERNEL enum dom_status barrier_error(const struct geometry *geometry, const stru
     enum dom_status status =
         top_error(geometry, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
     if (status == DOM_OK)
-        status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, &e);
+        status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK && error->theta_m > 0)
         error->height = e.dH + steepest * error->theta_m;
     return status;
-}
-
-KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier)
-{
-    struct geometry geometry;
-    struct barrier b, b_error;
-    struct launch l, l_error;
-    enum dom_status status = dynamics_make(train, &geometry);
-    if (status == DOM_OK)
-        status = dynamics_begin(&geometry);
-    if (status == DOM_OK)
-        status = barrier_balance(&geometry, train->fuel, tilt_angle(geometry.c), &l,
-                                 train->errors ? &l_error : NULL, &b);
-    if (status == DOM_OK && train->errors)
-        status = barrier_error(&geometry, &b, &b_error);
-    dynamics_end(&geometry);
-    if (status != DOM_OK)
-        return status;
-    enum dom_status verdict = barrier_verdict(&l, &b);
-    bool fuelled = verdict != DOM_NO_FUEL;
-    real margin = l.kinetic - b.height;
-    *barrier = (struct dom_barrier){
-        .theta_m = b.theta_m,
-        .barrier = b.height,
-        .kinetic = fuelled ? l.kinetic : REAL_NAN,
-        .margin = fuelled ? margin : REAL_NAN,
-    };
-    if (train->errors)
-        barrier->error = (struct dom_barrier_error){
-            .theta_m = b_error.theta_m,
-            .barrier = b_error.height,
-            .kinetic = l_error.kinetic,
-            .margin = l_error.kinetic + b_error.height + UNIT * fabs(margin),
-        };
-    return verdict;
 }

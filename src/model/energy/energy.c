@@ -47,14 +47,11 @@ KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *
 KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, struct dom_energy *energy)
 {
     struct geometry geometry;
-    struct tilt head;
     struct sums at, e;
     struct fuel fuel, fuel_error;
     enum dom_status status = dynamics_make(train, &geometry);
     if (status == DOM_OK)
-        status = geometry_tilt(&geometry, (real)theta, &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(&geometry, head, &at, train->errors ? &e : NULL);
+        status = chain_energy_at(&geometry, (real)theta, &at, train->errors ? &e : NULL);
     if (status == DOM_OK)
         status = energy_fuel(&geometry, &fuel, train->errors ? &fuel_error : NULL);
     if (status != DOM_OK)

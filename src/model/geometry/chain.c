@@ -154,21 +154,19 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
         return status;
     struct link k = link_head(&geometry, head), leader = k;
     struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
-    struct dom_link link = link_public(&geometry, &k, &e);
-    real theta_1 = tilt_angle(geometry.f), slope = 0, angle_error = geometry_error_f(&geometry),
-         slope_error = 0;
+    struct dom_link link = link_public(&geometry, &k, &e), behind = {.theta = tilt_angle(geometry.f)};
+    behind.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
     if (k.leads) {
         link_next(&k);
         bound_next(&geometry, &leader, &k, &e);
-        theta_1 = tilt_angle(k.tilt);
-        slope = k.slope;
-        angle_error = e.angle;
-        slope_error = e.slope;
+        behind = link_public(&geometry, &k, &e);
     }
-    *contact =
-        (struct dom_contact){.theta_1 = theta_1, .slope = slope, .arm_a = link.arm_a, .arm_b = link.arm_b};
-    if (train->errors)
-        contact->error = (struct dom_contact_error){angle_error + 2 * UNIT * theta_1, slope_error,
-                                                    link.error.arm_a, link.error.arm_b};
+    *contact = (struct dom_contact){
+        .theta_1 = behind.theta,
+        .slope = behind.slope,
+        .arm_a = link.arm_a,
+        .arm_b = link.arm_b,
+        .error = {behind.error.theta, behind.error.slope, link.error.arm_a, link.error.arm_b},
+    };
     return DOM_OK;
 }

@@ -146,26 +146,21 @@ static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *
     return motion_time(m, 0, m->end, whole);
 }
 
-static enum dom_status motion_tilt_at(struct motion *m, real time, real *at)
-{
-    struct clock clock;
-    real whole = 0;
-    enum dom_status status = clock_begin(m, &clock, &whole);
-    if (status != DOM_OK)
-        return status;
-    if (!(time >= 0 && time <= whole * (1 + fmax(m->tol, 4 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))))
-        return DOM_BAD_TIME;
-    *at = time == 0 ? 0 : m->end;
-    return time == 0 || time >= whole ? DOM_OK : motion_tilt(m, &clock, time, at);
-}
-
-KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time, dom_real *theta)
+KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time_, dom_real *theta)
 {
     struct motion m;
-    real at = 0;
+    struct clock clock;
+    real time = (real)time_, whole = 0, at = 0;
     enum dom_status status = motion_begin(train, &m, false);
     if (status == DOM_OK)
-        status = motion_tilt_at(&m, (real)time, &at);
+        status = clock_begin(&m, &clock, &whole);
+    if (status == DOM_OK &&
+        !(time >= 0 && time <= whole * (1 + fmax(m.tol, 4 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))))
+        status = DOM_BAD_TIME;
+    if (status == DOM_OK && time > 0 && time < whole)
+        status = motion_tilt(&m, &clock, time, &at);
+    else if (status == DOM_OK && time > 0)
+        at = m.end;
     motion_end(&m);
     if (status == DOM_OK)
         *theta = at;

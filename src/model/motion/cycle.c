@@ -53,6 +53,34 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
     return status;
 }
 
+KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier)
+{
+    struct cycle cycle;
+    struct barrier error = {0};
+    const struct barrier *b = &cycle.segment.barrier;
+    enum dom_status status = cycle_begin(train, &cycle, train->errors);
+    bool fuelled = status != DOM_NO_FUEL;
+    status = fuelled ? status : DOM_OK;
+    if (status == DOM_OK && train->errors)
+        status = barrier_error(&cycle.segment.geometry, b, &error);
+    cycle_free(&cycle);
+    if (status != DOM_OK)
+        return status;
+    real kinetic = cycle.launch.kinetic, kinetic_error = cycle.launch_error.kinetic,
+         margin = kinetic - b->height;
+    *barrier = (struct dom_barrier){
+        .theta_m = b->theta_m,
+        .barrier = b->height,
+        .kinetic = fuelled ? kinetic : REAL_NAN,
+        .margin = fuelled ? margin : REAL_NAN,
+        .error = {.theta_m = error.theta_m,
+                  .barrier = error.height,
+                  .kinetic = kinetic_error,
+                  .margin = kinetic_error + error.height + UNIT * fabs(margin)},
+    };
+    return barrier_verdict(&cycle.launch, b);
+}
+
 KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, struct dom_value *omegasq)
 {
     struct request finer = *train;
@@ -87,14 +115,11 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
 {
     const struct geometry *geometry = &cycle->segment.geometry;
-    struct tilt head;
     struct sums at = {0}, e = {0};
     *error = DOM_NAN;
     if (!geometry->dynamics->conservative)
         return DOM_OK;
-    enum dom_status status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, &e);
+    enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK)
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
                      (1 + 4 * geometry->tol) + /* to second order in a loose tolerance */

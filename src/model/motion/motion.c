@@ -54,7 +54,6 @@ static enum dom_status motion_time_before(struct motion *m, real to, real *time)
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Time from one tilt to another. */
 KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *time)
 {
     const struct barrier *b = &m->cycle.segment.barrier;
@@ -72,7 +71,6 @@ KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *t
     return status == DOM_OK && m->smooth < to ? motion_time_before(m, to, time) : status;
 }
 
-/* The events without their times. */
 KERNEL enum dom_status motion_events(const struct motion *m, struct instant *events, int *count)
 {
     bool leaves;
@@ -152,15 +150,13 @@ static enum dom_status fallen_energy(const struct geometry *geometry, real theta
 {
     const real near = 4096 * REAL_EPSILON;
     bool leaves;
-    struct tilt leave, head;
+    struct tilt leave;
     struct sums at;
     enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
     real fall = leaves ? tilt_angle(leave) : 0;
     if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
         return status;
-    status = geometry_tilt(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, NULL);
+    status = chain_energy_at(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &at, NULL);
     if (status == DOM_OK)
         *left = at.left;
     return status;
