@@ -146,7 +146,7 @@ static void growths_mends_and_pushes(void **state)
     for (enum dom_precision p = DOM_DOUBLE; p <= DOM_QUAD && dom_arithmetic(p)->bits; p++) {
         struct dom_row_growth d;
         struct domq_row_growth q;
-        rows_make(&r, 1.3, 0.2, 0, p);
+        rows_make(&r, 1.3, 6, 0, p);
         assert_status(dom_row_rmax(&r.row, &r.compute, 2.5, row_of_growth, NULL, &d), DOM_OK);
         assert_status(domq_row_rmax(&r.rowq, &r.computeq, 2.5, row_of_growthq, NULL, &q), DOM_OK);
         SAME(r_max);
@@ -154,6 +154,7 @@ static void growths_mends_and_pushes(void **state)
         assert_int_equal(d.ends, q.ends);
         double push;
         domq_real pushq;
+        rows_make(&r, 1.3, 0.2, 0, p);
         assert_status(dom_row_push(&r.row, &r.compute, 100, &push), DOM_OK);
         assert_status(domq_row_push(&r.rowq, &r.computeq, 100, &pushq), DOM_OK);
         assert_in_both("push", push, pushq, rounding);

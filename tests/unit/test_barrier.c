@@ -56,7 +56,8 @@ static void no_tilt_is_higher(void **state)
         struct asked train = random_train(&seed);
         struct geometry geometry;
         struct barrier barrier;
-        assert_status(dynamics_make(&train, &geometry), DOM_OK);
+        const struct request request = request_of(&train);
+        assert_status(dynamics_make(&request, &geometry), DOM_OK);
         double theta_c = tilt_angle(geometry.c), brute = brute_force(&geometry, theta_c);
         assert_status(barrier_search(&geometry, theta_c, TOP_TOL(&geometry), &barrier), DOM_OK);
         if (!(barrier.height >= brute * (1 - 1e-13)))

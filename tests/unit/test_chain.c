@@ -14,7 +14,8 @@ static struct geometry random_geometry(uint64_t *seed, double tol, struct tilt *
     struct asked train = random_train(seed);
     struct geometry geometry;
     train.tol = tol;
-    assert_status(dynamics_make(&train, &geometry), DOM_OK);
+    const struct request request = request_of(&train);
+    assert_status(dynamics_make(&request, &geometry), DOM_OK);
     *head = tilt_half(half_of_tilt(geometry.c) * random_unit(seed));
     return geometry;
 }
@@ -92,7 +93,8 @@ static void the_far_tail_has_its_order(void **state)
             train.q = q;
             train.r = 1 + s / 2;
             train.tol = 1e-15;
-            assert_status(dynamics_make(&train, &geometry), DOM_OK);
+            const struct request request = request_of(&train);
+            assert_status(dynamics_make(&request, &geometry), DOM_OK);
             assert_false(geometry.detaches);
             double e = geometry.inf.x / 64;
             far_errors(&geometry, e, &coarse);

@@ -15,7 +15,8 @@ static void inertia_shifts_by_one(void **state)
         struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums at_0, at_c;
-        assert_status(dynamics_make(&train, &geometry), DOM_OK);
+        const struct request request = request_of(&train);
+        assert_status(dynamics_make(&request, &geometry), DOM_OK);
         assert_status(chain_sum(&geometry, (struct tilt){0, 1, 0}, &at_0), DOM_OK);
         assert_status(chain_sum(&geometry, geometry.c, &at_c), DOM_OK);
         assert_near("J(0)", at_0.J, 1 + geometry.inertia * at_c.J, 1e-13);
@@ -35,7 +36,8 @@ static void slope_is_derivative_of_energy(void **state)
         struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums left, here, right;
-        assert_status(dynamics_make(&train, &geometry), DOM_OK);
+        const struct request request = request_of(&train);
+        assert_status(dynamics_make(&request, &geometry), DOM_OK);
         double theta_c = tilt_angle(geometry.c), theta = theta_c * (0.1 + 0.8 * random_unit(&seed)),
                h = 1e-5 * theta;
         if (geometry.detaches && fabs(theta - tilt_angle(geometry.leave)) < 0.05 * theta_c)
@@ -65,7 +67,8 @@ static void energy_agrees_with_its_definition(void **state)
         struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums sums;
-        assert_status(dynamics_make(&train, &geometry), DOM_OK);
+        const struct request request = request_of(&train);
+        assert_status(dynamics_make(&request, &geometry), DOM_OK);
         double theta = random_unit(&seed) * tilt_angle(geometry.c), H[2] = {0, 0}, size = 0;
         struct tilt head = tilt_make(sin(theta), cos(theta));
         assert_status(chain_energy_change(&geometry, head, &sums, NULL), DOM_OK);
@@ -337,7 +340,8 @@ static void tolerance_decides_the_work(void **state)
         struct asked train = random_train(&seed);
         struct geometry geometry;
         struct sums exact, sums;
-        assert_status(dynamics_make(&train, &geometry), DOM_OK);
+        const struct request request = request_of(&train);
+        assert_status(dynamics_make(&request, &geometry), DOM_OK);
         double theta = random_unit(&seed) * tilt_angle(geometry.c);
         struct tilt head = tilt_make(sin(theta), cos(theta));
         assert_status(chain_energy_change(&geometry, head, &exact, NULL), DOM_OK);

@@ -3,7 +3,7 @@
 #include "dynamics/choose.h"
 
 /* Each effect of the list turns itself on, in a file of its own. */
-#define DYNAMICS_DECLARE(effect, member, status)                                                                     \
+#define DYNAMICS_DECLARE(effect, member, status)                                                             \
     KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
 DOM_DYNAMICS(DYNAMICS_DECLARE)
 #undef DYNAMICS_DECLARE

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects of DOM_DYNAMICS by number: struct request and struct row_request hold their values in this order. */
+/* The effects of DOM_DYNAMICS by number: struct request and struct row_request hold their values in this
+ * order. */
 #ifndef DOM_LIST_H
 #define DOM_LIST_H
 

@@ -312,6 +312,7 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
 }
 
 /*
+ * No bound is known where the law of motion is not conservative: then both are NaN.
  * Near a smooth top the slope vanishes: what rounding, tol and the rule leave of it bounds s, over its own
  * slope; at a kink or a jump s is bracketed to tol itself.  r_max may be off by as much as it changes over
  * that.
@@ -320,6 +321,9 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
 {
     struct margin_context *c = b->c;
     real s = b->s, r = b->r_max, r_error = 0;
+    *error = (struct dom_best_error){.s = REAL_NAN, .r_max = REAL_NAN};
+    if (!c->geometry.dynamics->conservative)
+        return DOM_OK;
     struct limit limit;
     c->s = s;
     enum dom_status status = limit_find(c, &limit);
@@ -328,7 +332,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     /* A jump of r_max(s) is where a dip of the margin begins, of which the shallowest are not resolved
      * (scan.c). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
-    if (status == DOM_OK && smooth && c->geometry.dynamics->conservative) {
+    if (status == DOM_OK && smooth) {
         real h = slope_step(s, r) * b->finer, width = 4 * h;
         real second_derivative = fabs(top_slope(s + width, b) - top_slope(s - width, b)) / (2 * width);
         c->s = s;

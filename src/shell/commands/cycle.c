@@ -7,8 +7,8 @@
 /* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
 static const char *no_fuel(const struct session *session)
 {
-    struct dom_fuels fuels;
-    if (dom_law(&session->train)->dissipates)
+    struct domq_fuels fuels;
+    if (domq_law(&session->train)->dissipates)
         return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
                "'rmax' tells how "
                "large r may be";
@@ -133,9 +133,9 @@ static bool run_fuel(struct session *session, const struct call *call)
         return session_status(session, status);
     struct cell exact = CELL_OF(f, exact), paper = CELL_OF(f, paper);
     struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
-    struct dom_launch launch;
-    if (dom_law(&session->train)->dissipates) { /* what friction leaves of it */
-        status = dom_launch_find(&session->train, &launch, NULL);
+    struct domq_launch launch;
+    if (domq_law(&session->train)->dissipates) { /* what friction leaves of it */
+        status = domq_launch_find(&session->train, &session->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return session_status(session, status);
         used = cell_bound(launch.fuel, DOMQ_NAN);

@@ -24,10 +24,10 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
     if (scene->effect[DOM_EFFECT_row].on) {
         const struct effect_state *errors = &scene->effect[DOM_EFFECT_placement];
         if (!errors->on)
-            return dom_row_run(&asked, false, NULL, NULL, &verdict);
-        struct dom_placement p = {
+            return domq_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
+        struct domq_placement p = {
             .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1};
-        return dom_placement_study(&asked, &p, &study, NULL);
+        return domq_placement_study(&row->row, &compute, &p, &study, NULL);
     }
     enum dom_status status = domq_barrier_find(&scene->train, &compute, &barrier);
     if (status == DOM_OK && scene->effect[DOM_EFFECT_floor].on)
@@ -94,8 +94,8 @@ static double price_with(const struct session *session, enum dom_effect_name nam
     struct session scene = *session; /* its row is shared: nothing in here changes it */
     effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = effect_at(k);
-        bool wanted = k == (int)name ? on : (dom_effect(name)->needs >> k & 1) != 0;
+        const struct domq_effect *e = effect_at(k);
+        bool wanted = k == (int)name ? on : (domq_effect(name)->needs >> k & 1) != 0;
         bool without = !on && (k == (int)name || (e->needs >> name & 1) != 0);
         if (without || (wanted && !scene.effect[k].on))
             effect_put(&scene, (enum dom_effect_name)k, without ? EFFECT_OFF : e->argument[0].usual);
@@ -129,7 +129,7 @@ static void effects_say(const struct session *session, struct answer *a)
                "placement is timed for one random row, which may stop early.\n",
                row ? "does the whole row fall" : "does the train go on ('barrier')");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
-        const struct dom_effect *e = effect_at(k);
+        const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
 }
@@ -184,10 +184,10 @@ static void plan_row(struct answer *a, const char *part, const char *solved, siz
 /* The plan of a train. */
 static void plan_train(const struct session *session, struct answer *a, size_t n)
 {
-    bool rubs = dom_law(&session->train)->dissipates;
+    bool rubs = domq_law(&session->train)->dissipates;
     plan_row(a, "geometry", "(b8) (b10) (A6) in closed form, no trigonometry", n, "always");
     plan_row(a, "energy", "H (c1) and J (c2), ended by a bound of the tail", n, "always");
-    plan_row(a, "motion", dom_law(&session->train)->plan, n, rubs ? "friction is on" : "no losses");
+    plan_row(a, "motion", domq_law(&session->train)->plan, n, rubs ? "friction is on" : "no losses");
     plan_row(a, "barrier", rubs ? "roots of C, and omega^2 there" : "roots of H', and H there (c8)", n,
              "always");
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
@@ -196,8 +196,8 @@ static void plan_train(const struct session *session, struct answer *a, size_t n
 /* The plan of a row. */
 static void plan_of_row(const struct session *session, struct answer *a, size_t n)
 {
-    bool rubs = dom_law(&session->train)->dissipates, pushed = session->effect[DOM_EFFECT_push].on;
-    plan_row(a, "start", pushed ? dom_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
+    bool rubs = domq_law(&session->train)->dissipates, pushed = session->effect[DOM_EFFECT_push].on;
+    plan_row(a, "start", pushed ? domq_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
              pushed ? "push is on" : "no push");
     plan_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
     plan_row(a, "motion",

@@ -69,10 +69,10 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->r = (double)t->r;
     film->d = (double)t->d;
     film->pitch = (double)(t->s + t->d);
-    film->tau = (double)dom_scale_tau(&session->scale, t->d);
+    film->tau = (double)domq_scale_tau(&session->scale, t->d);
     /* As many as show the growth, and no smaller first head than can be seen. */
     film->cycles = call->count > 1 ? (int)call->number[1] : cycles_within(film->r, 4, 5);
-    enum dom_status status = dom_cycle_events(t, events, &count);
+    enum dom_status status = domq_cycle_events(t, &film->compute, events, &count);
     if (status == DOM_NO_MARGIN)
         return session_error(session,
                              "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r "

@@ -103,7 +103,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
 {
     struct session *session = r->session;
     struct quantity q;
-    dom_real n;
+    domq_real n;
     const char *name = axis->parameter->name;
     r->at = skip_blanks(r->at);
     session->column = reader_column(r, r->at);
@@ -124,15 +124,15 @@ static bool read_steps(struct reader *r, struct axis *axis)
         return (axis->from > 0 && axis->to > 0) ||
                session_error(session, "%s: steps of equal ratio need FROM and TO above 0", name);
     }
-    dom_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
-    return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (dom_real)1e-9 ||
+    domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
+    return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
            session_error(session, "%s has whole numbers only, and %s to %s in %zu values are not", name,
                          quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
 
 static bool read_values(struct reader *r, struct axis *axis)
 {
-    dom_real first = 0;
+    domq_real first = 0;
     const struct parameter *p = axis->parameter;
     if (!read_one(r, axis, p->words_only ? "a value" : "FROM", &first))
         return false;
@@ -183,9 +183,9 @@ domq_real axis_value(const struct axis *axis, size_t k)
         return axis->list[k];
     domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
     bool end = k == 0 || k == axis->count - 1; /* these are what was typed */
-    dom_real value = axis->logarithmic && !end
-                         ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
-                         : (1 - f) * axis->from + f * axis->to;
+    domq_real value = axis->logarithmic && !end
+                          ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
+                          : (1 - f) * axis->from + f * axis->to;
     return axis->parameter->value->whole ? quad(round)(value) : value;
 }
 

@@ -32,23 +32,13 @@ static const char *no_growth(struct domq_limit limit)
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
-    return cell_bound(limit->is.r_max, limit->error.r_max);
-}
-
-static enum dom_status limit_with(bool errors, struct dom_train train, enum dom_fuel fuel,
-                                  struct bounded *limit, enum dom_status *why)
-{
-    train.fuel = fuel;
-    limit->error.r_max = 0;
-    return dom_limit_rmax(&train, &limit->is, errors ? &limit->error : NULL, why);
-}
-
-/* With the paper's fuel, which knows no friction. */
-static enum dom_status limit_paper(bool errors, struct dom_train train, struct bounded *limit,
-                                   enum dom_status *why)
-{
-    *limit = (struct bounded){.is = {.r_max = DOM_NAN, .ends = DOM_END_NONE}};
-    return dom_dynamics(&train) ? DOM_OK : limit_with(errors, train, DOM_FUEL_PAPER, limit, why);
+    train.fuel = DOM_FUEL_EXACT;
+    enum dom_status status = domq_limit_rmax(&train, compute, exact);
+    if (status != DOM_OK)
+        return status;
+    *paper = (struct domq_limit){.r_max = DOMQ_NAN, .ends = DOM_END_NONE, .why = exact->why};
+    train.fuel = DOM_FUEL_PAPER;
+    return domq_dynamics(&train) ? DOM_OK : domq_limit_rmax(&train, compute, paper);
 }
 
 static const struct column rmax_columns[] = {
@@ -71,17 +61,17 @@ static bool run_rmax(struct session *session, const struct call *call)
         return session_status(session, status);
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     answer_row(call->answer,
-               ROW(cell_real(train.s), cell_limit(&used), cell_word(dom_end_text(used.is.ends)),
-                   cell_limit(&exact), cell_limit(&paper)),
-               no_growth(used.is, why));
-    if (dom_law(&train)->dissipates)
+               ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
+                   CELL_OF(exact, r_max), CELL_OF(paper, r_max)),
+               no_growth(used));
+    if (domq_law(&train)->dissipates)
         answer_say(call->answer,
                    "with friction %.6g between dominoes; the paper's closed form of the fuel knows none",
                    (double)train.mu);
-    else if (dom_dynamics(&train))
+    else if (domq_dynamics(&train))
         answer_say(call->answer, "the paper's closed form of the fuel knows no %s",
-                   dom_dynamics(&train)->name);
-    else if (used.is.ends != DOM_END_NONE && exact.is.r_max == paper.is.r_max)
+                   domq_dynamics(&train)->name);
+    else if (used.ends != DOM_END_NONE && exact.r_max == paper.r_max)
         answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
     else if (used.ends != DOM_END_NONE)
         answer_say(call->answer,

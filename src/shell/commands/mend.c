@@ -27,11 +27,11 @@ static bool push_lacks(const struct domq_verdict *v)
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
 }
 
-static enum dom_status push_say(struct answer *a, const struct scene_row *scene, const struct dom_verdict *v)
+static enum dom_status push_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v)
 {
-    dom_real push;
+    domq_real push;
     enum dom_status status =
-        dom_row_push(&scene->row, dom_effect(DOM_EFFECT_push)->argument[0].highest, &push);
+        domq_row_push(&scene->row, &scene->compute, domq_effect(DOM_EFFECT_push)->argument[0].highest, &push);
     if (status != DOM_OK)
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
@@ -49,7 +49,7 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
 static const char no_single_gap[] =
     "no change of a single gap lets all fall: change several, the push, or the dominoes";
 
-static void mend_say(struct answer *a, const struct dom_mend *m, size_t found, bool pushless)
+static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, bool pushless)
 {
     if (found == 0) {
         answer_say(a, "N%s.", no_single_gap + 1);
@@ -69,31 +69,31 @@ static void mend_say(struct answer *a, const struct dom_mend *m, size_t found, b
 bool mend_run(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_verdict v;
-    struct dom_mend list[DOM_MENDS];
+    struct domq_verdict v;
+    struct domq_mend list[DOM_MENDS];
     struct progress progress = {0, 0};
     struct answer *a = call->answer;
     size_t found = 0;
     if (!scene_row_make(session, &scene))
         return false;
     scene.row.floor = false;
-    enum dom_status status = dom_row_run(&scene.row, false, NULL, NULL, &v);
+    enum dom_status status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
     bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
         status = push_say(a, &scene, &v);
     if (status == DOM_OK && !falls) {
-        status = dom_row_mend(&scene.row, mend_progress, &progress, list, &found);
+        status = domq_row_mend(&scene.row, &scene.compute, mend_progress, &progress, list, &found);
         progress_show(&progress, 1);
     }
     for (size_t i = 0; i < found; i++) {
-        dom_real change = list[i].to - list[i].gap;
+        domq_real change = list[i].to - list[i].gap;
         answer_row(a,
-                   ROW(cell_count((dom_real)list[i].domino), cell_narrow(list[i].gap, 7),
+                   ROW(cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
                        cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
-                       cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOM_NAN, 4)),
+                       cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4)),
                    NULL);
     }
-    const struct cell none = cell_real(DOM_NAN);
+    const struct cell none = cell_real(DOMQ_NAN);
     if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs want to know which */
         answer_row(a, ROW(none, none, none, none, none, none), falls ? "all fall" : no_single_gap);
     else if (falls)

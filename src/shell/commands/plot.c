@@ -133,8 +133,8 @@ static enum dom_status limit_point(struct domq_train train, const struct domq_co
     train.r = 1;
     train.q = (domq_real)curve->q;
     train.fuel = curve->fuel;
-    *r = DOM_NAN;
-    if (dom_dynamics(&train) && train.fuel == DOM_FUEL_PAPER) /* which knows none of them */
+    *r = DOMQ_NAN;
+    if (domq_dynamics(&train) && train.fuel == DOM_FUEL_PAPER) /* which knows none of them */
         return DOM_OK;
     enum dom_status status =
         curve->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);

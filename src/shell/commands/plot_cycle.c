@@ -20,16 +20,16 @@ struct cycle_samples {
     int count;
     struct domq_event events[DOM_EVENTS_MAX];
     int event_count;
-    struct dom_angles angles;
-    dom_real end; /* of the picture */
-    int lines;    /* in the picture of a chain; 0: not counted yet */
+    struct domq_angles angles;
+    domq_real end; /* of the picture */
+    int lines;     /* in the picture of a chain; 0: not counted yet */
 };
 
 /* ---- The data ---- */
 
 static bool events_find(struct session *session, struct cycle_samples *c)
 {
-    enum dom_status status = dom_angles_find(&session->train, &c->angles, NULL);
+    enum dom_status status = domq_angles_find(&session->train, &session->compute, &c->angles);
     if (status == DOM_OK)
         status = domq_cycle_events(&session->train, &session->compute, c->events, &c->event_count);
     if (status == DOM_NO_FUEL)
@@ -214,7 +214,7 @@ static bool omega_row(struct session *session, struct cycle_samples *c, const st
                       struct answer *answer)
 {
     (void)c;
-    dom_real tau = dom_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
     answer_row(answer,
                ROW(cell_real(at->theta), cell_real(at->omegasq), cell_real(quad(sqrt)(at->omegasq) / tau),
                    cell_word(at->event)),
@@ -257,11 +257,11 @@ static enum dom_status angles_find(const struct session *session, domq_real thet
 }
 
 /* Counts the lines: as many as begin apart from theta_f. */
-static enum dom_status lines_count(const struct dom_train *train, struct cycle_samples *c)
+static enum dom_status lines_count(const struct session *session, struct cycle_samples *c)
 {
     struct angles a;
-    dom_real theta_f = c->angles.theta_f;
-    enum dom_status status = angles_find(train, 0, theta_f, &a);
+    domq_real theta_f = c->angles.theta_f;
+    enum dom_status status = angles_find(session, 0, theta_f, &a);
     c->lines = 1;
     while (c->lines < LINES && theta_f - a.theta[c->lines] > LINES_APART * theta_f)
         c->lines++;
@@ -269,11 +269,11 @@ static enum dom_status lines_count(const struct dom_train *train, struct cycle_s
 }
 
 /* Finds the tilts of the lines at a sample. */
-static bool lines_at(struct session *session, struct cycle_samples *c, dom_real theta, struct angles *a)
+static bool lines_at(struct session *session, struct cycle_samples *c, domq_real theta, struct angles *a)
 {
-    enum dom_status status = c->lines ? DOM_OK : lines_count(&session->train, c);
+    enum dom_status status = c->lines ? DOM_OK : lines_count(session, c);
     if (status == DOM_OK)
-        status = angles_find(&session->train, theta, c->angles.theta_f, a);
+        status = angles_find(session, theta, c->angles.theta_f, a);
     return status == DOM_OK || session_status(session, status);
 }
 

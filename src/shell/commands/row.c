@@ -186,7 +186,7 @@ static bool verdict_known(struct session *session, const struct domq_verdict *v)
 static bool run_fall(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_verdict verdict;
+    struct domq_verdict verdict;
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
@@ -194,7 +194,7 @@ static bool run_fall(struct session *session, const struct call *call)
     a->columns = scene.row.floor ? fall_floor_columns : fall_columns;
     if (scene_weighed(session))
         columns_in_joules(a);
-    enum dom_status status = dom_row_run(&scene.row, true, fall_row, &c, &verdict);
+    enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
     if (status == DOM_OK) {
         verdict_say(session, a, &scene, &verdict, true);
         if (scene.row.floor)
@@ -228,7 +228,7 @@ static const char *end_word(enum dom_row_end end)
 static bool run_verdict(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_verdict v;
+    struct domq_verdict v;
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
@@ -273,7 +273,7 @@ static const struct column rowmax_columns[] = {
 };
 
 /* Makes the row that the scene has at the growth r: what was placed stays. */
-static void row_at(dom_real r, struct dom_domino *domino, size_t count, void *context)
+static void row_at(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     struct session scene = *(const struct session *)context;
     scene.train.r = r;
@@ -282,8 +282,8 @@ static void row_at(dom_real r, struct dom_domino *domino, size_t count, void *co
 
 static bool run_rowmax(struct session *session, const struct call *call)
 {
-    struct dom_row_growth growth;
-    struct dom_limit limit;
+    struct domq_row_growth growth;
+    struct domq_limit limit;
     struct scene_row scene;
     if (!scene_row_make(session, &scene))
         return false;
@@ -291,14 +291,15 @@ static bool run_rowmax(struct session *session, const struct call *call)
     if (session->listed.domino)
         return session_error(session,
                              "the row is from a file: it has no growth r; 'effect row N' is a row with one");
-    enum dom_status status = dom_row_rmax(&scene.row, 1 / session->train.s, row_at, session, &growth);
+    enum dom_status status =
+        domq_row_rmax(&scene.row, &scene.compute, 1 / session->train.s, row_at, session, &growth);
     if (status == DOM_OK)
         status = domq_limit_rmax(&session->train, &session->compute, &limit);
     if (status != DOM_OK)
         return row_status(session, status);
     answer_row(call->answer,
-               ROW(cell_real(session->train.s), cell_count((dom_real)scene.row.count),
-                   cell_bound(growth.r_max, DOM_NAN), cell_bound(limit.r_max, DOM_NAN)),
+               ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
+                   cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
                isnan(growth.r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why"
                                    : NULL);
     return true;

@@ -54,8 +54,10 @@ static bool walk_answer(struct session *session, const struct call *call, bool w
 {
     const struct walk *w = &session->walk;
     struct answer *a = call->answer;
-    struct dom_state s, e = {0};
-    a->columns = dom_law(&w->train)->dissipates ? rubbing_columns : walk_columns;
+    struct domq_state s;
+    struct domq_compute compute = w->compute;
+    compute.errors = session->style.errors;
+    a->columns = domq_law(&w->train)->dissipates ? rubbing_columns : walk_columns;
     if (w->verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOMQ_NAN);
         answer_row(a, ROW(none, none, none, none, none, none, none, none, none, none, none, none),

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 
 /* The scene's row and errors; false: there are none, which was reported. */
-static bool study_make(struct session *session, dom_real rows, struct task_pool *pool,
-                       struct scene_row *scene, struct dom_placement *p)
+static bool study_make(struct session *session, domq_real rows, struct task_pool *pool,
+                       struct scene_row *scene, struct domq_placement *p)
 {
     const struct effect_state *errors = &session->effect[DOM_EFFECT_placement];
     if (!scene_row_make(session, scene))
@@ -29,7 +29,7 @@ static bool study_make(struct session *session, dom_real rows, struct task_pool 
         .pool = pool,
     };
     pool->threads = session->threads;
-    pool->interrupt = session->train.interrupt;
+    pool->interrupt = session->compute.interrupt;
     return true;
 }
 
@@ -40,7 +40,8 @@ static bool placement_all(struct session *session, const struct call *call, cons
 {
     struct domq_study study;
     size_t *stops = calloc(scene->row.count, sizeof *stops);
-    enum dom_status status = stops ? dom_placement_study(&scene->row, p, &study, stops) : DOM_NO_MEMORY;
+    enum dom_status status =
+        stops ? domq_placement_study(&scene->row, &scene->compute, p, &study, stops) : DOM_NO_MEMORY;
     if (status == DOM_OK)
         study_answer(call, p->sigma, p->heights, &study, stops, scene->row.count, NULL);
     free(stops);
@@ -50,9 +51,9 @@ static bool placement_all(struct session *session, const struct call *call, cons
 static bool run_placement(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_placement p;
+    struct domq_placement p;
     struct task_pool pool = {.progress = true};
-    dom_real rows = call->count > 0 ? call->number[0] : 2000;
+    domq_real rows = call->count > 0 ? call->number[0] : 2000;
     if (!study_make(session, rows, &pool, &scene, &p))
         return false;
     bool done = session->shard.parts > 0 ? study_blocks(session, call, &scene, &p)
@@ -75,16 +76,16 @@ static const struct column budget_columns[] = {
 static bool run_budget(struct session *session, const struct call *call)
 {
     struct scene_row scene;
-    struct dom_placement p;
-    struct dom_budget budget;
+    struct domq_placement p;
+    struct domq_budget budget;
     struct task_pool pool = {.progress = false}; /* how many studies it takes is not known */
-    dom_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
+    domq_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
     if (!(share > 0 && share < 1))
         return session_error(session, "P = %s is no probability for this; P is between 0 and 1, such as 0.9",
                              quad_shown(share).text);
     if (!study_make(session, rows, &pool, &scene, &p))
         return false;
-    enum dom_status status = dom_placement_budget(&scene.row, &p, (double)share, &budget);
+    enum dom_status status = domq_placement_budget(&scene.row, &scene.compute, &p, (double)share, &budget);
     free(scene.domino);
     if (status == DOM_STOPS)
         return session_no_answer(session, p.heights > 0

@@ -104,9 +104,9 @@ static void checksum_add(uint32_t *sum, domq_real value)
 static uint32_t scene_checksum(const struct domq_row *row, const struct domq_compute *compute)
 {
     uint32_t sum = 2166136261u;
-#define VALUE(name, member) row->member,
-    const dom_real all[] = {row->g, isnan(row->push) ? -1 : row->push, DOM_DYNAMICS(VALUE) row->tol,
-                            (dom_real)row->precision};
+#define VALUE(name, member, status) row->member,
+    const domq_real all[] = {row->g, isnan(row->push) ? -1 : row->push, DOM_DYNAMICS(VALUE) compute->tol,
+                             (domq_real)compute->precision};
 #undef VALUE
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         checksum_add(&sum, all[i]);
@@ -151,7 +151,7 @@ static bool block_point(void *own, size_t block, FILE *out)
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
     p.parallel = NULL; /* the blocks are side by side already */
-    b->status = stops ? dom_placement_study(b->row, &p, &study, stops) : DOM_NO_MEMORY;
+    b->status = stops ? domq_placement_study(b->row, b->compute, &p, &study, stops) : DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block == 0);
         stops_text(stops, b->row->count, text);
@@ -173,7 +173,7 @@ bool study_blocks(struct session *session, const struct call *call, const struct
     struct answer *a = call->answer;
     struct blocks b = {.row = &scene->row, .compute = &scene->compute, .placement = placement};
     bool by_point;
-    snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row));
+    snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row, &scene->compute));
     a->columns = block_columns;
     a->rows = true;
     a->style.errors = false; /* counts have none */

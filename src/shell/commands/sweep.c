@@ -175,7 +175,7 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     swept_begin(&w->swept);
     w->swept.to = to;
     if (w->styled) {
-        dom_real digits = a.style.digits; /* columns are as wide in all rows */
+        domq_real digits = a.style.digits; /* columns are as wide in all rows */
         a.style = session_style(&w->point);
         a.style.digits = digits;
     }

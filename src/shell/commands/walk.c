@@ -29,12 +29,14 @@ struct walk_units walk_units(const struct session *session, int cycle)
 /* Compares everything that an answer depends on with what the session had when the walk began. */
 static bool same_train(const struct walk *walk, const struct session *session)
 {
-    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->tol == b->tol &&
-#define SAME(name, member) a->member == b->member &&
+    const struct domq_train *a = &walk->train, *b = &session->train;
+    return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->fuel == b->fuel &&
+#define SAME(name, member, status) a->member == b->member &&
            DOM_DYNAMICS(SAME)
 #undef SAME
-                   a->precision == b->precision &&
-           a->fuel == b->fuel && a->method == b->method;
+                   walk->tol == session->compute.tol &&
+           walk->compute.precision == session->compute.precision &&
+           walk->compute.method == session->compute.method;
 }
 
 const struct walk *walk_now(const struct session *session)
@@ -110,8 +112,8 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     if (domq_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
         domq_cycle_forces(&w->train, &w->compute, 0, impulse_seen, &impulses) != DOM_OK)
         return;
-    dom_real omega = quad(sqrt)(l.omegasq) / u.tau;
-    bool rubs = dom_law(&w->train)->dissipates;
+    domq_real omega = quad(sqrt)(l.omegasq) / u.tau;
+    bool rubs = domq_law(&w->train)->dissipates;
     const char *inertia = rubs ? "A(0)" : "J(0)";
     answer_say(
         a,
@@ -150,7 +152,7 @@ static void say_top(const struct session *session, const struct walk *w, const s
                     struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle);
-    if (dom_law(&w->train)->dissipates) {
+    if (domq_law(&w->train)->dissipates) {
         answer_say(a,
                    "The hardest tilt, theta_m = %.6g %s (c8): the train has climbed %.6g %s, friction has "
                    "taken %.6g, and "
@@ -203,7 +205,7 @@ static void say_stop(const struct session *session, const struct walk *w, const 
         "barrier stands at theta_m = %.6g %s, %.6g %s higher (c8). There is no next hit; 'why' says more.",
         (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
         (double)(b.kinetic * u.energy), u.energy_unit,
-        dom_law(&w->train)->dissipates ? "the climb and friction" : "the climb (c3)",
+        domq_law(&w->train)->dissipates ? "the climb and friction" : "the climb (c3)",
         (double)style_angle(&session->style, b.theta_m), style_angle_unit(&session->style),
         (double)(-b.margin * u.energy), u.energy_unit);
 }
@@ -220,7 +222,7 @@ static void say_hit(const struct session *session, const struct walk *w, const s
         (double)next.height, (double)style_angle(&session->style, s->theta),
         style_angle_unit(&session->style), spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text,
         (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
-    if (dom_law(&w->train)->dissipates)
+    if (domq_law(&w->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
                    (double)(s->friction_work * u.energy), u.energy_unit);
     answer_say(

@@ -75,12 +75,13 @@ const char *cycle_by(const void *context, int k)
 
 bool cycle_run(struct session *session, const struct call *call)
 {
+    const struct domq_compute compute = session_compute(session);
     struct answer *a = call->answer;
     struct cycle_table table = {.session = session, .answer = a};
     size_t rows = call->count > 0 ? (size_t)call->number[0] : 12;
     enum dom_spacing by = call->count > 1 ? (enum dom_spacing)call->number[1] : DOM_BY_TIME;
     walk_columns_in(session, a);
-    enum dom_status verdict = dom_angles_find(&session->train, &table.angles, NULL);
+    enum dom_status verdict = domq_angles_find(&session->train, &session->compute, &table.angles);
     if (verdict == DOM_OK)
         verdict = domq_cycle_walk(&session->train, &compute, rows, by, cycle_row, &table);
     if (verdict == DOM_NO_FUEL) {
@@ -90,7 +91,7 @@ bool cycle_run(struct session *session, const struct call *call)
     }
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return session_status(session, table.status != DOM_OK ? table.status : verdict);
-    if (dom_law(&session->train)->dissipates)
+    if (domq_law(&session->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
                    (double)(table.last.friction_work * walk_units(session, 1).energy),
                    walk_units(session, 1).energy_unit);

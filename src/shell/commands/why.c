@@ -51,7 +51,7 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
             (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
             (double)(b->margin / b->barrier));
     }
-    if (dom_law(t)->dissipates && verdict != DOM_NO_FUEL)
+    if (domq_law(t)->dissipates && verdict != DOM_NO_FUEL)
         answer_say(a,
                    "Friction of %.6g between dominoes is in K and in B: B is the kinetic energy that it "
                    "takes to come "
@@ -93,6 +93,7 @@ static void contact_say(const struct session *session, struct answer *a, const s
 
 bool why_run(struct session *session, const struct call *call)
 {
+    const struct domq_compute compute = session_compute(session);
     struct walk_units u = walk_units(session, 1);
     struct domq_launch l;
     struct domq_barrier b;
@@ -110,7 +111,7 @@ bool why_run(struct session *session, const struct call *call)
     if (answer_for_people(a) &&
         domq_cycle_least_force(&session->train, &session->compute, &contact) == DOM_OK)
         contact_say(session, a, &contact);
-    if (dom_law(&session->train)->dissipates)
+    if (domq_law(&session->train)->dissipates)
         a->columns = why_rubbing_columns;
     walk_columns_in(session, a);
     answer_row(a,

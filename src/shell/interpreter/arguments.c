@@ -157,7 +157,7 @@ static bool is_value_name(const char *word)
     return names_exact(value_names, NULL, word) >= 0;
 }
 
-bool read_value(struct reader *r, const struct parameter *p, int i, const char *name, dom_real *number)
+bool read_value(struct reader *r, const struct parameter *p, int i, const char *name, domq_real *number)
 {
     const char *begin = r->at;
     char message[NAMES_MESSAGE] = "", what[32];
@@ -256,7 +256,7 @@ static bool names_file(const char *word)
 static bool read_setting(struct reader *r, const struct command *c, struct call *call, int i)
 {
     const struct parameter *p = call->parameter;
-    const struct dom_effect_argument *of = parameter_value(p, i - 1);
+    const struct domq_effect_argument *of = parameter_value(p, i - 1);
     char usage[USAGE_SIZE], shown[NAMES_SHOWN], word[PATH_MAX];
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
     if (!of || call->word[1] || (i > 1 && parameter_word(p, call->number[1])))

@@ -32,7 +32,7 @@ char *read_file(struct reader *reader);
 
 /* Reads the i-th value of a parameter: one of its words, or an expression; name stands in the messages. */
 bool read_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
-                dom_real *number);
+                domq_real *number);
 
 /* An expression for an argument. */
 bool read_quantity(struct reader *reader, const struct argument *argument, struct quantity *quantity,

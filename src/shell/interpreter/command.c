@@ -101,7 +101,7 @@ static bool is_tilt(const struct argument *a)
     return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
 }
 
-bool argument_check(struct session *session, const struct argument *a, struct quantity q, dom_real *number)
+bool argument_check(struct session *session, const struct argument *a, struct quantity q, domq_real *number)
 {
     char kind[64], wanted[64];
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
@@ -132,7 +132,7 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
         return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d%s%s", a->name,
                                  quad_shown(q.value).text, a->name, most, a->most ? ", " : "",
                                  a->most ? a->most_of : "");
-    const struct dom_effect_argument *of = p ? &p->value[a->which] : NULL;
+    const struct domq_effect_argument *of = p ? &p->value[a->which] : NULL;
     if (p && strcmp(a->name, of->name) != 0 && !(q.value >= of->lowest && q.value <= of->highest))
         return session_no_answer(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
                                  quad_shown(q.value).text, a->name, p->name, (double)of->lowest,

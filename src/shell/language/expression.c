@@ -130,7 +130,7 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     *q = f->kind == KEEPS    ? a[0]
          : f->kind == HALVES ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2}
                              : (struct quantity){.angle = f->kind == TO_ANGLE};
-    dom_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
+    domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
     if (f->two)
         q->value = f->two(a[0].value, a[1].value);
     else if (f->one)

@@ -9,11 +9,11 @@ extern int strfromf128(char *restrict text, size_t size, const char *restrict fo
 extern domq_real strtof128(const char *restrict text, char **restrict end);
 #endif
 
-const char *quad_text(dom_real value, int digits, char text[WIDE_TEXT])
+const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
 {
     digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
-#if defined DOM_REAL_FLOAT128
-    if ((dom_real)(double)value != value) {
+#if defined DOMQ_REAL_FLOAT128
+    if ((domq_real)(double)value != value) {
         char format[16];
         snprintf(format, sizeof format, "%%.%dg", digits);
         strfromf128(text, WIDE_TEXT, format, value);

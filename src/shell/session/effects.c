@@ -38,7 +38,7 @@ const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE])
 
 const char *effect_file(const struct session *session, enum dom_effect_name name)
 {
-    bool listed = dom_effect(name)->argument[0].or_file && session->effect[name].on;
+    bool listed = domq_effect(name)->argument[0].or_file && session->effect[name].on;
     return listed && session->listed.domino ? session->listed.path : NULL;
 }
 
@@ -46,11 +46,11 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
                            char setting[EFFECT_SETTING])
 {
     const struct effect_state *state = &session->effect[name];
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     const char *path = effect_file(session, name), *slash = path ? strrchr(path, '/') : NULL;
     snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : state->on ? "" : "off");
     for (int i = 0, n = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
-        const struct dom_effect_argument *of = &e->argument[i];
+        const struct domq_effect_argument *of = &e->argument[i];
         char number[WIDE_TEXT];
         if (i > 0 && of->optional && state->value[i] == of->usual)
             break;
@@ -72,7 +72,7 @@ static const char *const examples[DOM_EFFECT_COUNT] = {
 
 const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPLE])
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     int n = 0;
     if (examples[name])
         return examples[name];
@@ -165,31 +165,31 @@ bool effect_needs(struct session *session, enum dom_effect_name name)
 {
     char usage[EFFECT_USAGE];
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (dom_effect(name)->needs >> k & 1 && !session->effect[k].on)
-            return session_error(session, "%s is about a %s: 'effect %s' first", dom_effect(name)->name,
+        if (domq_effect(name)->needs >> k & 1 && !session->effect[k].on)
+            return session_error(session, "%s is about a %s: 'effect %s' first", domq_effect(name)->name,
                                  effect_at(k)->name, effect_usage((enum dom_effect_name)k, usage));
     return (int)name >= DOM_DYNAMICS_COUNT || session->train.fuel != DOM_FUEL_PAPER ||
            session_error(session,
                          "the paper's closed form of the fuel knows no %s: they exclude each other; "
                          "'set fuel exact' first",
-                         dom_effect(name)->name);
+                         domq_effect(name)->name);
 }
 
 /* Makes this the state of an effect; a row from a file ends with it. */
 static bool effect_store(struct session *session, enum dom_effect_name name, struct effect_state state,
                          bool from_file)
 {
-    if (dom_effect(name)->argument[0].or_file && !from_file)
+    if (domq_effect(name)->argument[0].or_file && !from_file)
         listed_free(&session->listed);
     session->effect[name] = state;
     effects_apply(session);
     return true;
 }
 
-static bool turn_on(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+static bool turn_on(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
                     const char *path)
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     struct effect_state state = {.on = true};
     char usage[EFFECT_USAGE];
     bool usual = given > 0 && value[0] == EFFECT_ON;
@@ -208,11 +208,11 @@ static bool turn_off(struct session *session, enum dom_effect_name name)
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (session->effect[k].on && effect_at(k)->needs >> name & 1)
             return session_error(session, "%s is about the %s: 'effect %s off' first", effect_at(k)->name,
-                                 dom_effect(name)->name, effect_at(k)->name);
+                                 domq_effect(name)->name, effect_at(k)->name);
     return effect_store(session, name, (struct effect_state){.on = false}, false);
 }
 
-bool effect_turn(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+bool effect_turn(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
                  const char *path)
 {
     if (given > 0 && value[0] == EFFECT_OFF)
@@ -221,14 +221,14 @@ bool effect_turn(struct session *session, enum dom_effect_name name, const dom_r
     return stays || turn_on(session, name, value, given, path);
 }
 
-void effect_put(struct session *session, enum dom_effect_name name, dom_real value)
+void effect_put(struct session *session, enum dom_effect_name name, domq_real value)
 {
     struct effect_state *state = &session->effect[name];
     for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS; i++)
-        state->value[i] = dom_effect(name)->argument[i].usual;
+        state->value[i] = domq_effect(name)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
-    if (dom_effect(name)->argument[0].or_file)
+    if (domq_effect(name)->argument[0].or_file)
         session->listed = (struct listed_row){.domino = NULL};
     effects_apply(session);
 }
@@ -258,7 +258,7 @@ static void save_name(const char *path, FILE *out)
 
 void effect_save(const struct session *session, enum dom_effect_name name, FILE *out)
 {
-    const struct dom_effect *e = dom_effect(name);
+    const struct domq_effect *e = domq_effect(name);
     const char *path = effect_file(session, name);
     char number[WIDE_TEXT];
     fprintf(out, session->effect[name].on ? "effect %s" : "effect %s off", e->name);
@@ -289,13 +289,13 @@ static void row_weigh(const struct session *session, struct domq_domino *domino,
         domino[k].mass *= by;
 }
 
-void scene_row_fill(const struct session *session, struct dom_domino *domino, size_t count)
+void scene_row_fill(const struct session *session, struct domq_domino *domino, size_t count)
 {
     const struct listed_row *listed = &session->listed;
     if (listed->domino)
         memcpy(domino, listed->domino, count * sizeof *domino);
     else
-        dom_row_of_train(&session->train, &session->scale, 1, domino, count);
+        domq_row_of_train(&session->train, &session->scale, 1, domino, count);
     for (size_t i = 0; i < listed->changes; i++)
         domino[listed->placed[i].k - 1].gap = listed->placed[i].gap;
     if (!listed->domino || !listed->weighed)
@@ -317,18 +317,15 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
         return false;
     }
     scene_row_fill(session, scene->domino, count);
-    scene->row = (struct dom_row){
+    scene->row = (struct domq_row){
         .domino = scene->domino,
         .count = count,
         .g = session->scale.g,
-        .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOM_NAN,
-#define VALUE(name, member) .member = session->train.member,
+        .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOMQ_NAN,
+#define VALUE(name, member, status) .member = session->train.member,
         DOM_DYNAMICS(VALUE)
 #undef VALUE
             .floor = effect[DOM_EFFECT_floor].on,
-        .tol = session->train.tol,
-        .precision = session->train.precision,
-        .interrupt = session->train.interrupt,
     };
     scene->compute = session->compute;
     return true;

@@ -8,12 +8,12 @@
 #include <math.h>
 
 /* Beside its numbers, an effect has these values: off; and on, as it is, or with the usual values. */
-#define EFFECT_OFF ((dom_real)-HUGE_VAL)
-#define EFFECT_ON  ((dom_real)HUGE_VAL)
+#define EFFECT_OFF ((domq_real)-HUGE_VAL)
+#define EFFECT_ON  ((domq_real)HUGE_VAL)
 
-static inline const struct dom_effect *effect_at(int k)
+static inline const struct domq_effect *effect_at(int k)
 {
-    return dom_effect((enum dom_effect_name)k);
+    return domq_effect((enum dom_effect_name)k);
 }
 
 /* For names.h: the effects. */
@@ -43,11 +43,11 @@ const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPL
  * the place of its first argument.  Returns false after an error, and nothing has changed then; but a file
  * that gives no row leaves none in force, nor what needs one, and the error says so.
  */
-bool effect_turn(struct session *session, enum dom_effect_name name, const dom_real *value, int given,
+bool effect_turn(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
                  const char *path);
 
 /* Gives an effect its first value, or EFFECT_OFF, in a session that borrows its row, which is not freed. */
-void effect_put(struct session *session, enum dom_effect_name name, dom_real value);
+void effect_put(struct session *session, enum dom_effect_name name, domq_real value);
 
 /* Reports an error if an effect that this one needs is off, or what it cannot be combined with is on. */
 bool effect_needs(struct session *session, enum dom_effect_name name);
@@ -78,7 +78,7 @@ struct scene_row {
 bool scene_row_make(struct session *session, struct scene_row *row);
 
 /* Fills domino[0] to domino[count - 1] with the row that the session has, its changes and masses included. */
-void scene_row_fill(const struct session *session, struct dom_domino *domino, size_t count);
+void scene_row_fill(const struct session *session, struct domq_domino *domino, size_t count);
 
 /* Are masses known, so that energies are in J?  Else they are in m g h / 2 of the first domino. */
 bool scene_weighed(const struct session *session);

@@ -115,13 +115,16 @@ const struct format *format_number(unsigned k)
     {ROW(#name_, of.name_, unit_, meaning_, .usual = (domq_real)(default_), .lowest = (domq_real)(lowest_), \
          .highest = (domq_real)(highest_)), MORE_##name_},
 #define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
+#define COMPUTE_NUMBER(...) NUMBER(compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
+#define DYNAMICS(name, member, status) EFFECT(name)
 #define EFFECT(name_) \
     {.name = #name_, .value = domq_effect_##name_.argument, .effect = &domq_effect_##name_, \
      .which = DOM_EFFECT_##name_, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
 
 const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
+    DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
     {ROW("mass", mass, "kg", "mass of the first domino, 0 for none: energies are then in m g h/2", .highest = 1e9)},
     {ROW("density", density, "kg/m^3", "of solid dominoes half as wide as tall, where no mass is set",
@@ -146,6 +149,7 @@ const struct parameter session_parameters[] = {
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     {ROW("timing", timing, "", "whether every answer ends with its time", .usual = 0),
      .words = SWITCH, .words_only = true, .setting = true},
+    DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
     {.name = NULL},
 };

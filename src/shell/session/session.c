@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/session.h"
-#include "session/parameters.h"
 #include "language/quad.h"
+#include "session/parameters.h"
 #include <stdlib.h>
 
 void session_init(struct session *session, FILE *out)
 {
-    *session = (struct session){.train = dom_train_default(), .scale = dom_scale_default(), .out = out};
-    session->style.digits = dom_arithmetic(session->train.precision)->digits;
+    *session = (struct session){.train = domq_train_default(),
+                                .compute = domq_compute_default(),
+                                .scale = domq_scale_default(),
+                                .out = out};
+    session->style.digits = domq_arithmetic(session->compute.precision)->digits;
     session->seed = SEED_DEFAULT;
 }
 
@@ -21,7 +24,7 @@ void listed_free(struct listed_row *row)
 
 void effects_apply(struct session *session)
 {
-#define APPLY(name, member)                                                                                  \
+#define APPLY(name, member, status)                                                                          \
     session->train.member =                                                                                  \
         session->effect[DOM_EFFECT_##name].on ? session->effect[DOM_EFFECT_##name].value[0] : 0;
     DOM_DYNAMICS(APPLY)
@@ -69,12 +72,19 @@ bool session_stops(const struct session *session, long errors)
            dom_raised(session->compute.interrupt);
 }
 
+struct domq_compute session_compute(const struct session *session)
+{
+    struct domq_compute compute = session->compute;
+    compute.errors = session->style.errors;
+    return compute;
+}
+
 struct output_style session_style(const struct session *session)
 {
     struct output_style style = session->style;
-    int bits = dom_arithmetic(session->train.precision)->bits;
+    int bits = domq_arithmetic(session->compute.precision)->bits;
     style.format = format_number(style.output);
-    style.precision = session->train.precision;
+    style.precision = session->compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
     style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);
     style.digits = quad_smaller(style.digits, style.all_digits);

@@ -134,6 +134,9 @@ bool session_stops(const struct session *session, long errors);
 /* Also for a library status that is not DOM_OK. */
 bool session_status(struct session *session, enum dom_status status);
 
+/* Returns how to compute an answer: with bounds of its errors if the session asks for them. */
+struct domq_compute session_compute(const struct session *session);
+
 /* The style of the session's answers. */
 struct output_style session_style(const struct session *session);
 
