@@ -41,20 +41,14 @@ static real rises(real p, struct slope_context *c)
 }
 
 /* Keeps p as the top if it is higher. */
-static void barrier_keep(struct barrier *b, real p, real height)
-{
-    if (height > b->height) {
-        b->height = height;
-        b->half = p;
-    }
-}
-
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
     real height = 0;
     enum dom_status status = c->geometry->dynamics->required_energy(c->geometry, c->from, p, &height);
-    if (status == DOM_OK)
-        barrier_keep(b, p, height);
+    if (status == DOM_OK && height > b->height) {
+        b->height = height;
+        b->half = p;
+    }
     return status;
 }
 
@@ -128,21 +122,20 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     if (c->status != DOM_OK)
         return;
     struct sample next = {p, rises(p, c)};
-    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && !c->geometry->dynamics->conservative) {
-        real half = 0;
-        enum num_status status =
-            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &half);
-        c->status = model_status(c->status, status);
-        if (c->status == DOM_OK)
-            c->status = barrier_try(c, half, b);
-    } else if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 &&
-               !(last->p <= c->known && c->known <= p)) {
-        struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
+    bool found = c->status == DOM_OK && last->slope > 0 && next.slope <= 0;
+    struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
+    if (found && !c->geometry->dynamics->conservative) {
+        enum num_status solver =
+            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &top.p);
+        c->status = model_status(c->status, solver);
+    } else if (found) {
+        found = !(last->p <= c->known && c->known <= p);
         top.p = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
-        c->status = barrier_climb(c, NULL, &top, tol);
-        if (c->status == DOM_OK)
-            c->status = barrier_try(c, top.p, b);
+        if (found)
+            c->status = barrier_climb(c, NULL, &top, tol);
     }
+    if (found && c->status == DOM_OK)
+        c->status = barrier_try(c, top.p, b);
     *last = next;
 }
 
