@@ -20,6 +20,13 @@ static const struct kernel *const kernels[] = {
 #define BAD_q   DOM_BAD_Q
 #define BAD_tol DOM_BAD_TOL
 
+static enum dom_status precision_check(enum dom_precision precision)
+{
+    return precision > DOM_QUAD              ? DOM_BAD_PRECISION
+           : dom_arithmetic(precision)->bits ? DOM_OK
+                                             : DOM_NO_PRECISION;
+}
+
 /* Keeps the first parameter that is outside its range. */
 #define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
     if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
@@ -35,10 +42,8 @@ static enum dom_status request_check(const struct request *q)
         status = DOM_BAD_FUEL;
     if (status == DOM_OK && q->method > DOM_METHOD_PAPER)
         status = DOM_BAD_METHOD;
-    if (status == DOM_OK && q->precision > DOM_QUAD)
-        status = DOM_BAD_PRECISION;
-    if (status == DOM_OK && dom_arithmetic(q->precision)->bits == 0)
-        status = DOM_NO_PRECISION;
+    if (status == DOM_OK)
+        status = precision_check(q->precision);
     DOM_COMPUTE_PARAMETERS(CHECK)
     if (status == DOM_OK && (double)q->tol < (double)dom_arithmetic(q->precision)->tol_floor)
         status = DOM_BAD_TOL;
@@ -91,36 +96,38 @@ static struct question question_of_limit(const struct dom_train *train, const st
      : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \
                                          : (question).kernel->member(&(question).request, __VA_ARGS__))
 
-/* The bounds where they are asked for. */
-#define BOUNDS(question, bounds) ((question).request.errors ? &(bounds) : NULL)
+/* Returns the status of an answer, whose bounds are NaN where none are asked for. */
+static enum dom_status found(const struct question *q, enum dom_status status, void *bounds, size_t size)
+{
+    if (!q->request.errors)
+        no_bounds(bounds, size);
+    return status;
+}
+
+/* Calls a function of the kernel that fills an answer with bounds: they are NaN where it finds none. */
+#define FIND(question, member, bounds, ...)                                                                  \
+    (no_bounds(&(bounds), sizeof(bounds)),                                                                   \
+     found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))
 
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_angles angles;
     struct question q = question_make(train, compute);
-    return ASK(q, angles_find, &angles, NULL);
+    return ASK(q, angles_find, &angles);
 }
 
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles)
 {
-    struct dom_angles_error bounds;
     struct question q = question_make(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, angles_find, angles, BOUNDS(q, bounds));
-    angles->error = bounds;
-    return status;
+    return FIND(q, angles_find, angles->error, angles);
 }
 
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact)
 {
-    struct dom_contact_error bounds;
     struct question q = question_make(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, contact_find, theta, contact, BOUNDS(q, bounds));
-    contact->error = bounds;
-    return status;
+    return FIND(q, contact_find, contact->error, theta, contact);
 }
 
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
@@ -133,70 +140,51 @@ enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_c
 enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_energy *energy)
 {
-    struct dom_energy_error bounds;
     struct question q = question_make(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, energy_find, theta, energy, BOUNDS(q, bounds));
-    energy->error = bounds;
-    return status;
+    return FIND(q, energy_find, energy->error, theta, energy);
 }
 
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels)
 {
-    struct dom_fuels_error bounds;
     struct question q = question_make(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, fuel_find, fuels, BOUNDS(q, bounds));
-    fuels->error = bounds;
-    return status;
+    return FIND(q, fuel_find, fuels->error, fuels);
 }
 
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch)
 {
-    struct dom_launch_error bounds;
     struct question q = question_make(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, launch_find, launch, BOUNDS(q, bounds));
-    launch->error = bounds;
-    return status;
+    return FIND(q, launch_find, launch->error, launch);
 }
 
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier)
 {
-    struct dom_barrier_error bounds;
     struct question q = question_make(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, barrier_find, barrier, BOUNDS(q, bounds));
-    barrier->error = bounds;
-    return status;
+    return FIND(q, barrier_find, barrier->error, barrier);
 }
 
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, struct dom_value *omegasq)
 {
     struct question q = question_make(train, compute);
-    omegasq->error = DOM_NAN;
     omegasq->value = DOM_NAN;
-    return ASK(q, cycle_omegasq, theta, &omegasq->value, BOUNDS(q, omegasq->error));
+    return FIND(q, cycle_omegasq, omegasq->error, theta, omegasq);
 }
 
 enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_value *theta)
 {
     struct question q = question_make(train, compute);
-    theta->error = DOM_NAN;
-    return ASK(q, cycle_stop, &theta->value, BOUNDS(q, theta->error));
+    return FIND(q, cycle_stop, theta->error, theta);
 }
 
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    struct dom_value *duration)
 {
     struct question q = question_make(train, compute);
-    duration->error = DOM_NAN;
-    return ASK(q, cycle_duration, &duration->value, BOUNDS(q, duration->error));
+    return FIND(q, cycle_duration, duration->error, duration);
 }
 
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
@@ -210,12 +198,8 @@ enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom
 enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_state *state)
 {
-    struct dom_state_error bounds;
     struct question q = question_make(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, cycle_state, theta, state, BOUNDS(q, bounds));
-    state->error = bounds;
-    return status;
+    return FIND(q, cycle_state, state->error, theta, state);
 }
 
 enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
@@ -256,23 +240,15 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
-    struct dom_limit_error bounds;
     struct question q = question_of_limit(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, limit_rmax, limit, BOUNDS(q, bounds));
-    limit->error = bounds;
-    return status;
+    return FIND(q, limit_rmax, limit->error, limit);
 }
 
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
-    struct dom_limit_error bounds;
     struct question q = question_of_limit(train, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, limit_pair, limit, BOUNDS(q, bounds));
-    limit->error = bounds;
-    return status;
+    return FIND(q, limit_pair, limit->error, limit);
 }
 
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
@@ -280,12 +256,8 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 {
     struct dom_train anywhere = *train;
     anywhere.s = 1;
-    struct dom_best_error bounds;
     struct question q = question_of_limit(&anywhere, compute);
-    no_bounds(&bounds, sizeof bounds);
-    enum dom_status status = ASK(q, limit_best, best, BOUNDS(q, bounds));
-    best->error = bounds;
-    return status;
+    return FIND(q, limit_best, best->error, best);
 }
 
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *asked, bool times,
@@ -302,23 +274,19 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
                                   .precision = compute.precision,
                                   .work = compute.work,
                                   .interrupt = compute.interrupt};
-    if (compute.precision > DOM_QUAD)
-        return DOM_BAD_PRECISION;
-    return dom_arithmetic(compute.precision)->bits
-               ? kernels[compute.precision]->row_run(&request, times, visit, context, verdict)
-               : DOM_NO_PRECISION;
+    enum dom_status status = precision_check(compute.precision);
+    return status == DOM_OK ? kernels[compute.precision]->row_run(&request, times, visit, context, verdict)
+                            : status;
 }
 
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *asked,
                                struct dom_count *count)
 {
     struct dom_compute compute = compute_or_default(asked);
-    if (compute.precision > DOM_QUAD)
-        return DOM_BAD_PRECISION;
-    if (dom_arithmetic(compute.precision)->bits == 0)
-        return DOM_NO_PRECISION;
-    enum dom_status status = kernels[compute.precision]->count_find(first, height, r, count,
-                                                                    compute.errors ? &count->error : NULL);
+    enum dom_status status = precision_check(compute.precision);
+    if (status != DOM_OK)
+        return status;
+    status = kernels[compute.precision]->count_find(first, height, r, count);
     if (status != DOM_OK || !compute.errors)
         no_bounds(&count->error, sizeof count->error);
     return status;

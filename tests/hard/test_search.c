@@ -8,7 +8,7 @@
 #include "growth.h"
 #include "library.h"
 
-/* A dip, or a band, that is narrower than this in r may be missed (scan.h: 1e-6; here with room for
+/* A dip, or a band, that is narrower than this in r may be missed (scan.c: 1e-6; here with room for
  * rounding). */
 #define RESOLVED 1e-5
 

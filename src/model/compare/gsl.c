@@ -24,11 +24,8 @@ struct gsl_context {
 static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;
-    struct tilt head;
     struct sums at = {0};
-    c->status = geometry_tilt(&c->geometry, theta, &head);
-    if (c->status == DOM_OK)
-        c->status = chain_energy_change(&c->geometry, head, &at, NULL);
+    c->status = chain_energy_at(&c->geometry, theta, &at, NULL);
     return -at.dH;
 }
 
@@ -89,14 +86,13 @@ static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier
     return status;
 }
 
-static enum dom_status gsl_barrier_find(const struct request *train, struct dom_barrier *barrier,
-                                        struct dom_barrier_error *error)
+static enum dom_status gsl_barrier_find(const struct request *train, struct dom_barrier *barrier)
 {
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
     struct barrier b;
     enum dom_status status = gsl_cycle(&c, (double)train->r, &b);
-    if (status != DOM_OK || error)
+    if (status != DOM_OK || train->errors)
         return status != DOM_OK ? status : DOM_NO_METHOD;
     if (!(c.kinetic > 0))
         c.kinetic = (double)DOM_NAN;
@@ -130,10 +126,9 @@ static enum dom_status gsl_root(struct gsl_context *c, double lo, double hi, dou
     return c->status != DOM_OK ? c->status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
 }
 
-static enum dom_status gsl_limit_rmax(const struct request *train, struct dom_limit *limit,
-                                      struct dom_limit_error *error)
+static enum dom_status gsl_limit_rmax(const struct request *train, struct dom_limit *limit)
 {
-    if (error)
+    if (train->errors)
         return DOM_NO_METHOD;
     dom_quiet_begin();
     struct gsl_context c = {.train = train};
@@ -158,17 +153,14 @@ static enum dom_status gsl_limit_rmax(const struct request *train, struct dom_li
 static double gsl_slowness(double theta, void *context)
 {
     struct gsl_context *c = context;
-    struct tilt head;
     struct sums at = {.J = 1};
-    c->status = geometry_tilt(&c->geometry, theta, &head);
-    if (c->status == DOM_OK)
-        c->status = chain_energy_change(&c->geometry, head, &at, NULL);
+    c->status = chain_energy_at(&c->geometry, theta, &at, NULL);
     return sqrt(at.J / (c->kinetic - at.dH));
 }
 
-static enum dom_status gsl_cycle_duration(const struct request *train, dom_real *duration, dom_real *error)
+static enum dom_status gsl_cycle_duration(const struct request *train, struct dom_value *duration)
 {
-    if (error)
+    if (train->errors)
         return DOM_NO_METHOD;
     struct gsl_context c = {.train = train};
     dynamics_read(train, &c.geometry);
@@ -187,7 +179,7 @@ static enum dom_status gsl_cycle_duration(const struct request *train, dom_real 
     dom_quiet_end();
     gsl_integration_workspace_free(space);
     if (c.status == DOM_OK && code == GSL_SUCCESS)
-        *duration = value;
+        duration->value = value;
     return c.status != DOM_OK ? c.status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
 }
 

@@ -90,11 +90,10 @@ static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *h
     return p->status;
 }
 
-static enum dom_status paper_launch_find(const struct request *train, struct dom_launch *launch,
-                                         struct dom_launch_error *error)
+static enum dom_status paper_launch_find(const struct request *train, struct dom_launch *launch)
 {
     struct paper p;
-    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
     if (status == DOM_OK)
         *launch = (struct dom_launch){.fuel = p.P,
                                       .J0 = p.J0,
@@ -104,24 +103,22 @@ static enum dom_status paper_launch_find(const struct request *train, struct dom
     return status;
 }
 
-static enum dom_status paper_fuel_find(const struct request *train, struct dom_fuels *fuels,
-                                       struct dom_fuels_error *error)
+static enum dom_status paper_fuel_find(const struct request *train, struct dom_fuels *fuels)
 {
     struct request exact = *train;
     struct paper p;
     exact.fuel = DOM_FUEL_EXACT;
-    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(&exact, (double)train->r, &p);
+    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(&exact, (double)train->r, &p);
     if (status == DOM_OK)
         *fuels = (struct dom_fuels){.exact = p.P, .paper = 1 - cos(p.theta_f) - p.d * sin(p.theta_f)};
     return status;
 }
 
-static enum dom_status paper_barrier_find(const struct request *train, struct dom_barrier *barrier,
-                                          struct dom_barrier_error *error)
+static enum dom_status paper_barrier_find(const struct request *train, struct dom_barrier *barrier)
 {
     struct paper p;
     double theta_m, height;
-    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
     if (status == DOM_OK)
         status = paper_barrier(&p, &theta_m, &height);
     if (status != DOM_OK)
@@ -131,11 +128,10 @@ static enum dom_status paper_barrier_find(const struct request *train, struct do
     return p.kinetic >= height ? DOM_OK : DOM_STOPS;
 }
 
-static enum dom_status paper_limit_rmax(const struct request *train, struct dom_limit *limit,
-                                        struct dom_limit_error *error)
+static enum dom_status paper_limit_rmax(const struct request *train, struct dom_limit *limit)
 {
     double reach = 1 / (double)train->s, step = sqrt((double)train->tol) / 2, before = 0;
-    if (error)
+    if (train->errors)
         return DOM_NO_METHOD;
     for (size_t k = 1; 1 + (double)k * step < reach; k++) {
         double r = 1 + (double)k * step;
@@ -161,10 +157,10 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
 }
 
 /* The paper has no recipe for t_f; in its spirit, a sum over steps of theta. */
-static enum dom_status paper_cycle_duration(const struct request *train, dom_real *duration, dom_real *error)
+static enum dom_status paper_cycle_duration(const struct request *train, struct dom_value *duration)
 {
     struct paper p;
-    enum dom_status status = error ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
+    enum dom_status status = train->errors ? DOM_NO_METHOD : paper_begin(train, (double)train->r, &p);
     if (status != DOM_OK)
         return status;
     size_t steps = (size_t)ceil(2 / sqrt(p.tol));
@@ -177,7 +173,7 @@ static enum dom_status paper_cycle_duration(const struct request *train, dom_rea
         sum += (k == 0 || k == steps ? 0.5 : 1) / sqrt(omegasq);
     }
     if (p.status == DOM_OK)
-        *duration = sum * p.theta_c / (double)steps;
+        duration->value = sum * p.theta_c / (double)steps;
     return p.status;
 }
 

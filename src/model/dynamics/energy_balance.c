@@ -189,8 +189,6 @@ static bool acceleration_closes(const struct link *k, real second_derivative, st
     return true;
 }
 
-/* tau^2 times the head's acceleration: half of dw/dtheta, J dw/dtheta = -H' - J' w.  *n, unless NULL: the
- * dominoes that matter. */
 KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
                                            real *acceleration, size_t *n)
 {

@@ -8,7 +8,7 @@
 #define DOM_FLOW_H
 
 #include "dynamics/dynamics.h"
-#include "numerics/linear.h"
+#include "numerics/numerics.h"
 
 /* At one tilt of the head. */
 struct equation_of_motion {

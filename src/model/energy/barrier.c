@@ -41,20 +41,14 @@ static real rises(real p, struct slope_context *c)
 }
 
 /* Keeps p as the top if it is higher. */
-static void barrier_keep(struct barrier *b, real p, real height)
-{
-    if (height > b->height) {
-        b->height = height;
-        b->half = p;
-    }
-}
-
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
     real height = 0;
     enum dom_status status = c->geometry->dynamics->required_energy(c->geometry, c->from, p, &height);
-    if (status == DOM_OK)
-        barrier_keep(b, p, height);
+    if (status == DOM_OK && height > b->height) {
+        b->height = height;
+        b->half = p;
+    }
     return status;
 }
 
@@ -128,21 +122,20 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     if (c->status != DOM_OK)
         return;
     struct sample next = {p, rises(p, c)};
-    if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 && !c->geometry->dynamics->conservative) {
-        real half = 0;
-        enum num_status status =
-            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &half);
-        c->status = model_status(c->status, status);
-        if (c->status == DOM_OK)
-            c->status = barrier_try(c, half, b);
-    } else if (c->status == DOM_OK && last->slope > 0 && next.slope <= 0 &&
-               !(last->p <= c->known && c->known <= p)) {
-        struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
+    bool found = c->status == DOM_OK && last->slope > 0 && next.slope <= 0;
+    struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
+    if (found && !c->geometry->dynamics->conservative) {
+        enum num_status solver =
+            num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &top.p);
+        c->status = model_status(c->status, solver);
+    } else if (found) {
+        found = !(last->p <= c->known && c->known <= p);
         top.p = last->p + last->slope / (last->slope - next.slope) * (p - last->p);
-        c->status = barrier_climb(c, NULL, &top, tol);
-        if (c->status == DOM_OK)
-            c->status = barrier_try(c, top.p, b);
+        if (found)
+            c->status = barrier_climb(c, NULL, &top, tol);
     }
+    if (found && c->status == DOM_OK)
+        c->status = barrier_try(c, top.p, b);
     *last = next;
 }
 
@@ -347,11 +340,8 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
 /* H' at a tilt: its sign, 0 where rounding hides it, and its size. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
-    struct tilt head;
     struct sums at, e;
-    enum dom_status status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, &e);
+    enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status != DOM_OK)
         return status;
     *sign = at.H1 > e.H1 ? 1 : at.H1 < -e.H1 ? -1 : 0;
@@ -403,7 +393,6 @@ static enum dom_status top_error(const struct geometry *geometry, real theta, re
 KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *b,
                                      struct barrier *error)
 {
-    struct tilt head;
     struct sums at, e;
     real steepest = 0;
     *error = (struct barrier){.theta_m = 0, .height = 0};
@@ -415,46 +404,8 @@ KERNEL enum dom_status barrier_error(const struct geometry *geometry, const stru
     enum dom_status status =
         top_error(geometry, theta, first, b->edge[b->edges - 1], &error->theta_m, &steepest);
     if (status == DOM_OK)
-        status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, &e);
+        status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK && error->theta_m > 0)
         error->height = e.dH + steepest * error->theta_m;
     return status;
-}
-
-KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier,
-                                    struct dom_barrier_error *error)
-{
-    struct geometry geometry;
-    struct barrier b, b_error;
-    struct launch l, l_error;
-    enum dom_status status = dynamics_make(train, &geometry);
-    if (status == DOM_OK)
-        status = dynamics_begin(&geometry);
-    if (status == DOM_OK)
-        status =
-            barrier_balance(&geometry, train->fuel, tilt_angle(geometry.c), &l, error ? &l_error : NULL, &b);
-    if (status == DOM_OK && error)
-        status = barrier_error(&geometry, &b, &b_error);
-    dynamics_end(&geometry);
-    if (status != DOM_OK)
-        return status;
-    enum dom_status verdict = barrier_verdict(&l, &b);
-    bool fuelled = verdict != DOM_NO_FUEL;
-    real margin = l.kinetic - b.height;
-    *barrier = (struct dom_barrier){
-        .theta_m = b.theta_m,
-        .barrier = b.height,
-        .kinetic = fuelled ? l.kinetic : REAL_NAN,
-        .margin = fuelled ? margin : REAL_NAN,
-    };
-    if (error)
-        *error = (struct dom_barrier_error){
-            .theta_m = b_error.theta_m,
-            .barrier = b_error.height,
-            .kinetic = l_error.kinetic,
-            .margin = l_error.kinetic + b_error.height + UNIT * fabs(margin),
-        };
-    return verdict;
 }

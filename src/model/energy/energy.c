@@ -2,8 +2,7 @@
 /* The angles and the energies of a train, and how its cycle begins. */
 #include "dynamics/choose.h"
 
-KERNEL enum dom_status angles_find(const struct request *train, struct dom_angles *angles,
-                                   struct dom_angles_error *error)
+KERNEL enum dom_status angles_find(const struct request *train, struct dom_angles *angles)
 {
     struct geometry geometry;
     enum dom_status status = dynamics_make(train, &geometry);
@@ -17,8 +16,8 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
         .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
         .detaches = geometry.detaches,
     };
-    if (error) /* the arc functions add one unit, or two */
-        *error = (struct dom_angles_error){
+    if (train->errors) /* the arc functions add one unit, or two */
+        angles->error = (struct dom_angles_error){
             .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
             .theta_u = 2 * UNIT * angles->theta_u,
             .theta_inf = tilt_error(geometry.inf, 6) + 2 * UNIT * angles->theta_inf,
@@ -30,47 +29,41 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
     return DOM_OK;
 }
 
-KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *fuels,
-                                 struct dom_fuels_error *error)
+KERNEL enum dom_status fuel_find(const struct request *train, struct dom_fuels *fuels)
 {
     struct geometry geometry;
     struct fuel fuel, e;
     enum dom_status status = dynamics_make(train, &geometry);
     if (status == DOM_OK)
-        status = energy_fuel(&geometry, &fuel, error ? &e : NULL);
+        status = energy_fuel(&geometry, &fuel, train->errors ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *fuels = (struct dom_fuels){.exact = fuel.exact, .paper = fuel.paper};
-    if (error)
-        *error = (struct dom_fuels_error){.exact = e.exact, .paper = e.paper};
+    if (train->errors)
+        fuels->error = (struct dom_fuels_error){.exact = e.exact, .paper = e.paper};
     return DOM_OK;
 }
 
-KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, struct dom_energy *energy,
-                                   struct dom_energy_error *error)
+KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, struct dom_energy *energy)
 {
     struct geometry geometry;
-    struct tilt head;
     struct sums at, e;
     struct fuel fuel, fuel_error;
     enum dom_status status = dynamics_make(train, &geometry);
     if (status == DOM_OK)
-        status = geometry_tilt(&geometry, (real)theta, &head);
+        status = chain_energy_at(&geometry, (real)theta, &at, train->errors ? &e : NULL);
     if (status == DOM_OK)
-        status = chain_energy_change(&geometry, head, &at, error ? &e : NULL);
-    if (status == DOM_OK)
-        status = energy_fuel(&geometry, &fuel, error ? &fuel_error : NULL);
+        status = energy_fuel(&geometry, &fuel, train->errors ? &fuel_error : NULL);
     if (status != DOM_OK)
         return status;
     *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = 1 + fuel.inertia_ratio};
-    if (error)
-        *error = (struct dom_energy_error){
+    if (train->errors)
+        energy->error = (struct dom_energy_error){
             .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};
     return DOM_OK;
 }
 
-KERNEL enum dom_status launch_find(const struct request *train, struct dom_launch *launch,
-                                   struct dom_launch_error *error)
+KERNEL enum dom_status launch_find(const struct request *train, struct dom_launch *launch)
 {
     struct geometry geometry;
     struct launch l, e;
@@ -78,7 +71,7 @@ KERNEL enum dom_status launch_find(const struct request *train, struct dom_launc
     if (status == DOM_OK)
         status = dynamics_begin(&geometry);
     if (status == DOM_OK)
-        status = geometry.dynamics->collide(&geometry, train->fuel, &l, error ? &e : NULL);
+        status = geometry.dynamics->collide(&geometry, train->fuel, &l, train->errors ? &e : NULL);
     dynamics_end(&geometry);
     if (status != DOM_OK)
         return status;
@@ -90,11 +83,11 @@ KERNEL enum dom_status launch_find(const struct request *train, struct dom_launc
         .omegasq = fuelled ? l.omegasq : REAL_NAN,
         .kinetic = fuelled ? l.kinetic : REAL_NAN,
     };
-    if (error)
-        *error = (struct dom_launch_error){.fuel = e.fuel,
-                                           .J0 = e.J0,
-                                           .velocity_ratio = e.velocity_ratio,
-                                           .omegasq = e.omegasq,
-                                           .kinetic = e.kinetic};
+    if (train->errors)
+        launch->error = (struct dom_launch_error){.fuel = e.fuel,
+                                                  .J0 = e.J0,
+                                                  .velocity_ratio = e.velocity_ratio,
+                                                  .omegasq = e.omegasq,
+                                                  .kinetic = e.kinetic};
     return fuelled ? DOM_OK : DOM_NO_FUEL;
 }

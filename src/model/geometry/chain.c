@@ -85,29 +85,35 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 
 /* ---- Public ---- */
 
-static struct dom_link link_public(const struct geometry *geometry, const struct link *k)
+/* A checked train and theta in [0, theta_c] as the tilt of its head. */
+static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
+                                    struct tilt *head)
 {
-    real b = k->leads ? k->contact.Y / geometry->r : REAL_NAN; /* (table 1) */
+    *geometry = geometry_read(train);
+    enum dom_status status = geometry_set(geometry, geometry->s, geometry->r);
+    return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
+}
+
+/* e: the bounds of the domino. */
+static struct dom_link link_public(const struct geometry *geometry, const struct link *k,
+                                   const struct bound *e)
+{
+    real a = REAL_NAN, b = REAL_NAN, a_error = REAL_NAN, b_error = REAL_NAN;
+    if (k->leads) { /* (table 1) */
+        a = k->contact.arm / geometry->r;
+        b = k->contact.Y / geometry->r;
+        a_error = (e->arm + UNIT * k->contact.arm) / geometry->r;
+        b_error = e->Y / geometry->r + UNIT * k->contact.Y / geometry->r;
+    }
     return (struct dom_link){
         .i = k->i,
         .theta = tilt_angle(k->tilt),
         .slope = k->slope,
-        .arm_a = k->leads ? k->contact.arm / geometry->r : REAL_NAN,
+        .arm_a = a,
         .arm_b = b,
         .weight = k->weight,
-    };
-}
-
-static struct dom_link_error link_error(const struct geometry *geometry, const struct link *k,
-                                        const struct bound *e)
-{
-    real b = k->leads ? e->Y / geometry->r + UNIT * k->contact.Y / geometry->r : REAL_NAN;
-    return (struct dom_link_error){
-        .theta = e->angle + 2 * UNIT * tilt_angle(k->tilt),
-        .slope = e->slope,
-        .arm_a = k->leads ? (e->arm + UNIT * k->contact.arm) / geometry->r : REAL_NAN,
-        .arm_b = b,
-        .weight = e->weight * k->weight,
+        .error = {e->angle + 2 * UNIT * tilt_angle(k->tilt), e->slope, a_error, b_error,
+                  e->weight * k->weight},
     };
 }
 
@@ -116,7 +122,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
 {
     struct geometry geometry;
     struct tilt head;
-    enum dom_status status = geometry_make_tilted(train, theta, &geometry, &head);
+    enum dom_status status = train_tilted(train, theta, &geometry, &head);
     struct sums sums = {0};
     if (status == DOM_OK)
         status = chain_sum(&geometry, head, &sums);
@@ -127,11 +133,9 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     for (;;) {
         if (dom_raised(geometry.interrupt)) /* rows may be slower to write than to compute */
             return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&geometry, &k);
+        struct dom_link link = link_public(&geometry, &k, &e);
         if (!train->errors)
             no_bounds(&link.error, sizeof link.error);
-        else
-            link.error = link_error(&geometry, &k, &e);
         if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
         struct link leader = k;
@@ -141,33 +145,28 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     }
 }
 
-KERNEL enum dom_status contact_find(const struct request *train, dom_real theta, struct dom_contact *contact,
-                                    struct dom_contact_error *error)
+KERNEL enum dom_status contact_find(const struct request *train, dom_real theta, struct dom_contact *contact)
 {
     struct geometry geometry;
     struct tilt head;
-    enum dom_status status = geometry_make_tilted(train, theta, &geometry, &head);
+    enum dom_status status = train_tilted(train, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
     struct link k = link_head(&geometry, head), leader = k;
-    struct dom_link link = link_public(&geometry, &k);
     struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
-    struct dom_link_error link_bound = link_error(&geometry, &k, &e);
-    bool leads = k.leads;
-    real theta_1 = tilt_angle(geometry.f), slope = 0, angle_error = geometry_error_f(&geometry),
-         slope_error = 0;
-    if (leads) {
+    struct dom_link link = link_public(&geometry, &k, &e), behind = {.theta = tilt_angle(geometry.f)};
+    behind.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
+    if (k.leads) {
         link_next(&k);
         bound_next(&geometry, &leader, &k, &e);
-        theta_1 = tilt_angle(k.tilt);
-        slope = k.slope;
-        angle_error = e.angle;
-        slope_error = e.slope;
+        behind = link_public(&geometry, &k, &e);
     }
-    *contact =
-        (struct dom_contact){.theta_1 = theta_1, .slope = slope, .arm_a = link.arm_a, .arm_b = link.arm_b};
-    if (error)
-        *error = (struct dom_contact_error){angle_error + 2 * UNIT * theta_1, slope_error, link_bound.arm_a,
-                                            link_bound.arm_b};
+    *contact = (struct dom_contact){
+        .theta_1 = behind.theta,
+        .slope = behind.slope,
+        .arm_a = link.arm_a,
+        .arm_b = link.arm_b,
+        .error = {behind.error.theta, behind.error.slope, link.error.arm_a, link.error.arm_b},
+    };
     return DOM_OK;
 }

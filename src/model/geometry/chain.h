@@ -20,6 +20,10 @@ KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt he
 KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
                                            struct sums *sums, struct sums *error);
 
+/* chain_energy_change at theta in [0, theta_c]. */
+KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
+                                       struct sums *error);
+
 /* chain_energy_change at theta_c, of an endless train: with every follower where its leader was, one chain
  * serves. */
 KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error);

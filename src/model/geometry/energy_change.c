@@ -262,6 +262,14 @@ KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, stru
     return status == DOM_OK && error ? energy_change_error(geometry, head, sums, error) : status;
 }
 
+KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
+                                       struct sums *error)
+{
+    struct tilt head;
+    enum dom_status status = geometry_tilt(geometry, theta, &head);
+    return status == DOM_OK ? chain_energy_change(geometry, head, sums, error) : status;
+}
+
 KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error)
 {
     enum dom_status status = energy_change_between(geometry, standing, geometry->c, half_of_tilt(geometry->c),

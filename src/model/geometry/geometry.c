@@ -114,12 +114,6 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     return DOM_OK;
 }
 
-KERNEL enum dom_status geometry_make(const struct request *train, struct geometry *geometry)
-{
-    *geometry = geometry_read(train);
-    return geometry_set(geometry, geometry->s, geometry->r);
-}
-
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
     real theta_c = tilt_angle(geometry->c);
@@ -127,13 +121,6 @@ KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta
         return DOM_BAD_TILT;
     *tilt = theta < theta_c ? tilt_make(sin(theta), cos(theta)) : geometry->c;
     return DOM_OK;
-}
-
-KERNEL enum dom_status geometry_make_tilted(const struct request *train, dom_real theta,
-                                            struct geometry *geometry, struct tilt *head)
-{
-    enum dom_status status = geometry_make(train, geometry);
-    return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
 }
 
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower)

@@ -73,10 +73,10 @@ struct geometry {
 
 #define CHAIN_ENDLESS SIZE_MAX
 
-/* Checks the shape of a train, and fills its geometry; dynamics_make adds how it moves. */
-KERNEL enum dom_status geometry_make(const struct request *train, struct geometry *geometry);
-
-/* The same in two steps: the train as it stands, and then, as often as wanted, its separation and growth. */
+/*
+ * The shape of a train in two steps: the train as it stands, and then, checked and as often as wanted, its
+ * separation and growth.  dynamics_make takes both, and adds how it moves.
+ */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
@@ -106,10 +106,6 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 
 /* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
-
-/* A checked train and theta in [0, theta_c] as the tilt of its head. */
-KERNEL enum dom_status geometry_make_tilted(const struct request *train, dom_real theta,
-                                            struct geometry *geometry, struct tilt *head);
 
 /* Bounds of the error, as an angle: of a tilt rounded at most `units` times in each coordinate, of a head's
  * tilt, of theta_f and of theta_leave. */

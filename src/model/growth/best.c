@@ -31,7 +31,7 @@ static real rmax_at(real s, void *context)
     if (c->status != DOM_OK) /* the reason of the first failure */
         return REAL_NAN;
     c->s = s;
-    if (limit_find(c, &limit, NULL) != DOM_OK)
+    if (limit_find(c, &limit) != DOM_OK)
         return REAL_NAN;
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
@@ -326,11 +326,11 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         return DOM_OK;
     struct limit limit;
     c->s = s;
-    enum dom_status status = limit_find(c, &limit, NULL);
+    enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
     /* A jump of r_max(s) is where a dip of the margin begins, of which the shallowest are not resolved
-     * (scan.h). */
+     * (scan.c). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(s, r) * b->finer, width = 4 * h;
@@ -354,8 +354,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     return status != DOM_OK ? status : c->status;
 }
 
-static enum dom_status best_find(struct margin_context *c, struct dom_best *best,
-                                 struct dom_best_error *error)
+static enum dom_status best_find(struct margin_context *c, struct dom_best *best)
 {
     struct search b = {.c = c, .finest = BEST_FINEST, .finer = 1};
     bool smooth;
@@ -379,20 +378,17 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     }
     if (status == DOM_OK)
         status = search_top(&b, (real)c->train->tol, &smooth);
-    if (status == DOM_OK && error)
-        status = best_error(&b, smooth, error);
+    struct dom_best found = {.s = b.s, .r_max = b.r_max};
+    if (status == DOM_OK && c->train->errors)
+        status = best_error(&b, smooth, &found.error);
     if (status == DOM_OK)
-        *best = (struct dom_best){.s = b.s, .r_max = b.r_max};
+        *best = found;
     return c->status = status;
 }
 
-KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best,
-                                  struct dom_best_error *error)
+KERNEL enum dom_status limit_best(const struct request *train, struct dom_best *best)
 {
-    struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
-    limit_begin(&c, &work);
-    enum dom_status status = c.status == DOM_OK ? best_find(&c, best, error) : c.status;
-    limit_end(train, &work);
-    return status;
+    limit_begin(&c);
+    return c.status == DOM_OK ? best_find(&c, best) : c.status;
 }

@@ -2,8 +2,8 @@
 /*
  * The largest growth: the first root of the margin as a function of r, looked for upwards from r = 1 to the
  * reach r = 1/s.  The margin need not be monotone (thin dominoes: it falls, rises again and drops near 1/s),
- * so the scan goes on only over intervals that a bound covers (scan.h); with friction over samples and their
- * slopes (probe.h).
+ * so the scan goes on only over intervals that a bound covers (scan.c); with friction over samples and their
+ * slopes (probe.c).
  */
 #include "growth/limit.h"
 
@@ -42,16 +42,14 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
 
 /* As the caller wants it. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
-                                    struct dom_limit *wide, struct dom_limit_error *error)
+                                    struct dom_limit *wide)
 {
     real r_error = 0;
-    enum dom_status status = error ? limit_error(c, limit, &r_error) : DOM_OK;
-    if (status != DOM_OK)
-        return status;
-    *wide = (struct dom_limit){.r_max = limit->r_max, .ends = limit->ends};
-    if (error)
-        *error = (struct dom_limit_error){.r_max = r_error};
-    return DOM_OK;
+    enum dom_status status = c->train->errors ? limit_error(c, limit, &r_error) : DOM_OK;
+    if (status == DOM_OK)
+        *wide = (struct dom_limit){
+            .r_max = limit->r_max, .ends = limit->ends, .why = limit->why, .error.r_max = r_error};
+    return status;
 }
 
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
@@ -59,12 +57,12 @@ static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 /* First r > from->r at which the margin, >= 0 there, is negative. */
 static enum dom_status limit_fall(struct margin_context *c, const struct edge *from, struct limit *limit)
 {
+    *limit = (struct limit){.r_max = 1 / c->s, .ends = DOM_END_REACH};
     if (c->geometry.dynamics->conservative)
         return scan_fall(c, from, &limit->r_max, &limit->ends);
     struct edge before, after;
     bool found = false;
     enum dom_status status = probe_change(c, from, &before, &after, &found);
-    *limit = (struct limit){.r_max = 1 / c->s, .ends = DOM_END_REACH};
     if (status != DOM_OK || !found)
         return status;
     limit->ends = DOM_END_BARRIER;
@@ -86,7 +84,7 @@ static enum dom_status limit_energy_change(struct margin_context *c, real from, 
     return probe_change(c, &first, &before, edge, found);
 }
 
-KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit, enum dom_status *why)
+KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 {
     struct edge first = {.r = 1};
     struct geometry geometry = c->geometry;
@@ -100,8 +98,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit,
         first.margin = margin_sign(c, 1);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;
-        if (why)
-            *why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
+        limit->why = c->status == DOM_NO_FUEL ? DOM_NO_FUEL : c->locked ? DOM_LOCKS : DOM_STOPS;
         return c->status = DOM_OK;
     }
     if (c->status == DOM_OK)
@@ -117,40 +114,19 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit,
 #define WORK_MOST      ((size_t)60000000)
 #define WORK_MOST_FLOW ((size_t)15000000)
 
-KERNEL void limit_begin(struct margin_context *c, struct dom_work *work)
+KERNEL void limit_begin(struct margin_context *c)
 {
-    c->geometry.work = work;
     c->geometry.effort = &c->effort;
     c->geometry.effort_most = c->geometry.dynamics->conservative ? WORK_MOST : WORK_MOST_FLOW;
 }
 
-KERNEL void limit_end(const struct request *train, const struct dom_work *work)
+KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)
 {
-    if (!train->work)
-        return;
-    train->work->passes += work->passes;
-    train->work->dominoes += work->dominoes;
-    if (work->longest > train->work->longest)
-        train->work->longest = work->longest;
-    for (int i = 0; i < DOM_EFFECT_COUNT; i++)
-        train->work->entered[i] += work->entered[i];
-}
-
-KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit,
-                                  struct dom_limit_error *error)
-{
-    struct dom_work work = {0};
     struct margin_context c = margin_of_train(train);
     struct limit found;
-    enum dom_status why = DOM_OK;
-    limit_begin(&c, &work);
-    enum dom_status status = limit_find(&c, &found, &why);
-    if (status == DOM_OK)
-        status = limit_public(&c, &found, limit, error);
-    if (status == DOM_OK)
-        limit->why = why;
-    limit_end(train, &work);
-    return status;
+    limit_begin(&c);
+    enum dom_status status = limit_find(&c, &found);
+    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
 }
 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
@@ -166,16 +142,11 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;
 }
 
-KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit,
-                                  struct dom_limit_error *error)
+KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)
 {
-    struct dom_work work = {0};
     struct margin_context c = margin_of_pair(train);
     struct limit found;
-    limit_begin(&c, &work);
+    limit_begin(&c);
     enum dom_status status = c.status == DOM_OK ? pair_find(&c, &found) : c.status;
-    if (status == DOM_OK)
-        status = limit_public(&c, &found, limit, error);
-    limit_end(train, &work);
-    return status;
+    return status == DOM_OK ? limit_public(&c, &found, limit) : status;
 }

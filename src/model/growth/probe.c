@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "growth/probe.h"
+#include "growth/limit.h"
 
 /* Samples a factor e of r, far from the reach; then a decade of 1 - r s each. */
 #define PROBE_PER_E   8

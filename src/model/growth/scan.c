@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "growth/scan.h"
+#include "growth/limit.h"
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
 /* The share of the barrier that margin_sign may be wrong by. */
@@ -210,14 +210,8 @@ KERNEL enum dom_status scan_energy_change(struct margin_context *c, real from, s
     const real reach = 1 / c->s;
     struct edge lo = {.r = from}, hi;
     real step = log(reach / from) / 8;
-    *found = false;
     enum dom_status status = scan_sure(c, &lo);
-    while (status == DOM_OK && lo.r < reach) {
-        if (margin_value(&lo.margin) >= 0) {
-            *found = true;
-            *edge = lo;
-            return DOM_OK;
-        }
+    while (status == DOM_OK && lo.r < reach && margin_value(&lo.margin) < 0) {
         real left = log(reach / lo.r);
         bool last = step >= left * (real)0.8, finest = step <= SCAN_FINEST, below;
         hi.r = last ? reach : lo.r * exp(fmax(step, SCAN_FINEST));
@@ -231,10 +225,8 @@ KERNEL enum dom_status scan_energy_change(struct margin_context *c, real from, s
             step = (last ? left : step) / 2;
         }
     }
-    if (status == DOM_OK && margin_value(&lo.margin) >= 0) {
-        *found = true;
-        *edge = lo;
-    }
+    *found = status == DOM_OK && margin_value(&lo.margin) >= 0;
+    *edge = lo;
     return status;
 }
 

@@ -36,7 +36,7 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
 struct upright {
     struct link link;
     bool ended; /* this domino and all after it are at theta_f */
-    real weight, inertia, slope, inertia_ratio, next;
+    real weight, inertia, slope, step, inertia_ratio, next;
 };
 
 static void upright_next(struct upright *u, const struct geometry *geometry)
@@ -55,8 +55,8 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
     /* T = sum of r^-(q+1)i theta_i'^2 along the train whose head leans at theta_c: upright, from domino 1 on.
      */
     u->inertia_ratio += u->inertia * u->slope * u->slope;
-    real step = u->ended || !u->link.leads ? 0 : u->link.step;
-    real ratio = geometry->inertia * step * step;
+    u->step = u->ended || !u->link.leads ? 0 : u->link.step;
+    real ratio = geometry->inertia * u->step * u->step;
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
@@ -276,16 +276,14 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             if (!after) /* of lo, no more is known */
                 sums.least = -(sums.drops = (real)INFINITY);
             s.cut = ends || lo->n != CHAIN_ENDLESS ? 0 : a.weight * (strip_fall(lo, hi->f) - at.fall_least);
-            real step = a.ended || !a.link.leads ? 0 : a.link.step;
             if (lo->n == CHAIN_ENDLESS)
-                strip_tail(lo, hi, &at, a.weight * lo->weight, a.slope * step, step, &sums);
+                strip_tail(lo, hi, &at, a.weight * lo->weight, a.slope * a.step, a.step, &sums);
             strip_finish(lo, hi, fuel, &a, &b, &first, &sums, &s);
             strip_count(lo, i);
             *strip = s;
             return DOM_OK;
         }
-        real step = a.ended || !a.link.leads ? 0 : a.link.step;
-        sums.advance = strip_advance(lo, hi, at.lo) + (step > 0 ? step * sums.advance : 0);
+        sums.advance = strip_advance(lo, hi, at.lo) + (a.step > 0 ? a.step * sums.advance : 0);
         if (early) {
             sums.least_advance = strip_least_advance(lo, lo->r < hi->r, top.tilt) +
                                  (top.leads ? top.step * sums.least_advance : 0);

@@ -146,26 +146,21 @@ static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *
     return motion_time(m, 0, m->end, whole);
 }
 
-static enum dom_status motion_tilt_at(struct motion *m, real time, real *at)
-{
-    struct clock clock;
-    real whole = 0;
-    enum dom_status status = clock_begin(m, &clock, &whole);
-    if (status != DOM_OK)
-        return status;
-    if (!(time >= 0 && time <= whole * (1 + fmax(m->tol, 4 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))))
-        return DOM_BAD_TIME;
-    *at = time == 0 ? 0 : m->end;
-    return time == 0 || time >= whole ? DOM_OK : motion_tilt(m, &clock, time, at);
-}
-
-KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time, dom_real *theta)
+KERNEL enum dom_status cycle_tilt(const struct request *train, dom_real time_, dom_real *theta)
 {
     struct motion m;
-    real at = 0;
+    struct clock clock;
+    real time = (real)time_, whole = 0, at = 0;
     enum dom_status status = motion_begin(train, &m, false);
     if (status == DOM_OK)
-        status = motion_tilt_at(&m, (real)time, &at);
+        status = clock_begin(&m, &clock, &whole);
+    if (status == DOM_OK &&
+        !(time >= 0 && time <= whole * (1 + fmax(m.tol, 4 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))))
+        status = DOM_BAD_TIME;
+    if (status == DOM_OK && time > 0 && time < whole)
+        status = motion_tilt(&m, &clock, time, &at);
+    else if (status == DOM_OK && time > 0)
+        at = m.end;
     motion_end(&m);
     if (status == DOM_OK)
         *theta = at;
@@ -186,10 +181,8 @@ struct table {
 static enum dom_status table_row(struct table *t, real theta, const struct instant *event)
 {
     struct dom_state state;
-    struct dom_state_error error;
-    no_bounds(&error, sizeof error);
     real time = t->clock.pieces > 0 ? clock_time(&t->m, &t->clock, theta) : REAL_NAN;
-    enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors ? &error : NULL);
+    enum dom_status status = motion_state(&t->m, theta, time, &state, t->errors);
     if (status != DOM_OK)
         return status;
     struct dom_event timed = {.theta = theta, .time = state.time};
@@ -197,7 +190,8 @@ static enum dom_status table_row(struct table *t, real theta, const struct insta
         timed.kind = event->kind;
         timed.domino = event->domino;
     }
-    state.error = error;
+    if (!t->errors)
+        no_bounds(&state.error, sizeof state.error);
     t->ended = !t->visit(&state, event ? &timed : NULL, t->context);
     return DOM_OK;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "motion/cycle.h"
+#include "motion/motion.h"
 
 KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors)
 {
@@ -53,16 +53,42 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
     return status;
 }
 
-KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, dom_real *omegasq,
-                                     dom_real *error)
+KERNEL enum dom_status barrier_find(const struct request *train, struct dom_barrier *barrier)
+{
+    struct cycle cycle;
+    struct barrier error = {0};
+    const struct barrier *b = &cycle.segment.barrier;
+    enum dom_status status = cycle_begin(train, &cycle, train->errors);
+    bool fuelled = status != DOM_NO_FUEL;
+    status = fuelled ? status : DOM_OK;
+    if (status == DOM_OK && train->errors)
+        status = barrier_error(&cycle.segment.geometry, b, &error);
+    cycle_free(&cycle);
+    if (status != DOM_OK)
+        return status;
+    real kinetic = cycle.launch.kinetic, kinetic_error = cycle.launch_error.kinetic,
+         margin = kinetic - b->height;
+    *barrier = (struct dom_barrier){
+        .theta_m = b->theta_m,
+        .barrier = b->height,
+        .kinetic = fuelled ? kinetic : REAL_NAN,
+        .margin = fuelled ? margin : REAL_NAN,
+        .error = {.theta_m = error.theta_m,
+                  .barrier = error.height,
+                  .kinetic = kinetic_error,
+                  .margin = kinetic_error + error.height + UNIT * fabs(margin)},
+    };
+    return barrier_verdict(&cycle.launch, b);
+}
+
+KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta_, struct dom_value *omegasq)
 {
     struct request finer = *train;
     real theta = (real)theta_, w = 0, w_error = 0;
-    *omegasq = DOM_NAN;
     for (;;) {
         struct cycle cycle;
         struct tilt head;
-        enum dom_status status = cycle_begin(&finer, &cycle, error != NULL), tilt_status = DOM_OK;
+        enum dom_status status = cycle_begin(&finer, &cycle, train->errors), tilt_status = DOM_OK;
         if (status == DOM_OK || status == DOM_NO_FUEL)
             tilt_status = geometry_tilt(&cycle.segment.geometry, theta, &head);
         if (tilt_status != DOM_OK)
@@ -71,7 +97,7 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
         if (status == DOM_OK)
             status = cycle_end(&cycle, &end);
         if (status == DOM_OK)
-            status = cycle_speed(&cycle, end, theta, &w, error ? &w_error : NULL);
+            status = cycle_speed(&cycle, end, theta, &w, train->errors ? &w_error : NULL);
         cycle_free(&cycle);
         if (status != DOM_OK)
             return status;
@@ -81,9 +107,7 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
             break;
         finer.tol = needed;
     }
-    *omegasq = w;
-    if (error)
-        *error = w_error;
+    *omegasq = (struct dom_value){.value = w, .error = w_error};
     return DOM_OK;
 }
 
@@ -91,14 +115,11 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
 {
     const struct geometry *geometry = &cycle->segment.geometry;
-    struct tilt head;
     struct sums at = {0}, e = {0};
     *error = DOM_NAN;
     if (!geometry->dynamics->conservative)
         return DOM_OK;
-    enum dom_status status = geometry_tilt(geometry, theta, &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, &e);
+    enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK)
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
                      (1 + 4 * geometry->tol) + /* to second order in a loose tolerance */
@@ -108,20 +129,20 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     return status;
 }
 
-KERNEL enum dom_status cycle_stop(const struct request *train, dom_real *theta, dom_real *error)
+KERNEL enum dom_status cycle_stop(const struct request *train, struct dom_value *theta)
 {
     struct cycle cycle;
     real stop = REAL_NAN;
-    enum dom_status status = cycle_begin(train, &cycle, error != NULL);
+    enum dom_status status = cycle_begin(train, &cycle, train->errors);
     bool stops = status == DOM_OK && cycle_stops(&cycle);
     if (status == DOM_OK)
-        *theta = DOM_NAN;
+        theta->value = DOM_NAN;
     if (stops)
         status = segment_rest(&cycle.segment, &stop);
-    if (stops && status == DOM_OK && error)
-        status = stop_error(&cycle, stop, error, NULL);
+    if (stops && status == DOM_OK && train->errors)
+        status = stop_error(&cycle, stop, &theta->error, NULL);
     if (status == DOM_OK)
-        *theta = stop;
+        theta->value = stop;
     cycle_free(&cycle);
     return status;
 }
@@ -146,18 +167,15 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     return status;
 }
 
-KERNEL enum dom_status cycle_duration(const struct request *train, dom_real *duration, dom_real *error)
+KERNEL enum dom_status cycle_duration(const struct request *train, struct dom_value *duration)
 {
     struct cycle cycle;
     real time, time_error = 0;
-    enum dom_status status = cycle_begin(train, &cycle, error != NULL);
+    enum dom_status status = cycle_begin(train, &cycle, train->errors);
     if (status == DOM_OK)
-        status = duration_of(&cycle, (real)train->tol, &time, error ? &time_error : NULL);
+        status = duration_of(&cycle, (real)train->tol, &time, train->errors ? &time_error : NULL);
     cycle_free(&cycle);
-    if (status != DOM_OK)
-        return status;
-    *duration = time;
-    if (error)
-        *error = time_error;
-    return DOM_OK;
+    if (status == DOM_OK)
+        *duration = (struct dom_value){.value = time, .error = time_error};
+    return status;
 }

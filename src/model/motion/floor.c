@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "motion/floor.h"
+#include "motion/forces.h"
 
 enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 

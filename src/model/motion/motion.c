@@ -54,7 +54,6 @@ static enum dom_status motion_time_before(struct motion *m, real to, real *time)
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Time from one tilt to another. */
 KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *time)
 {
     const struct barrier *b = &m->cycle.segment.barrier;
@@ -72,7 +71,6 @@ KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *t
     return status == DOM_OK && m->smooth < to ? motion_time_before(m, to, time) : status;
 }
 
-/* The events without their times. */
 KERNEL enum dom_status motion_events(const struct motion *m, struct instant *events, int *count)
 {
     bool leaves;
@@ -152,23 +150,20 @@ static enum dom_status fallen_energy(const struct geometry *geometry, real theta
 {
     const real near = 4096 * REAL_EPSILON;
     bool leaves;
-    struct tilt leave, head;
+    struct tilt leave;
     struct sums at;
     enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
     real fall = leaves ? tilt_angle(leave) : 0;
     if (status != DOM_OK || !leaves || *left != 0 || fabs(theta - fall) > near * fall)
         return status;
-    status = geometry_tilt(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &head);
-    if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, NULL);
+    status = chain_energy_at(geometry, fmin(fall * (1 + near), tilt_angle(geometry->c)), &at, NULL);
     if (status == DOM_OK)
         *left = at.left;
     return status;
 }
 
-/* The state at a tilt; time NaN: not known yet. */
 KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, struct dom_state *state,
-                                    struct dom_state_error *error)
+                                    bool errors)
 {
     const struct launch *launch = &m->cycle.launch, *launch_error = &m->cycle.launch_error;
     const struct geometry *geometry = &m->cycle.segment.geometry;
@@ -178,10 +173,10 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     real omegasq = 0, omegasq_error = 0, acceleration = 0;
     enum dom_status status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = cycle_speed(&m->cycle, m->end, theta, &omegasq, error ? &omegasq_error : NULL);
+        status = cycle_speed(&m->cycle, m->end, theta, &omegasq, errors ? &omegasq_error : NULL);
     theta = fmin(theta, m->end);
     if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, error ? &e : NULL);
+        status = chain_energy_change(geometry, head, &at, errors ? &e : NULL);
     if (status == DOM_OK)
         status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK && isnan(time))
@@ -204,13 +199,13 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         .lost = conservative ? before / launch->J0 : before - launch->kinetic,
         .friction_work = conservative || theta == 0 ? 0 : launch->kinetic - at.dH - at.J * omegasq,
     };
-    if (!error)
+    if (!errors)
         return DOM_OK;
     real of_time = REAL_NAN;
     if (conservative)
         status = time_error(m, state, &of_time);
     real of_before = geometry->weight * launch_error->arrives + 5 * UNIT * before;
-    *error = (struct dom_state_error){
+    state->error = (struct dom_state_error){
         .time = of_time,
         .omegasq = omegasq_error,
         .acceleration = REAL_NAN, /* no bound is known */
@@ -223,13 +218,12 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     return status;
 }
 
-KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state,
-                                   struct dom_state_error *error)
+KERNEL enum dom_status cycle_state(const struct request *train, dom_real theta, struct dom_state *state)
 {
     struct motion m;
-    enum dom_status status = motion_begin(train, &m, error != NULL);
+    enum dom_status status = motion_begin(train, &m, train->errors);
     if (status == DOM_OK)
-        status = motion_state(&m, (real)theta, REAL_NAN, state, error);
+        status = motion_state(&m, (real)theta, REAL_NAN, state, train->errors);
     motion_end(&m);
     return status;
 }

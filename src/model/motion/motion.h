@@ -1,9 +1,44 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cycle as it runs in time: events, times, the state at a tilt. */
+/*
+ * One cycle of the endless train: from the launch over the barrier to the next hit, or to where it comes to
+ * rest; and as it runs in time: events, times, the state at a tilt.
+ */
 #ifndef DOM_MOTION_H
 #define DOM_MOTION_H
 
-#include "motion/cycle.h"
+#include "motion/segment.h"
+
+/* A cycle that has begun: its motion from upright to theta_c, and how it begins. */
+struct cycle {
+    struct segment segment;
+    struct launch launch, launch_error;
+};
+
+/*
+ * Begins the cycle and finds its barrier over [0, theta_c], at a tolerance at which the margin is known;
+ * errors: with launch_error.  DOM_NO_FUEL if the cycle does not begin.  cycle_free gives back what it takes,
+ * also after a failure.
+ */
+KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors);
+KERNEL void cycle_free(struct cycle *cycle);
+
+/* Returns true when the train does not get over the barrier: every answer of a cycle takes its verdict here.
+ */
+KERNEL bool cycle_stops(const struct cycle *cycle);
+
+/* Finds the tilt at which the cycle ends: theta_c, or where the train comes to rest. */
+KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
+
+/* tau^2 omega^2 of a train that comes as far as theta, else DOM_STOPS; at its end, where it comes to rest, it
+ * is 0, which rounding hides. */
+KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
+                                   real *error);
+
+/*
+ * Bound of the error of the tilt at which a cycle has used up its energy; energy, unless NULL, gets what that
+ * tilt leaves open of the energy.  NaN where no bound is known.
+ */
+KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
 
 struct motion {
     struct cycle cycle;
@@ -39,6 +74,6 @@ KERNEL enum dom_status motion_events(const struct motion *motion, struct instant
 
 /* The state at a tilt; time NaN where it is not known yet. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,
-                                    struct dom_state_error *error);
+                                    bool errors);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "numerics/linear.h"
+#include "numerics/numerics.h"
 #include <stdlib.h>
 
 enum { N = LINEAR_ORDER };

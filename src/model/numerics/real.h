@@ -25,8 +25,6 @@
     X(sin)                                                                                                   \
     X(cos)                                                                                                   \
     X(tan)                                                                                                   \
-    X(asin)                                                                                                  \
-    X(acos)                                                                                                  \
     X(atan)                                                                                                  \
     X(exp)                                                                                                   \
     X(expm1)                                                                                                 \
@@ -85,7 +83,6 @@ typedef domq_real real;
 #define fabs(x)      MATH(fabs)(x)
 #define sin(x)       MATH(sin)(x)
 #define cos(x)       MATH(cos)(x)
-#define asin(x)      MATH(asin)(x)
 #define atan(x)      MATH(atan)(x)
 #define exp(x)       MATH(exp)(x)
 #define expm1(x)     MATH(expm1)(x)
@@ -94,7 +91,6 @@ typedef domq_real real;
 #define floor(x)     MATH(floor)(x)
 #define log10(x)     MATH(log10)(x)
 #define tan(x)       MATH(tan)(x)
-#define acos(x)      MATH(acos)(x)
 #define ceil(x)      MATH(ceil)(x)
 #define round(x)     MATH(round)(x)
 #define hypot(x, y)  MATH(hypot)(x, y)

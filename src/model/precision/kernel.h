@@ -1,42 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * What a precision, or a method to compare with, can answer; NULL for what it cannot.
- * The members are the functions of domino.h without their "dom_". Where a function takes bounds, NULL leaves
- * them out.
+ * The members are the functions of domino.h without their "dom_"; they find bounds where the request asks for
+ * errors.
  */
 #ifndef DOM_KERNEL_H
 #define DOM_KERNEL_H
 
 #include "geometry/request.h"
 
+/* X(name, arguments): each returns its status. */
+#define KERNEL_FUNCTIONS(X)                                                                                  \
+    X(angles_find, const struct request *, struct dom_angles *)                                              \
+    X(contact_find, const struct request *, dom_real, struct dom_contact *)                                  \
+    X(chain_walk, const struct request *, dom_real, dom_visit *, void *)                                     \
+    X(energy_find, const struct request *, dom_real, struct dom_energy *)                                    \
+    X(fuel_find, const struct request *, struct dom_fuels *)                                                 \
+    X(launch_find, const struct request *, struct dom_launch *)                                              \
+    X(barrier_find, const struct request *, struct dom_barrier *)                                            \
+    X(cycle_omegasq, const struct request *, dom_real, struct dom_value *)                                   \
+    X(cycle_stop, const struct request *, struct dom_value *)                                                \
+    X(cycle_duration, const struct request *, struct dom_value *)                                            \
+    X(cycle_events, const struct request *, struct dom_event *, int *)                                       \
+    X(cycle_state, const struct request *, dom_real, struct dom_state *)                                     \
+    X(cycle_tilt, const struct request *, dom_real, dom_real *)                                              \
+    X(cycle_walk, const struct request *, size_t, enum dom_spacing, dom_state_visit *, void *)               \
+    X(cycle_forces, const struct request *, dom_real, dom_force_visit *, void *)                             \
+    X(cycle_least_force, const struct request *, struct dom_least_force *)                                   \
+    X(cycle_floor, const struct request *, struct dom_floor *)                                               \
+    X(limit_rmax, const struct request *, struct dom_limit *)                                                \
+    X(limit_pair, const struct request *, struct dom_limit *)                                                \
+    X(limit_best, const struct request *, struct dom_best *)                                                 \
+    X(row_run, const struct row_request *, bool, dom_fall_visit *, void *, struct dom_verdict *)             \
+    X(count_find, dom_real, dom_real, dom_real, struct dom_count *)
+
 struct kernel {
-    enum dom_status (*angles_find)(const struct request *, struct dom_angles *, struct dom_angles_error *);
-    enum dom_status (*contact_find)(const struct request *, dom_real, struct dom_contact *,
-                                    struct dom_contact_error *);
-    enum dom_status (*chain_walk)(const struct request *, dom_real, dom_visit *, void *);
-    enum dom_status (*energy_find)(const struct request *, dom_real, struct dom_energy *,
-                                   struct dom_energy_error *);
-    enum dom_status (*fuel_find)(const struct request *, struct dom_fuels *, struct dom_fuels_error *);
-    enum dom_status (*launch_find)(const struct request *, struct dom_launch *, struct dom_launch_error *);
-    enum dom_status (*barrier_find)(const struct request *, struct dom_barrier *, struct dom_barrier_error *);
-    enum dom_status (*cycle_omegasq)(const struct request *, dom_real, dom_real *, dom_real *);
-    enum dom_status (*cycle_stop)(const struct request *, dom_real *, dom_real *);
-    enum dom_status (*cycle_duration)(const struct request *, dom_real *, dom_real *);
-    enum dom_status (*cycle_events)(const struct request *, struct dom_event *, int *);
-    enum dom_status (*cycle_state)(const struct request *, dom_real, struct dom_state *,
-                                   struct dom_state_error *);
-    enum dom_status (*cycle_tilt)(const struct request *, dom_real, dom_real *);
-    enum dom_status (*cycle_walk)(const struct request *, size_t, enum dom_spacing, dom_state_visit *,
-                                  void *);
-    enum dom_status (*cycle_forces)(const struct request *, dom_real, dom_force_visit *, void *);
-    enum dom_status (*cycle_least_force)(const struct request *, struct dom_least_force *);
-    enum dom_status (*cycle_floor)(const struct request *, struct dom_floor *);
-    enum dom_status (*limit_rmax)(const struct request *, struct dom_limit *, struct dom_limit_error *);
-    enum dom_status (*limit_pair)(const struct request *, struct dom_limit *, struct dom_limit_error *);
-    enum dom_status (*limit_best)(const struct request *, struct dom_best *, struct dom_best_error *);
-    enum dom_status (*row_run)(const struct row_request *, bool, dom_fall_visit *, void *,
-                               struct dom_verdict *);
-    enum dom_status (*count_find)(dom_real, dom_real, dom_real, struct dom_count *, struct dom_count_error *);
+#define KERNEL_MEMBER(name, ...) enum dom_status (*name)(__VA_ARGS__);
+    KERNEL_FUNCTIONS(KERNEL_MEMBER)
+#undef KERNEL_MEMBER
 };
 
 extern const struct kernel kernel_float, kernel_double, kernel_quad, kernel_gsl, kernel_paper;

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What saves a row that does not fall: another gap, or a stronger push. */
+/*
+ * What saves a row that does not fall: another gap, or a stronger push; and the largest growth of a row. Each
+ * is a search for the edge between rows that fall and rows that do not.
+ */
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
-#include "numerics/edge.h"
 #include "numerics/real.h"
 #include <stdlib.h>
 #include <string.h>
@@ -12,9 +14,13 @@
 struct trial {
     struct dom_row row;
     struct dom_compute compute;
-    struct dom_domino *domino;
-    size_t k; /* the domino whose gap is changed, from 0 */
+    struct dom_domino *domino; /* of the row, where they are changed */
+    size_t k;                  /* the domino whose gap is changed, from 0 */
+    dom_row_make *make;        /* makes the row of a growth */
+    void *context;
     enum dom_status status;
+    struct dom_verdict verdict; /* of the last row */
+    enum dom_row_end ends;      /* of the last row that did not fall */
 };
 
 static struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
@@ -24,12 +30,35 @@ static struct trial trial_of(const struct dom_row *row, const struct dom_compute
     return t;
 }
 
-static bool trial_falls(struct trial *t, struct dom_verdict *verdict)
+static bool trial_falls(struct trial *t)
 {
-    verdict->end = DOM_ROW_STOPS;
+    t->verdict.end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
-        t->status = dom_row_run(&t->row, &t->compute, false, NULL, NULL, verdict);
-    return t->status == DOM_OK && verdict->end == DOM_ROW_FALLS;
+        t->status = dom_row_run(&t->row, &t->compute, false, NULL, NULL, &t->verdict);
+    if (t->verdict.end != DOM_ROW_FALLS)
+        t->ends = t->verdict.end;
+    return t->status == DOM_OK && t->verdict.end == DOM_ROW_FALLS;
+}
+
+typedef bool trial_test(dom_real x, void *trial);
+
+/*
+ * Returns the last x found with which the test is true, going from `good`, where it is, towards `bad`, where
+ * it is not: halves the distance until it is at most absolute + relative * x, or no number is between.
+ *
+ * Bisection, and neither num_root nor a solver of GSL: a test has no values to interpolate through, the
+ * answer must be a point that was tested, and GSL knows double alone.
+ */
+static dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
+                          dom_real relative)
+{
+    while (fabs(good - bad) > absolute + relative * good) {
+        dom_real middle = (good + bad) / 2;
+        if (middle == good || middle == bad)
+            break;
+        *(test(middle, t) ? &good : &bad) = middle;
+    }
+    return good;
 }
 
 /* Returns what one unit of the first digit of a number is worth, or of that digit so many places after it. */
@@ -51,10 +80,9 @@ enum { BACK = DOM_MENDS - 1 };
 static bool falls_with(dom_real gap, void *context)
 {
     struct trial *t = context;
-    struct dom_verdict verdict;
     dom_real kept = t->domino[t->k].gap;
     t->domino[t->k].gap = gap;
-    bool falls = trial_falls(t, &verdict);
+    bool falls = trial_falls(t);
     t->domino[t->k].gap = kept;
     return falls;
 }
@@ -136,10 +164,10 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              size_t *count)
 {
     struct trial t = trial_of(row, compute);
-    struct dom_verdict verdict;
     struct dom_mend found[DOM_MENDS];
     size_t most = 0;
-    bool falls = trial_falls(&t, &verdict);
+    bool falls = trial_falls(&t);
+    const struct dom_verdict verdict = t.verdict;
     if (t.status == DOM_OK && !falls && row->count > 1) {
         t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
         if (!t.domino)
@@ -162,9 +190,8 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
 static bool falls_pushed(dom_real push, void *context)
 {
     struct trial *t = context;
-    struct dom_verdict verdict;
     t->row.push = push;
-    return trial_falls(t, &verdict);
+    return trial_falls(t);
 }
 
 /* Returns the push that turns the first domino over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2.
@@ -179,10 +206,9 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
                              dom_real *push)
 {
     struct trial t = trial_of(row, compute);
-    struct dom_verdict verdict;
     if (!(strongest > 0 && (double)strongest < HUGE_VAL))
         return DOM_BAD_PUSH;
-    bool falls = trial_falls(&t, &verdict);
+    bool falls = trial_falls(&t);
     dom_real found = falls ? row->push : DOM_NAN;
     if (t.status == DOM_OK && !falls) {
         dom_real bad = isnan(row->push) ? 0 : row->push, good = fmax(push_over_edge(row), bad) / 2;
@@ -200,5 +226,50 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
     }
     if (t.status == DOM_OK)
         *push = found;
+    return t.status;
+}
+
+/* ---- The growth ---- */
+
+/* The growth rises by this factor.  Bisection alone will not do: above the first growth at which a row does
+ * not fall there may be others at which it does. */
+#define GROWTH_STEP ((dom_real)1.02)
+
+static bool falls_grown(dom_real r, void *context)
+{
+    struct trial *t = context;
+    if (t->status == DOM_OK)
+        t->make(r, t->domino, t->row.count, t->context);
+    return trial_falls(t);
+}
+
+enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
+                             dom_row_make *make, void *context, struct dom_row_growth *growth)
+{
+    if (row->count == 0)
+        return DOM_BAD_COUNT;
+    if (!(highest >= 1 && (double)highest < HUGE_VAL))
+        return DOM_BAD_R;
+    struct trial t = trial_of(row, compute);
+    t.make = make;
+    t.context = context;
+    t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
+    if (!t.domino)
+        return DOM_NO_MEMORY;
+    dom_real good = 1, bad = 1;
+    bool falls = falls_grown(1, &t);
+    struct dom_row_growth found = {.r_max = falls ? highest : DOM_NAN, .ends = DOM_ROW_FALLS};
+    while (falls && good < highest) {
+        bad = fmin(good * GROWTH_STEP, highest);
+        falls = falls_grown(bad, &t);
+        good = falls ? bad : good;
+    }
+    if (bad > good)
+        found.r_max = edge_find(falls_grown, &t, good, bad, 0, t.compute.tol);
+    if (!falls)
+        found.ends = t.ends;
+    free(t.domino);
+    if (t.status == DOM_OK)
+        *growth = found;
     return t.status;
 }

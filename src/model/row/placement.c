@@ -244,26 +244,32 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 
 /* ---- The budget ---- */
 
+struct budget {
+    const struct dom_row *row;
+    const struct dom_compute *compute;
+    const struct dom_placement *placement;
+    double widest; /* gap of the row */
+};
+
 /* The same rows at every sigma, with errors that are longer or shorter: so what differs is sigma alone. */
-static enum dom_status fall_share(const struct dom_row *row, const struct dom_compute *compute,
-                                  struct dom_placement p, double sigma, double *share)
+static enum dom_status fall_share(const struct budget *b, double sigma, double *share)
 {
+    struct dom_placement p = *b->placement;
     struct dom_study study = {.rows = p.rows};
     p.sigma = (dom_real)sigma;
-    enum dom_status status = dom_placement_study(row, compute, &p, &study, NULL);
+    enum dom_status status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
     *share = (double)study.fall / (double)study.rows;
     return status;
 }
 
 /* Between lo, where more than the share fall, and hi, where fewer do: to a thousandth. */
-static enum dom_status sigma_between(const struct dom_row *row, const struct dom_compute *compute,
-                                     const struct dom_placement *p, double share, double lo, double hi,
+static enum dom_status sigma_between(const struct budget *b, double share, double lo, double hi,
                                      double *sigma)
 {
     const double none = 1e-9 * hi; /* finer than any row can be placed */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
-        enum dom_status status = fall_share(row, compute, *p, at, &falls);
+        enum dom_status status = fall_share(b, at, &falls);
         if (status != DOM_OK)
             return status;
         *(falls >= share ? &lo : &hi) = at;
@@ -272,18 +278,18 @@ static enum dom_status sigma_between(const struct dom_row *row, const struct dom
     return DOM_OK;
 }
 
-/* The first of doubled sigmas at which fewer than the share fall; infinite where it is beyond `widest`. */
-static enum dom_status sigma_at(const struct dom_row *row, const struct dom_compute *compute,
-                                const struct dom_placement *p, double share, double widest, double *sigma)
+/* The first of doubled sigmas at which fewer than the share fall; infinite where it is beyond the widest gap.
+ */
+static enum dom_status sigma_at(const struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;
-    for (double hi = widest / 4096;; lo = hi, hi *= 2) {
-        enum dom_status status = fall_share(row, compute, *p, hi, &falls);
+    for (double hi = b->widest / 4096;; lo = hi, hi *= 2) {
+        enum dom_status status = fall_share(b, hi, &falls);
         if (status != DOM_OK)
             return status;
         if (falls < share)
-            return sigma_between(row, compute, p, share, lo, hi, sigma);
-        if (hi >= widest) {
+            return sigma_between(b, share, lo, hi, sigma);
+        if (hi >= b->widest) {
             *sigma = HUGE_VAL;
             return DOM_OK;
         }
@@ -307,21 +313,22 @@ static double unlikely(double share, double rows, bool at_least)
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *p, double share, struct dom_budget *budget)
 {
-    double falls, widest = 0;
+    struct budget b = {.row = row, .compute = compute, .placement = p};
+    double falls;
     if (!(share > 0 && share < 1))
         return DOM_BAD_PROBABILITY;
-    enum dom_status status = fall_share(row, compute, *p, 0, &falls);
+    enum dom_status status = fall_share(&b, 0, &falls);
     if (status != DOM_OK || falls < share)
         return status != DOM_OK ? status : DOM_STOPS;
     for (size_t k = 1; k < row->count; k++)
-        widest = fmax(widest, (double)row->domino[k].gap);
+        b.widest = fmax(b.widest, (double)row->domino[k].gap);
     double N = (double)p->rows, few = fmax(unlikely(share, N, false), 0), many = unlikely(share, N, true);
     struct dom_budget found = {.low = 0};
-    status = sigma_at(row, compute, p, share, widest, &found.sigma);
+    status = sigma_at(&b, share, &found.sigma);
     if (status == DOM_OK && many <= N)
-        status = sigma_at(row, compute, p, many / N, widest, &found.low);
+        status = sigma_at(&b, many / N, &found.low);
     if (status == DOM_OK)
-        status = sigma_at(row, compute, p, few / N, widest, &found.high);
+        status = sigma_at(&b, few / N, &found.high);
     if (status == DOM_OK)
         *budget = found;
     return status;

@@ -7,15 +7,10 @@
  *
  * Inside, the head of the moment is the unit, as everywhere in here: its height, m g h / 2, tau.
  */
-#include "motion/floor.h"
+#include "motion/forces.h"
 #include <stdlib.h>
 
 /* ---- The row as a chain ---- */
-
-struct row {
-    const struct row_request *asked;
-    struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
-};
 
 /* Of one domino, in SI units. */
 struct block {
@@ -68,13 +63,12 @@ static struct tilt row_end(const struct row_request *row, size_t k)
     return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
 }
 
-static enum dom_status row_make(struct row *row)
+static enum dom_status row_make(const struct row_request *asked, struct geometry *row)
 {
-    const struct row_request *asked = row->asked;
     for (size_t k = 0; k < asked->count; k++) {
-        struct geometry *geometry = &row->geometry[k];
+        struct geometry *geometry = &row[k];
         *geometry = (struct geometry){.tol = (real)asked->tol,
-                                      .flow = row->geometry[0].flow,
+                                      .flow = row[0].flow,
                                       .interrupt = asked->interrupt,
                                       .work = asked->work,
                                       .d = block_of(asked, k).d,
@@ -84,7 +78,7 @@ static enum dom_status row_make(struct row *row)
         geometry->reach = hypot(1, geometry->d);
         geometry_gravity(geometry, 0, 1);
         if (k > 0)
-            joint_make(asked, k, &row->geometry[k - 1], geometry);
+            joint_make(asked, k, &row[k - 1], geometry);
         enum dom_status status = dynamics_choose(asked->effect, geometry);
         if (status == DOM_OK && k == 0) /* all of them share what the law needs */
             status = dynamics_begin(geometry);
@@ -124,7 +118,8 @@ static enum dom_status domino_check(const struct row_request *row, size_t k)
 /* ---- The run ---- */
 
 struct run {
-    struct row row;
+    const struct row_request *asked;
+    struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
     bool times;
     size_t moving;      /* dominoes, with the head */
     real omegasq;       /* of the head at its start, in its tau */
@@ -213,9 +208,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 /* The head k goes down; the state at its end is left in d. */
 static enum dom_status head_run(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
-    const struct block block = block_of(run->row.asked, k);
-    const real end = tilt_angle(run->row.geometry[k].c);
-    *d = (struct descent){.st = {.geometry = run->row.geometry[k],
+    const struct block block = block_of(run->asked, k);
+    const real end = tilt_angle(run->geometry[k].c);
+    *d = (struct descent){.st = {.geometry = run->geometry[k],
                                  .start = {.from = standing, .omegasq = run->omegasq},
                                  .gain = 1,
                                  .inertia_ratio = run->inertia_ratio},
@@ -230,7 +225,7 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     d->J0 = d->st.start.J = at.J; /* all there is where the next one is touched already */
     d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
-        status = descent_segment(d, end, run->times, run->row.asked->floor);
+        status = descent_segment(d, end, run->times, run->asked->floor);
     if (status != DOM_OK)
         return status;
     run->moving = d->stay;
@@ -244,7 +239,7 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     fall->theta = ends ? d->stop : end;
     fall->duration = run->times && !ends ? d->time * block.tau : REAL_NAN;
     fall->friction_work = ends ? REAL_NAN : 0;
-    if (!ends && !run->row.geometry[k].dynamics->conservative)
+    if (!ends && !run->geometry[k].dynamics->conservative)
         fall->friction_work = fmax((real)fall->kinetic - d->climbed * block.unit - run->carried, 0);
     return DOM_OK;
 }
@@ -252,8 +247,8 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
 /* The first one, tipped over its edge and let go: it has what it falls from there (b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
-    const struct block block = block_of(run->row.asked, 0);
-    const struct geometry *geometry = &run->row.geometry[0];
+    const struct block block = block_of(run->asked, 0);
+    const struct geometry *geometry = &run->geometry[0];
     real u = geometry->reach, sine = -geometry_rise(geometry, geometry->c) / u,
          cosine = geometry_height(geometry, geometry->c) / u, x = geometry->h.x, y = geometry->h.y;
     real barrier = x * x / (y + u) * block.unit;
@@ -270,7 +265,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     d->st.geometry.dynamics = &energy_balance; /* nothing leans on it */
     d->st.lo = atan(x / y);
     d->st.hi = tilt_angle(geometry->c);
-    enum dom_status status = run->row.asked->floor && sine > 0
+    enum dom_status status = run->asked->floor && sine > 0
                                  ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction)
                                  : DOM_OK;
     d->st.start.from = geometry->c;
@@ -289,8 +284,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 /* Head k hits k + 1, which takes over; the row ends there if it cannot. */
 static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
-    const struct dom_domino *own = &run->row.asked->domino[k], *next = own + 1;
-    const struct geometry *geometry = &run->row.geometry[k + 1];
+    const struct dom_domino *own = &run->asked->domino[k], *next = own + 1;
+    const struct geometry *geometry = &run->geometry[k + 1];
     enum dom_row_end *end = &run->verdict.end;
     if ((real)next->gap > (real)own->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
@@ -306,7 +301,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
         return DOM_OK;
     }
     velocity_ratio = collision_velocity_ratio(inertia_ratio);
-    real slower = block_of(run->row.asked, k + 1).tau / block_of(run->row.asked, k).tau;
+    real slower = block_of(run->asked, k + 1).tau / block_of(run->asked, k).tau;
     run->inertia_ratio = inertia_ratio;
     run->omegasq = velocity_ratio * velocity_ratio * slower * slower * d->st.start.omegasq;
     run->moving++;
@@ -342,21 +337,21 @@ static void fall_floor(const struct row_request *row, size_t k,
 
 static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *context)
 {
-    bool tips = isnan(run->row.asked->push), more = true;
-    struct dom_work *work = run->row.asked->work;
+    bool tips = isnan(run->asked->push), more = true;
+    struct dom_work *work = run->asked->work;
     if (work)
         work->entered[DOM_EFFECT_row]++;
     if (work && !tips)
         work->entered[DOM_EFFECT_push]++;
-    real tau = block_of(run->row.asked, 0).tau;
-    run->omegasq = tips ? 0 : (real)run->row.asked->push * tau * (real)run->row.asked->push * tau;
+    real tau = block_of(run->asked, 0).tau;
+    run->omegasq = tips ? 0 : (real)run->asked->push * tau * (real)run->asked->push * tau;
     run->moving = 1;
-    for (size_t k = 0; k < run->row.asked->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
+    for (size_t k = 0; k < run->asked->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
         struct dom_fall fall = {.domino = k + 1, .time = run->time, .moving = run->moving};
         real before = run->carried;
         enum dom_status status;
-        if (dom_raised(run->row.asked->interrupt))
+        if (dom_raised(run->asked->interrupt))
             return DOM_INTERRUPTED;
         status = k == 0 && tips ? tip_run(run, &d, &fall) : head_run(run, k, &d, &fall);
         if (status != DOM_OK)
@@ -370,10 +365,10 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
                                    : d.stops         ? DOM_ROW_STOPS
                                                      : DOM_ROW_LOCKS;
         }
-        fall_floor(run->row.asked, k, &d.required_friction, &fall);
+        fall_floor(run->asked, k, &d.required_friction, &fall);
         verdict_add(&run->verdict, &fall, k == 0 && tips);
         more = !visit || visit(&fall, context);
-        if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->row.asked->count)
+        if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->asked->count)
             status = row_hit(run, k, &d);
         if (status != DOM_OK)
             return status;
@@ -394,20 +389,19 @@ KERNEL enum dom_status row_run(const struct row_request *asked, bool times, dom_
     }
     if (status != DOM_OK)
         return status;
-    struct run run = {.row = {.asked = asked},
-                      .times = times,
-                      .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
-    run.row.geometry = malloc(asked->count * sizeof *run.row.geometry);
-    if (!run.row.geometry)
+    struct run run = {
+        .asked = asked, .times = times, .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
+    run.geometry = malloc(asked->count * sizeof *run.geometry);
+    if (!run.geometry)
         return DOM_NO_MEMORY;
-    run.row.geometry[0] = (struct geometry){.dynamics = &energy_balance};
-    status = row_make(&run.row);
+    run.geometry[0] = (struct geometry){.dynamics = &energy_balance};
+    status = row_make(asked, run.geometry);
     if (status == DOM_OK)
         status = row_falls(&run, visit, context);
-    dynamics_end(&run.row.geometry[0]);
+    dynamics_end(&run.geometry[0]);
     run.verdict.seconds = times ? run.time : REAL_NAN;
     if (status == DOM_OK)
         *verdict = run.verdict;
-    free(run.row.geometry);
+    free(run.geometry);
     return status;
 }
