@@ -61,6 +61,7 @@ extern "C" {
     X(BAD_D, "the thickness d is outside its range")                                                         \
     X(BAD_Q, "the mass exponent q is outside its range")                                                     \
     X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
+    X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
     X(BAD_FUEL, "there is no fuel of that number")                                                           \
     X(BAD_TOL, "the tolerance tol is outside its range, or below the floor of the precision")                \
     X(BAD_PRECISION, "there is no precision of that number")                                                 \
@@ -82,6 +83,7 @@ extern "C" {
     X(NO_FUEL, "the fuel P is not positive: a cycle sets no energy free")                                    \
     X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
     X(LOCKS, "friction locks the train: a contact force passes behind the hinge that it is to turn")         \
+    X(NO_STAND, "no upright domino stands on this slope: |alpha| must be below theta_u, tan theta_u = d")    \
     X(NO_MARGIN, "the margin is 0 to rounding: times grow like ln(1/margin) and have no value here; a "      \
                  "slightly smaller r has")                                                                   \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
@@ -125,7 +127,7 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
  * and struct dom_row holds the value of the effect, 0 for off. The status is that of a value outside its
  * range.
  */
-#define DOM_DYNAMICS(X) X(friction, mu, DOM_BAD_MU)
+#define DOM_DYNAMICS(X) X(friction, mu, DOM_BAD_MU) X(slope, alpha, DOM_BAD_ALPHA)
 
 /* The number of effects in DOM_DYNAMICS, which are the first in enum dom_effect_name. */
 #define DOM_DYNAMICS_ONE(name, member, status) +1
@@ -261,7 +263,9 @@ struct dom_train {
     enum dom_fuel fuel; /* default DOM_FUEL_EXACT */
     /* A member for each effect of DOM_DYNAMICS, default 0, off: mu is the coefficient of Coulomb friction
      * between dominoes, 0 ... DOM_MU_HIGHEST. With any of these effects DOM_FUEL_PAPER and methods other than
-     * DOM_METHOD_OURS give DOM_NO_METHOD. With friction the equation of motion replaces (c3) and (c6). */
+     * DOM_METHOD_OURS give DOM_NO_METHOD. With friction the equation of motion replaces (c3) and (c6).
+     * alpha is the angle in radians by which the floor falls in the direction of the train, -1.5 ... 1.5;
+     * DOM_NO_STAND: no domino stands on that slope. */
 #define DOM_DYNAMICS_MEMBER(effect, member, status) dom_real member;
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
 };

@@ -13,19 +13,21 @@ file() { # NAME < text
 
 @test "effects are off, and entered 0 times; each alone enters its own code" {
     run -0 json effects
-    same states 'off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
-    same entered '0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
-    same names 'friction row push placement floor' "$(values effect <<<"$output" | paste -sd ' ' -)"
+    same states 'off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
+    same entered '0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
+    same names 'friction slope row push placement floor' "$(values effect <<<"$output" | paste -sd ' ' -)"
     while IFS='|' read -r commands pattern; do
         entered=$(json "$commands; effects" | values entered | sed 's/^[1-9].*/x/' | paste -sd ' ' -)
         same "$commands" "$pattern" "$entered"
     done <<'END'
-effect friction 0.2|x 0 0 0 0
-effect floor 0.2|0 0 0 0 x
-effect row 4|0 x 0 0 0
-effect row 4; effect push 5|0 x x 0 0
-effect row 4; effect placement 1 mm|0 x 0 x 0
-effect row 4; effect friction 0.1; effect floor 1|x x 0 0 x
+effect friction 0.2|x 0 0 0 0 0
+effect slope 1 deg|0 x 0 0 0 0
+effect floor 0.2|0 0 0 0 0 x
+effect row 4|0 0 x 0 0 0
+effect row 4; effect push 5|0 0 x x 0 0
+effect row 4; effect placement 1 mm|0 0 x 0 x 0
+effect row 4; effect friction 0.1; effect floor 1|x 0 x 0 0 x
+effect row 4; effect slope 1 deg|0 x x 0 0 0
 END
 }
 
@@ -54,6 +56,19 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     # The curve and the count follow, too.
     same curve "$(json 'effect friction 0.2; rmax 0.3' | values r_max)" "$(json 'effect friction 0.2; curve 0.3 0.3 1' | values exact)"
     same count false "$(json 'effect friction 0.5; count 112' | values feasible)"
+}
+
+@test "slope: r_max, an error where no domino stands, and no paper fuel" {
+    close '1 degree' 1.64507145 "$(json 'set q hollow; effect slope 1 deg; rmax 0.2' | values r_max)" 1e-8
+    close '1 degree uphill' 1.93981351 "$(json 'set q hollow; effect slope -1 deg; rmax 0.4' | values r_max)" 1e-8
+    same 'no paper fuel' null "$(json 'effect slope 1 deg; rmax' | values r_max_paper)"
+    same level "$(json 'rmax; barrier' | values margin)" "$(json 'effect slope 0; rmax; barrier' | values margin)"
+    wrong 'effect slope 10 deg; rmax' 'no upright domino stands on this slope'
+    wrong 'effect slope 10 deg; effect row 4; fall' 'no upright domino stands on this slope'
+    wrong 'effect slope 1 deg; set fuel paper' "'effect slope off' first"
+    wrong 'set fuel paper; effect slope 1 deg' 'knows no slope'
+    wrong 'effect slope 1 mm' 'ALPHA is an angle, not a length'
+    same 'a row' 'stops' "$(json 'set r 1.6; set q hollow; effect slope -3 deg; effect row 6; effect push 3; verdict' | values verdict)"
 }
 
 @test "the ledger closes with friction at every event" {
@@ -115,7 +130,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 0' 'out of range'
     wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
     wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'
-    wrong 'effect foo 1' "'foo' is no effect; those are: friction, row, push, placement, floor"
+    wrong 'effect foo 1' "'foo' is no effect; those are: friction, slope, row, push, placement, floor"
     wrong 'effect row 4; place 1 1 cm' 'domino 1 has no gap before it; in this row 2 .. 4 have'
     wrong 'effect row 4; place 2 -1' 'no gap'
 }

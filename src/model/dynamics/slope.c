@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Slope: the floor falls by the angle alpha in the direction of the train, alpha > 0 downhill.  Tilts are
+ * measured from the normal of the floor, so contacts and inertia are as on a level floor, and gravity alone
+ * turns: the energy of position of a domino is
+ *
+ *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,
+ *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha,
+ *
+ * so a domino tips over at tan theta_u = h.x / h.y, alpha earlier than on a level floor.  An upright domino
+ * stands only where |alpha| is below its theta_u on a level floor, tan theta_u = d.
+ */
+#include "geometry/geometry.h"
+
+#ifdef KERNEL_TEXTS
+const struct dom_effect dom_effect_slope = {
+    .name = "slope",
+    .adds = "a floor that slopes, downhill where ALPHA > 0",
+    .help =
+        "Tilts are measured from the normal of the floor. The energy of position of a domino is then "
+        "h(theta) = cos(theta + alpha) + d sin(theta + alpha), in H, in the fuel P, in the barrier and in "
+        "the forces; with friction C = 1/2 sum r^-qi S_i (sin(theta_i + alpha) - d cos(theta_i + alpha)). "
+        "An upright domino stands only where |alpha| < theta_u, tan theta_u = d. One degree moves r_max "
+        "by 5 to 8 %. The paper's closed form of the fuel knows no slope.",
+    .source = "the energy of position of a block on an inclined plane",
+    .plan = "the energy of position turned by alpha",
+    .argument = {{.name = "ALPHA",
+                  .unit = "rad",
+                  .meaning = "angle by which the floor falls in the direction of the train",
+                  .lowest = (dom_real)-1.5,
+                  .highest = (dom_real)1.5,
+                  .usual = (dom_real)0.0174532925199432957692}},
+};
+#endif
+
+/* Turns the effect on: alpha = value, in radians. */
+KERNEL enum dom_status slope_apply(struct geometry *geometry, real value)
+{
+    geometry_gravity(geometry, sin(value), cos(value));
+    if (geometry->work)
+        geometry->work->entered[DOM_EFFECT_slope]++;
+    /* The domino must stand on the slope, and on one that falls the other way; and it must tip over before it
+     * lies. */
+    bool stands = tan(fabs(value)) < geometry->d && geometry->h.y > 0;
+    return stands ? DOM_OK : DOM_NO_STAND;
+}
