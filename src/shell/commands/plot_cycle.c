@@ -3,7 +3,6 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"
-#include <string.h>
 
 enum { STEPS = 160, SAMPLES = STEPS + 1 + DOM_EVENTS_MAX, ROWS_MAX = 3 };
 
@@ -13,6 +12,7 @@ enum { STEPS = 160, SAMPLES = STEPS + 1 + DOM_EVENTS_MAX, ROWS_MAX = 3 };
 struct sample {
     domq_real theta, dH, J, omegasq; /* omegasq: NaN where the train does not come */
     const char *event;               /* that happens here, or NULL */
+    bool rests;                      /* that event is the stop */
 };
 
 struct cycle_samples {
@@ -55,7 +55,8 @@ static void tilts_make(struct cycle_samples *c)
         for (; event < c->event_count && c->events[event].theta <= theta; event++) {
             taken = c->events[event].theta == theta;
             c->at[c->count++] = (struct sample){.theta = c->events[event].theta,
-                                                .event = dom_event_text(c->events[event].kind)};
+                                                .event = dom_event_text(c->events[event].kind),
+                                                .rests = c->events[event].kind == DOM_EVENT_STOP};
         }
         if (!taken)
             c->at[c->count++] = (struct sample){.theta = theta};
@@ -71,7 +72,7 @@ static enum dom_status sample_find(const struct session *session, bool beyond, s
         return status;
     k->dH = energy.dH;
     k->J = energy.J;
-    if (k->event && strcmp(k->event, "stop") == 0)
+    if (k->rests)
         omegasq.value = 0;
     else if (!beyond)
         status = domq_cycle_omegasq(&session->train, &session->compute, k->theta, &omegasq);

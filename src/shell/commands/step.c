@@ -3,7 +3,6 @@
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
-#include <string.h>
 
 enum { CYCLES_MAX = 1000 };
 
@@ -71,7 +70,7 @@ static bool walk_answer(struct session *session, const struct call *call)
         cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
         cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy), CELL_TIMES(s, kinetic, u.energy),
         CELL_TIMES(s, climbed, u.energy), cell_bound(s.friction_work * u.energy, DOMQ_NAN));
-    if (w->cycle > 1 && strcmp(u.energy_unit, "J") != 0)
+    if (w->cycle > 1 && !(session_mass(session) > 0))
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))

@@ -57,7 +57,7 @@ void columns_in_joules(struct answer *a)
 
 void walk_columns_in(const struct session *session, struct answer *a)
 {
-    if (strcmp(walk_units(session, 1).energy_unit, "J") == 0)
+    if (session_mass(session) > 0)
         columns_in_joules(a);
 }
 
