@@ -15,7 +15,8 @@ static bool study_make(struct session *session, domq_real rows, struct task_pool
         return false;
     if (!errors->on) {
         free(scene->domino);
-        return session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
+        session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
+        return false;
     }
     *p = (struct domq_placement){
         .sigma = errors->value[0],

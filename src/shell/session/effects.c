@@ -304,13 +304,16 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
 {
     const struct listed_row *listed = &session->listed;
     const struct effect_state *effect = session->effect;
-    if (!effect[DOM_EFFECT_row].on)
-        return session_error(session,
-                             "there is no row here: 'effect row N', or 'effect row FILE' with a csv file");
+    if (!effect[DOM_EFFECT_row].on) {
+        session_error(session, "there is no row here: 'effect row N', or 'effect row FILE' with a csv file");
+        return false;
+    }
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
     scene->domino = malloc(count * sizeof *scene->domino);
-    if (!scene->domino)
-        return session_status(session, DOM_NO_MEMORY);
+    if (!scene->domino) {
+        session_status(session, DOM_NO_MEMORY);
+        return false;
+    }
     scene_row_fill(session, scene->domino, count);
     scene->row = (struct domq_row){
         .domino = scene->domino,
