@@ -32,7 +32,7 @@
     X(limit_pair, const struct request *, struct dom_limit *)                                                \
     X(limit_best, const struct request *, struct dom_best *)                                                 \
     X(row_run, const struct row_request *, bool, dom_fall_visit *, void *, struct dom_verdict *)             \
-    X(count_find, dom_real, dom_real, dom_real, struct dom_count *)
+    X(count_find, dom_real, dom_real, dom_real, bool, struct dom_count *)
 
 struct kernel {
 #define KERNEL_MEMBER(name, ...) enum dom_status (*name)(__VA_ARGS__);
