@@ -8,9 +8,9 @@ load faults
 # Drafts have six letters behind their dot.
 drafts() { find . -name '*.??????' ! -name '*.script'; }
 
-# Starts the program in the background, as $child, with the signals as a shell at a terminal gives them.
+# Starts the program in the background, as $child, with signals as a shell at a terminal gives them, also under nohup.
 begin() { # ARGUMENT...
-    env --default-signal=INT,QUIT "$DOMINO" -n "$@" >/dev/null 2>&1 3>&- &
+    env --default-signal "$DOMINO" -n "$@" >/dev/null 2>&1 3>&- &
     child=$!
 }
 
