@@ -319,9 +319,10 @@ lint: $(HEADERS) | $(FIRST)
 	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion $(STACK)' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
-	clang-tidy --quiet $(MODEL) $(SHELL_C) $(wildcard examples/*.c) -- -std=c17 -D_GNU_SOURCE -DDOMQ $(INCLUDES)
+	printf '%s\n' $(MODEL) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
+	  'clang-tidy --quiet "$$@" -- -std=c17 -D_GNU_SOURCE -DDOMQ $(INCLUDES)' clang-tidy
 	@# cppcheck takes the order of the series in one precision for that in another.
-	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	tests/layers $(B)/gcc
 	mandoc -T lint -W warning $(PAGES)
