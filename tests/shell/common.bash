@@ -124,3 +124,9 @@ wrong() { # COMMANDS PATTERN
     grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
     [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
 }
+
+# What a library that was built to be checked needs of its users.
+checked() {
+    if nm "$1" 2>/dev/null | grep -q __asan_init; then echo -fsanitize=address,undefined; fi
+    if nm "$1" 2>/dev/null | grep -q __gcov_init; then echo --coverage; fi
+}

@@ -55,7 +55,8 @@ int main()
     std::printf("%.9g %.9g %g\n", limit.r_max, static_cast<double>(wide_limit.r_max), dom_dominoes(0.048, 112, 1.5));
 }
 END
-    g++ -std=c++11 -Wall -Wextra -Werror "${includes[@]}" "$source" "$build/libdomino.a" -lgsl -lgslcblas -lm -pthread \
+    # shellcheck disable=SC2046
+    g++ -std=c++11 -Wall -Wextra -Werror "${includes[@]}" "$source" "$build/libdomino.a" $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread \
         -o "$BATS_TEST_TMPDIR/both"
     local expected
     expected=$("$DOMINO" -e 'set output csv; rmax' | sed -n '2s/^[^,]*,\([^,]*\),.*/\1/p')

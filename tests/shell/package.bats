@@ -16,12 +16,6 @@ plain_make() {
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u MAKEOVERRIDES -u B -u CFLAGS -u CC make -s "$@"
 }
 
-# What a library that was built to be checked needs of its users.
-checked() {
-    if nm "$1" 2>/dev/null | grep -q __asan_init; then echo -fsanitize=address,undefined; fi
-    if nm "$1" 2>/dev/null | grep -q __gcov_init; then echo --coverage; fi
-}
-
 # Installs into $dest, where pkg-config and the loader of shared libraries then find the library.
 install_there() {
     dest=$BATS_TEST_TMPDIR/dest
