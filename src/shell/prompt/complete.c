@@ -187,7 +187,7 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
         for (int k = 0; (candidate = offer.list[l](offer.context[l], k)) != NULL; k++) {
             char whole[128];
             snprintf(whole, sizeof whole, "%.*s%s", (int)(name - last), last, candidate);
-            if (strncmp(candidate, name, strlen(name)) == 0)
+            if (strncmp(candidate, name, strlen(name)) == 0 && !escape_needed(whole)) /* as typed before it */
                 emit(whole, context);
         }
     }
