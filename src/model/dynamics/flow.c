@@ -46,8 +46,8 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * From upright on, u moves by d^2 up to theta ~ d, and by much more behind: it is told apart there on panels
- * of its own, and so it is near the tilt sqrt(1 - r s), where followers come down.
+ * Solves the stretch from upright to theta ~ d, in which u changes by d^2 only and by much more after it, on
+ * panels of its own, and so the stretch near the tilt sqrt(1 - r s), where followers come down.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {

@@ -43,7 +43,7 @@ KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geome
 
 /*
  * chain_second_derivative_from upright and chain_fall in one pass, where square roots of one chain are taken
- * while those of another wait: of an endless train from which nobody falls off.
+ * while those of another wait: of an endless train from which no domino detaches.
  */
 KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *fall);

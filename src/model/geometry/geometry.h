@@ -16,7 +16,7 @@ struct tilt {
     real v;    /* 1 - cos theta */
 };
 
-/* A domino that nobody has touched yet. */
+/* An upright domino, before it is hit. */
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
 struct dynamics; /* dynamics.h */

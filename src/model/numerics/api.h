@@ -7,7 +7,12 @@
 #ifndef DOM_API_H
 #define DOM_API_H
 
+#if __has_include("domino_quad.h")
 #include "domino_quad.h"
+#else /* a source that is checked alone, before the Makefile has made that header */
+#include "domino.h"
+typedef long double domq_real;
+#endif
 
 #include <float.h>
 

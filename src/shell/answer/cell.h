@@ -33,7 +33,7 @@ struct cell {
 /* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
-struct cell cell_unbounded(domq_real value); /* nobody has followed its errors */
+struct cell cell_unbounded(domq_real value); /* no error bound is known */
 struct cell cell_brief(double value);        /* three digits in a table: for what is not known better */
 struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
