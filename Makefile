@@ -45,7 +45,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run quick test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run quick test unit hard sessions faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint built_by_gcc format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
@@ -295,11 +295,9 @@ $(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
 
 # Instructions of answers against tests/bench/instructions.csv; 'make guard KEEP=1' makes that anew.
-GUARD_FLAGS := -O2 -g
-guard: | $(FIRST)
-	@$(MAKE) --no-print-directory B=$(B)/guard CC=gcc CFLAGS='$(GUARD_FLAGS)' LDFLAGS= $(B)/guard/answers $(B)/guard/domino
-	@echo '$(GUARD_FLAGS)' > $(B)/guard/flags
-	@KEEP=$(KEEP) tests/bench/guard $(B)/guard
+guard: built_by_gcc
+	@echo '$(GCC_FLAGS)' > $(B)/gcc/flags
+	@KEEP=$(KEEP) tests/bench/guard $(B)/gcc
 
 # ---- Checks ----
 
@@ -312,11 +310,15 @@ LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 # A stack may be small: what is large is on the heap.
 STACK := -Wframe-larger-than=16384
 
+# Builds everything with gcc, warnings as errors: for 'lint', and for 'guard', which counts in it.
+GCC_FLAGS := -O2 -g
+built_by_gcc: | $(FIRST)
+	@LDFLAGS= $(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='$(GCC_FLAGS) -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
+
 # To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
 # for those from float to double.
-lint: $(HEADERS) | $(FIRST)
+lint: built_by_gcc $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
-	$(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='-O2 -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion $(STACK)' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
 	printf '%s\n' $(MODEL) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
