@@ -3,13 +3,13 @@
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
-#include "answer/cell.h"
+#include "answer/measure.h"
 #include <stdbool.h>
 #include <stdio.h>
 
 struct column {
     const char *key;     /* name in csv and json, head of a table */
-    const char *unit;    /* "" for a pure number; "rad" and "rad/s" follow the style's angle */
+    const char *unit;    /* "" for a pure number; "rad" and "rad/s" follow the style's angle; see measure.h */
     const char *meaning; /* one line, for people */
     int width;           /* of words, or of few digits, in a table of rows; 0 for a number */
 };
@@ -28,8 +28,10 @@ struct answer {
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
-    int width;                  /* of the terminal; 0 for none */
-    unsigned bounded;           /* bit i: see answer_bounded */
+    int width;                              /* of the terminal; 0 for none */
+    unsigned bounded;                       /* bit i: see answer_bounded */
+    double largest[ANSWER_COLUMNS];         /* what answer_largest has said of each column; 0 for nothing */
+    struct measure measure[ANSWER_COLUMNS]; /* of each column in a table of rows, from its first row on */
     bool gap;                   /* set a blank line between this answer and the one before, for people */
     int lost;                   /* errno of the first write that failed; 0 for none */
     struct cell *kept;          /* where the cells of the last row stay */

@@ -5,6 +5,7 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <errno.h>
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,6 +41,13 @@ void answer_leave_out(struct answer *a, const char *key)
         c++;
     for (; c->key; c++)
         c[0] = c[1];
+}
+
+void answer_largest(struct answer *a, const char *key, domq_real largest)
+{
+    for (int i = 0; a->columns[i].key; i++)
+        if (strcmp(a->columns[i].key, key) == 0)
+            a->largest[i] = (double)quad(fabs)(largest);
 }
 
 void column_fit(struct column *c, const char *word)
@@ -78,6 +86,19 @@ static void bounds_prepare(struct answer *a, const struct cell *cells)
             a->bounded |= 1u << i;
 }
 
+/* Chooses one unit a column for a table of rows, the largest where nothing is known of a column. */
+static void measures_prepare(struct answer *a, const struct cell *cells)
+{
+    if (a->begun || a->planned)
+        return;
+    for (int i = 0; a->columns[i].key; i++) {
+        bool number = cells && cells[i].kind == CELL_REAL;
+        domq_real first = number ? quad(fabs)(cells[i].number) : 0, most = (domq_real)a->largest[i];
+        bool known = number || most > 0;
+        a->measure[i] = measure_of(a->columns[i].unit, known ? quad_larger(first, most) : (domq_real)DBL_MAX);
+    }
+}
+
 /* What the terminal can do. */
 static void answer_ask(struct answer *a)
 {
@@ -107,6 +128,7 @@ void answer_plan(struct answer *a, const struct cell *like)
     answer_ask(a);
     if (like)
         bounds_prepare(a, like);
+    measures_prepare(a, like);
     a->planned = true;
 }
 
@@ -177,6 +199,7 @@ static void answer_write(struct answer *a, const struct cell *cells, const char 
         reason = shown_text(reason, &own[count]);
     answer_prepare(a);
     bounds_prepare(a, cells);
+    measures_prepare(a, cells);
     errno = 0;
     if (!a->begun && format->begin)
         format->begin(a, shown, reason);

@@ -18,6 +18,13 @@ struct column *answer_columns(struct answer *answer, const struct column *column
  * it. */
 void answer_leave_out(struct answer *answer, const char *key);
 
+/*
+ * Gives the largest number that the column with this key will hold, before the first row and after the
+ * columns are settled: the unit that people see in a table of rows follows from it.  Without it the first row
+ * decides.
+ */
+void answer_largest(struct answer *answer, const char *key, domq_real largest);
+
 /* Makes a column of words, in an answer's own columns, as wide as a word that it is to hold. */
 void column_fit(struct column *column, const char *word);
 

@@ -18,11 +18,12 @@ enum {
 
 /* ---- Text ---- */
 
-/* The unit that people see. */
-static const char *column_unit(const struct answer *a, const struct column *c, char text[CELL_TEXT])
+/* Returns the unit that people see: for angles that of the style, else that of the measure. */
+static const char *column_unit(const struct answer *a, const struct column *c, struct measure measure,
+                               char text[CELL_TEXT])
 {
     if (!column_is_angle(c))
-        return c->unit;
+        return measure.unit;
     snprintf(text, CELL_TEXT, "%s%s", style_angle_unit(&a->style), c->unit + strlen("rad"));
     return text;
 }
@@ -37,6 +38,16 @@ static int number_width(const struct answer *a, int digits)
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
+}
+
+/* Returns the cell as a number of the measure. */
+static struct cell measured_cell(struct measure measure, struct cell cell)
+{
+    if (cell.kind != CELL_REAL || measure.power == 0)
+        return cell;
+    cell.number = measure_number(measure, cell.number);
+    cell.error = isfinite(cell.error) ? measure_number(measure, cell.error) : cell.error;
+    return cell;
 }
 
 /* What has a bound shows the digits that it leaves, all else those of the style, or of the tolerance. */
@@ -127,8 +138,8 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         said[i] = line == KEYS    ? c->key
-                  : line == UNITS ? column_unit(a, c, text[i])
-                                  : table_text(a, cells[i], digits, text[i]);
+                  : line == UNITS ? column_unit(a, c, a->measure[i], text[i])
+                                  : table_text(a, measured_cell(a->measure[i], cells[i]), digits, text[i]);
         end = *said[i] ? i + 1 : end; /* no blanks behind the last unit */
     }
     if (line == UNITS && end == 0)
@@ -164,17 +175,20 @@ static void row_lines(struct answer *a, const struct cell *cells)
     int key_width = 0, unit_width = 0, digits = table_digits(a);
     const char *bold = a->bold ? "\033[1m" : "", *end = *bold ? "\033[m" : "";
     for (const struct column *c = a->columns; c->key; c++) {
-        int key = terminal_columns(pretty(a, c->key, line)), wide = (int)strlen(c->unit);
+        int key = terminal_columns(pretty(a, c->key, line));
+        int wide = (int)strlen(column_unit(a, c, measure_of(c->unit, cells[c - a->columns].number), unit));
         key_width = key > key_width ? key : key_width;
         unit_width = wide > unit_width ? wide : unit_width;
     }
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
+        struct measure measure = measure_of(c->unit, cells[i].number);
         field(a->out, pretty(a, c->key, line), -key_width);
         fprintf(a->out, "  %s", bold);
-        field(a->out, pretty(a, table_text(a, cells[i], digits, text), line), number_width(a, digits));
+        field(a->out, pretty(a, table_text(a, measured_cell(measure, cells[i]), digits, text), line),
+              number_width(a, digits));
         fprintf(a->out, "%s %-*s  ", end, unit_width,
-                cells[i].kind == CELL_NONE ? "" : column_unit(a, c, unit));
+                cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, unit));
         output_wrapped(a->out, pretty(a, c->meaning, line),
                        key_width + number_width(a, digits) + unit_width + 5, a->width);
         putc('\n', a->out);

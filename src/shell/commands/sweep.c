@@ -4,6 +4,7 @@
 #include "commands/grid.h"
 #include "commands/swept.h"
 #include "commands/tables.h"
+#include "language/quad.h"
 #include "parallel/points.h"
 #include "session/parameters.h"
 #include <stdint.h>
@@ -327,14 +328,40 @@ static struct sweeper *sweeper_make(struct session *session, const struct sweep 
     return w;
 }
 
+/* Returns true if a column of a table takes its unit from the first point that has an answer. */
+static bool sweep_measured(const struct answer *a, const struct sweeper *w)
+{
+    for (int i = w->swept.values; w->swept.column[i].key; i++)
+        if (a->style.format->for_people && measure_varies(w->swept.column[i].unit))
+            return true;
+    return false;
+}
+
+/* Gives the answer the largest value of each axis, for the unit of its column. */
+static void sweep_largest(struct answer *a, const struct grid *grid)
+{
+    for (int i = 0; i < grid->axes; i++) {
+        const struct axis *axis = &grid->axis[i];
+        size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1; /* the ends are enough */
+        domq_real most = 0;
+        for (size_t k = 0; k < axis->count; k += step) {
+            domq_real value = quad(fabs)(axis_value(axis, k));
+            most = isfinite(value) ? quad_larger(most, value) : most; /* an effect may be off */
+        }
+        answer_largest(a, axis->parameter->name, most);
+    }
+}
+
 /* Rows of all points; what the head is to know, before the first of them, and the same in each part. */
 static bool sweep_rows(struct session *session, struct answer *a, struct sweeper *w)
 {
     bool by_point = true, bounds = a->style.errors && !a->style.format->for_people;
-    if (bounds && !point_like(w) && *w->captured_error.text && !w->captured_error.no_answer)
+    if ((bounds || sweep_measured(a, w)) && !point_like(w) && *w->captured_error.text &&
+        !w->captured_error.no_answer)
         return sweep_error(session, w);
     a->columns = w->swept.column;
     a->reasoned = true;
+    sweep_largest(a, &w->sweep->grid);
     answer_plan(a, w->swept.first);
     w->answer = *a;
     const struct points points = {.total = w->sweep->grid.points,

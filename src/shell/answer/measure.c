@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "answer/measure.h"
+#include "language/quad.h"
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The measures of each unit, the smallest first; `below` is in the base unit. */
+static const struct {
+    const char *base;
+    double below;
+    struct measure measure;
+} measures[] = {
+    {"m", 0.01, {"mm", 3}}, {"m", 1, {"cm", 2}}, {"kg", 1, {"g", 3}}, {"share", HUGE_VAL, {"%", 2}}};
+
+struct measure measure_of(const char *unit, domq_real largest)
+{
+    for (size_t i = 0; i < sizeof measures / sizeof *measures; i++)
+        if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) < (domq_real)measures[i].below)
+            return measures[i].measure;
+    return (struct measure){unit, 0};
+}
+
+bool measure_varies(const char *unit)
+{
+    return measure_of(unit, 0).power != measure_of(unit, (domq_real)DBL_MAX).power;
+}
+
+domq_real measure_number(struct measure measure, domq_real value)
+{
+    char text[2 * WIDE_TEXT];
+    if (measure.power == 0 || !isfinite(value))
+        return value;
+    quad_exact(value, text);
+    char *exponent = strchr(text, 'e');
+    int power = measure.power + (exponent ? atoi(exponent + 1) : 0);
+    char *end = exponent ? exponent : text + strlen(text);
+    snprintf(end, sizeof text - (size_t)(end - text), "e%d", power);
+    return quad_read(text, NULL);
+}
+
+struct measured measured(domq_real value, const char *unit, int digits)
+{
+    struct measured said;
+    char number[WIDE_TEXT];
+    struct measure measure = measure_of(unit, value);
+    quad_text(measure_number(measure, value), digits, number);
+    snprintf(said.text, sizeof said.text, "%s%s%s", number, *measure.unit ? " " : "", measure.unit);
+    return said;
+}
