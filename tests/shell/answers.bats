@@ -81,7 +81,7 @@ answers_at_a_terminal() { timeout 300 expect -f "$BATS_TEST_DIRNAME/answers.exp"
 @test "the name of a picture is no name for another answer" {
     cd "$BATS_TEST_TMPDIR" || false
     echo draw >s.dom
-    for what in rmax 'source s.dom' show 'sweep s 0.1 0.3 3 : rmax' help; do
+    for what in rmax 'source s.dom' show help; do
         for name in a.svg a.PNG a.pdf; do
             wrong "$what > $name" "'$name' is the name of a picture, and '${what%% *}' draws none; 'draw' and 'plot' do"
             wrong "$what >> $name" "'$name' is the name of a picture"

@@ -26,6 +26,7 @@ static bool run_row(struct session *session, const struct call *call)
     bool weighed = scene_weighed(session);
     answer_leave_out(call->answer, weighed ? "relative" : "mass");
     call->answer->units = true;
+    call->answer->style.errors = false; /* its columns are those that 'effect row FILE' reads */
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct domq_domino *d = &scene.domino[k];
         answer_cells(call->answer, cell_count((domq_real)k + 1), cell_real(d->height),
@@ -303,14 +304,13 @@ const struct command row_commands[] = {
     {.name = "place",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",
-     .help = "The change stays until another row is taken; 'save' keeps it, and so does 'row > FILE' in csv.",
+     .help = "The change stays until another row is taken; 'save' keeps it, and so does 'row > FILE.csv'.",
      .example = "effect row 5; place 3 25 mm; fall",
      .see = "row fall mend",
      .run = run_place},
     {.name = "row",
      .summary = "the dominoes of the row",
-     .help = "With 'set output csv', 'row > FILE' is a file that 'effect row FILE' reads: its first line has "
-             "the units.",
+     .help = "'row > hall.csv' writes a file that 'effect row hall.csv' reads: its first line has the units.",
      .example = "effect row 3; row",
      .see = "effect fall",
      .rows = true,

@@ -227,6 +227,7 @@ const struct command session_commands[] = {
      .summary = "run the commands in FILE",
      .see = "save",
      .files = true,
+     .runs = true,
      .run = run_source},
     {.name = "exit", .summary = "the same as quit", .see = "quit", .run = run_quit},
     {.name = "quit", .summary = "leave; so does the end of the input (^D)", .run = run_quit},

@@ -80,8 +80,11 @@ struct command {
     const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
     bool train;          /* is about the endless train */
     bool draws;          /* gives a picture where people read */
+    bool runs;           /* runs other commands, whose answers go where its own would */
     bool files;          /* touches files: not in a safe session */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
+    /* Draws the answer into a file whose ending is that of a picture; NULL: the answer has none. */
+    bool (*picture)(struct session *session, const struct call *call);
 };
 
 struct command_group {

@@ -4,7 +4,7 @@
 #include "interpreter/arguments.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
-#include "picture/picture.h"
+#include "picture/ending.h"
 #include "session/parameters.h"
 #include <limits.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ static void say_train(const struct session *session, struct answer *answer)
         "(This is the endless train at these parameters, not the row: 'fall' runs that.)";
     if (!answer_for_people(answer))
         return;
-    if (session->redirected && picture_named(session->redirected))
+    if (session->redirected && ending_of(session->redirected)->kind == ENDING_PICTURE)
         fprintf(stderr, "%s\n", note);
     else
         answer_say(answer, "%s", note);
@@ -42,7 +42,8 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     session->column = 0;
     double begun = terminal_clock();
     ticker_start();
-    bool done = c->run(session, call);
+    bool draws = session->format && c->picture && ending_of(session->redirected)->kind == ENDING_PICTURE;
+    bool done = (draws ? c->picture : c->run)(session, call);
     ticker_stop();
     call->answer = NULL;
     double seconds = terminal_clock() - begun;
@@ -66,7 +67,45 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     return done;
 }
 
-/* What stands behind '>' or '>>' is a file that takes the answer. */
+/* Reports an error where the ending of a file does not fit what the command writes. */
+static bool ending_fits(struct session *session, const struct command *c, const char *path)
+{
+    char shown[NAMES_SHOWN];
+    const struct ending *ending = ending_of(path);
+    bool draws = c->draws || c->picture;
+    switch (ending->kind) {
+    case ENDING_PICTURE:
+        return draws ||
+               session_error(session,
+                             "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
+                             names_shown(path, shown), c->name);
+    case ENDING_DATA:
+        return c->columns || c->runs ||
+               session_error(session,
+                             "'%s' is the name of data, and '%s' answers with none; '%s > FILE.txt' "
+                             "writes what it says",
+                             names_shown(path, shown), c->name, c->name);
+    case ENDING_OTHER:
+    case ENDING_FOREIGN:
+        if (c->draws)
+            return session_error(session,
+                                 "'%s' does not say as what to draw: its ending is .svg, .png, .pdf or .txt, "
+                                 "or .csv or .json for its data",
+                                 names_shown(path, shown));
+        return ending->kind == ENDING_OTHER ||
+               session_error(session,
+                             "'%s' ends in %s, which is not written here; endings are .csv, .json "
+                             "and .txt%s",
+                             names_shown(path, shown), ending->text,
+                             draws ? ", and for a picture .svg, .png and .pdf" : "");
+    case ENDING_NONE:
+    case ENDING_TEXT:
+        break;
+    }
+    return true;
+}
+
+/* What stands behind '>' or '>>' is a file that takes the answer, in the format that its ending names. */
 static bool run_redirected(struct reader *r, const struct command *c, struct call *call)
 {
     struct session *session = r->session;
@@ -87,13 +126,15 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
                       "only one word may stand behind '>'; a file name with blanks stands between \"...\"");
     else if (session->safe)
         session_error(session, "files are off in a safe session");
-    else if (!c->draws && picture_named(path))
-        session_error(session, "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
-                      names_shown(path, shown), c->name);
+    else if (!ending_fits(session, c, path))
+        done = false; /* which was reported */
     else if ((wrong = redirect_open(&redirect, path, append, session->compute.interrupt)) != NULL)
         session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
     else {
         FILE *out = session->out;
+        const struct format *format = session->format;
+        const char *redirected = session->redirected;
+        const struct ending *ending = ending_of(path);
         bool answered = session->answered;
         int write_error = session->write_error; /* of standard output */
         session->write_error = 0;
@@ -101,9 +142,13 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         session->redirected = path;
         session->appended = append;
         session->answered = false;
+        session->format = ending->kind == ENDING_PICTURE
+                              ? &format_table /* for people, whatever 'set output' says */
+                              : ending->format;
         done = run_call(session, c, call);
         session->out = out;
-        session->redirected = NULL;
+        session->redirected = redirected;
+        session->format = format;
         session->answered = answered;
         wrong = redirect_close(&redirect, done);
         if (wrong && session->write_error)

@@ -2,6 +2,7 @@
 #include "picture/picture.h"
 #include "io/terminal.h"
 #include "language/names.h"
+#include "picture/ending.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -12,34 +13,11 @@
 #include <time.h>
 #include <unistd.h>
 
-static const struct {
-    const char *ending, *terminal;
-} kinds[] = {
-    {".svg", "svg size 800,560 dynamic font 'sans,14' background rgb 'white'"},
-    {".png", "pngcairo size 1000,700 font 'sans,13'"},
-    {".pdf", "pdfcairo size 16cm,11cm font 'sans,11'"},
-};
-enum { KINDS = sizeof kinds / sizeof *kinds, TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
-
-/* What gnuplot is to draw for this file; NULL where its ending is none of ours. */
-static const char *terminal_for(const char *path)
-{
-    const char *ending = strrchr(path, '.');
-    for (int k = 0; k < KINDS && ending; k++)
-        if (strcasecmp(kinds[k].ending, ending) == 0)
-            return kinds[k].terminal;
-    return NULL;
-}
-
-bool picture_named(const char *path)
-{
-    return terminal_for(path) != NULL;
-}
+enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
 
 bool picture_is_text(const struct session *session)
 {
-    const char *path = session->redirected;
-    return !path || (strlen(path) > 4 && strcasecmp(path + strlen(path) - 4, ".txt") == 0);
+    return !session->redirected || ending_of(session->redirected)->kind != ENDING_PICTURE;
 }
 
 void picture_room(const struct session *session, int *width, int *height)
@@ -91,13 +69,9 @@ static bool script_begin(struct session *session, struct picture *picture, const
 bool picture_begin(struct session *session, struct picture *picture)
 {
     char shown[NAMES_SHOWN], terminal[128];
-    const char *path = session->redirected, *kind = path ? terminal_for(path) : NULL;
+    const char *path = session->redirected;
     bool text = picture_is_text(session);
     int width, height;
-    if (!text && !kind)
-        return session_error(session,
-                             "'%s' does not say as what to draw: its ending is .svg, .png, .pdf or .txt",
-                             names_shown(path, shown));
     if (!text && session->appended)
         return session_error(session, "'%s' holds one picture: '>' draws it anew, '>>' cannot add another",
                              names_shown(path, shown));
@@ -105,7 +79,7 @@ bool picture_begin(struct session *session, struct picture *picture)
     if (text)
         snprintf(terminal, sizeof terminal, "dumb size %d,%d noenhanced", width, height);
     else
-        snprintf(terminal, sizeof terminal, "%s enhanced", kind);
+        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(path)->terminal);
     *picture = (struct picture){.out = session->out,
                                 .text = text,
                                 .theta = text ? "theta" : "\u03b8",

@@ -25,12 +25,11 @@ bool picture_animation(struct session *session, struct picture *picture, FILE *o
 /* Closes; draws, if the script is whole.  False: it is not, or an error was reported. */
 bool picture_end(struct session *session, struct picture *picture, bool whole);
 
-/* Returns true if the name of a file promises a picture: .svg, .png, .pdf. */
-bool picture_named(const char *path);
-
-/* Is the answer to be a picture in characters?  And what room it has, the line of the next prompt not
- * counted. */
+/* Returns true if a picture is drawn in characters: for the terminal, and for a file whose ending names no
+ * kind of picture. */
 bool picture_is_text(const struct session *session);
+
+/* Finds the columns and rows of a picture in characters; the line of the next prompt is not counted. */
 void picture_room(const struct session *session, int *width, int *height);
 
 /* Does the train move, and come as far as theta?  False: an error was reported. */

@@ -319,7 +319,7 @@ struct output_style session_style(const struct session *session)
 {
     struct output_style style = session->style;
     int bits = domq_arithmetic(session->compute.precision)->bits;
-    style.format = formats[style.output];
+    style.format = session->format ? session->format : formats[style.output];
     style.precision = session->compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
     style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);

@@ -77,10 +77,11 @@ struct session {
     int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
     const char *typed; /* the line that runs, as it was typed, not ended */
     int typed_length, typed_columns;
-    bool fresh;             /* at the prompt: nothing stands below the typed line yet */
-    bool appended;          /* it is behind '>>' */
-    const char *redirected; /* the name of the file behind '>' that out is; NULL for none */
-    const char *command;    /* the one that runs, for messages */
+    bool fresh;                  /* at the prompt: nothing stands below the typed line yet */
+    bool appended;               /* it is behind '>>' */
+    const char *redirected;      /* the name of the file behind '>' that out is; NULL for none */
+    const struct format *format; /* of that file, if its ending names one; NULL: as 'set output' has it */
+    const char *command;         /* the one that runs, for messages */
     struct captured_error
         *captured_error; /* unless NULL, takes the first message: this session is a point of a sweep */
     struct shard shard;  /* parts is 0 where the whole is asked for */

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/ending.h"
+#include <string.h>
+#include <strings.h>
+
+/* The fonts are what fontconfig and a browser take for 'sans': a bare Debian has one. */
+#define SVG "svg size 800,560 dynamic font 'sans,14' background rgb 'white'"
+#define PNG "pngcairo size 1000,700 font 'sans,13'"
+#define PDF "pdfcairo size 16cm,11cm font 'sans,11'"
+
+#define ENDING_OF_FORMAT(name) {"." #name, ENDING_DATA, &format_##name, NULL},
+#define FOREIGN(text)                                                                                        \
+    {                                                                                                        \
+        text, ENDING_FOREIGN, NULL, NULL                                                                     \
+    }
+
+static const struct ending endings[] = {
+    FORMATS(ENDING_OF_FORMAT){".txt", ENDING_TEXT, NULL, NULL},
+    {".svg", ENDING_PICTURE, NULL, SVG},
+    {".png", ENDING_PICTURE, NULL, PNG},
+    {".pdf", ENDING_PICTURE, NULL, PDF},
+    FOREIGN(".bmp"),
+    FOREIGN(".eps"),
+    FOREIGN(".gif"),
+    FOREIGN(".html"),
+    FOREIGN(".jpeg"),
+    FOREIGN(".jpg"),
+    FOREIGN(".mp4"),
+    FOREIGN(".ods"),
+    FOREIGN(".ps"),
+    FOREIGN(".tif"),
+    FOREIGN(".tiff"),
+    FOREIGN(".webm"),
+    FOREIGN(".webp"),
+    FOREIGN(".xls"),
+    FOREIGN(".xlsx"),
+};
+
+const struct ending *ending_of(const char *path)
+{
+    static const struct ending none = {.kind = ENDING_NONE}, other = {.kind = ENDING_OTHER};
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    if (!dot || dot == name || dot[1] == '\0') /* '.hidden' is a name */
+        return &none;
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (strcasecmp(endings[i].text, dot) == 0)
+            return &endings[i];
+    return &other;
+}
