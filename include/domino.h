@@ -745,6 +745,29 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
+/* The gaps before one domino with which all dominoes of a row fall, the other gaps being as they are. */
+struct dom_window {
+    size_t domino; /* the number of the domino, from 2 */
+    dom_real gap;  /* m, the gap now */
+    dom_real low;  /* m, the narrowest gap of the window, to seven digits; NaN: no window was found */
+    dom_real high; /* m, the widest gap of the window */
+    bool others;   /* true: the row also falls with gaps outside the window */
+    /* How the row ends with a gap just outside; `below` is DOM_ROW_FALLS if the window reaches down to 0.
+     * Both are DOM_ROW_FALLS for a row that does not fall now. */
+    enum dom_row_end below, above;
+};
+
+/*
+ * Finds the window of each gap: if the row falls, the one around the gap now, low <= gap <= high; if not, the
+ * nearest one beside it, for gaps up to the one after the domino where the row ends. Tries gaps from 0 up to
+ * the height of the domino before the gap, in steps as dom_row_mend, then bisects; all fall with low and high
+ * themselves. An interval of gaps narrower than a step, in which the row does not fall, can be missed. Writes
+ * row->count - 1 windows, in the order of the row. progress, unless NULL, is called for each gap. Statuses as
+ * dom_row_run.
+ */
+enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
+                                dom_progress *progress, void *context, struct dom_window *windows);
+
 /*
  * Finds the weakest push with which all dominoes of a row fall, in rad/s, rounded up to four digits. Doubles
  * the push that turns the first domino over its edge, or row->push if that is larger, until all fall; then

@@ -175,6 +175,18 @@ static void growths_mends_and_pushes(void **state)
             assert_in_both("to", mend->to, mendsq[k].to, rounding);
             assert_in_both("until", mend->until, mendsq[k].until, rounding);
         }
+        struct dom_window windows[8];
+        struct domq_window windowsq[8];
+        rows_make(&r, 1.3, 6, 0, p);
+        assert_status(dom_row_windows(&r.row, &r.compute, NULL, NULL, windows), DOM_OK);
+        assert_status(domq_row_windows(&r.rowq, &r.computeq, NULL, NULL, windowsq), DOM_OK);
+        for (size_t k = 0; k + 1 < r.row.count; k++) {
+            assert_int_equal(windows[k].domino, windowsq[k].domino);
+            assert_int_equal(windows[k].above, windowsq[k].above);
+            assert_in_both("low", windows[k].low, windowsq[k].low, rounding);
+            assert_in_both("high", windows[k].high, windowsq[k].high, rounding);
+            assert_true(windows[k].low < windows[k].high);
+        }
     }
     rounding = DBL_EPSILON;
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What saves a row that does not fall: another gap, or a stronger push; and the largest growth of a row. Each
- * is a search for the edge between rows that fall and rows that do not.
+ * What saves a row that does not fall: another gap, or a stronger push; how far each gap of a row that falls
+ * may be off; and the largest growth of a row. Each is a search for the edge between rows that fall and rows
+ * that do not.
  */
 #ifdef DOMQ
 #define REAL_QUAD
@@ -181,6 +182,85 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
     memcpy(mends, found, most * sizeof *mends);
     *count = most;
     return DOM_OK;
+}
+
+/* ---- Windows ---- */
+
+/*
+ * Finds how far the gap can go towards `end`, and how the row ends just beyond; then goes on to see whether
+ * the row falls again farther out.
+ */
+static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
+{
+    dom_real gap = t->domino[t->k].gap, edge = end, good = gap;
+    bool open = true;
+    for (int i = 1; i <= STEPS && !*others && t->status == DOM_OK; i++) {
+        dom_real x = gap_step(gap, end, i);
+        bool falls = falls_with(x, t);
+        if (open && !falls) {
+            *beyond = t->ends;
+            edge = gap_edge(t, good, x);
+            open = false;
+        }
+        *others = falls && !open;
+        good = falls ? x : good;
+    }
+    /* Rounding to few digits may not take the edge past the gap itself. */
+    return end < gap ? fmin(edge, gap) : fmax(edge, gap);
+}
+
+/* Finds the window around the gap of a row that falls. */
+static void window_around(struct trial *t, struct dom_window *w)
+{
+    bool below = false, above = false;
+    w->above = DOM_ROW_MISSES;
+    w->low = window_edge(t, 0, &w->below, &below);
+    w->high = window_edge(t, t->domino[t->k - 1].height, &w->above, &above);
+    w->others = below || above;
+}
+
+/* Finds the nearest window beside the gap of a row that does not fall. */
+static void window_beside(struct trial *t, struct dom_window *w)
+{
+    struct dom_mend closer, wider;
+    bool in = mend_towards(t, 0, &closer), out = mend_towards(t, t->domino[t->k - 1].height, &wider);
+    if (!in && !out)
+        return;
+    const struct dom_mend *m = !in || (out && by_change(&wider, &closer) < 0) ? &wider : &closer;
+    w->low = fmin(m->to, m->until);
+    w->high = fmax(m->to, m->until);
+    w->others = in && out;
+}
+
+enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
+                                dom_progress *progress, void *context, struct dom_window *windows)
+{
+    struct trial t = trial_of(row, compute);
+    bool falls = trial_falls(&t);
+    size_t last = falls ? row->count : t.verdict.domino < row->count ? t.verdict.domino + 1 : row->count;
+    if (t.status != DOM_OK || row->count < 2)
+        return t.status;
+    t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
+    if (!t.domino)
+        return DOM_NO_MEMORY;
+    memcpy(t.domino, row->domino, row->count * sizeof *t.domino);
+    for (t.k = 1; t.k < row->count && t.status == DOM_OK; t.k++) {
+        struct dom_window w = {.domino = t.k + 1,
+                               .gap = row->domino[t.k].gap,
+                               .low = DOM_NAN,
+                               .high = DOM_NAN,
+                               .below = DOM_ROW_FALLS,
+                               .above = DOM_ROW_FALLS};
+        if (falls)
+            window_around(&t, &w);
+        else if (t.k < last) /* what is farther away does not matter to where the row ends */
+            window_beside(&t, &w);
+        windows[t.k - 1] = w;
+        if (progress)
+            progress(t.k, row->count - 1, context);
+    }
+    free(t.domino);
+    return t.status;
 }
 
 /* ---- A push ---- */

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The window of each gap: at its ends the verdict changes, and between them all fall. */
+#include "run.h"
+#include "support.h"
+
+enum { MOST = 16 };
+static struct domq_window windows[MOST];
+
+static bool falls_with(const struct run *run, size_t domino, double gap)
+{
+    static struct run other;
+    other = *run;
+    other.domino[domino - 1].gap = gap;
+    return row_end(&other) == DOM_ROW_FALLS;
+}
+
+static void find(struct run *run)
+{
+    run->row.domino = run->domino;
+    assert_status(ask_row_windows(&run->row, NULL, NULL, windows), DOM_OK);
+}
+
+/* Checks one window of a row: the verdict changes two units of the seventh digit beyond each end. */
+static void check_ends(const struct run *run, const struct domq_window *w)
+{
+    double low = w->low, high = w->high, tall = (double)run->domino[w->domino - 2].height;
+    double digit = pow(10, floor(log10(high)) - 6);
+    assert_true(low >= 0 && low <= high && high <= tall);
+    assert_true(falls_with(run, w->domino, low) && falls_with(run, w->domino, high));
+    for (int part = 1; part < 8; part++)
+        assert_true(falls_with(run, w->domino, low + (high - low) * part / 8));
+    if (low > 0)
+        assert_false(falls_with(run, w->domino, low - 2 * digit));
+    assert_false(falls_with(run, w->domino, high + 2 * digit));
+}
+
+static void random_row(struct run *run, uint64_t *seed)
+{
+    size_t count = 3 + (size_t)(5 * random_unit(seed));
+    make_row(run, count, 0.2 + 0.4 * random_unit(seed), 1.1 + 0.4 * random_unit(seed),
+             random_unit(seed) < 0.7 ? 0 : 0.3 * random_unit(seed));
+    for (size_t k = 0; k < count; k++) {
+        run->domino[k].gap *= 0.8 + 0.4 * random_unit(seed);
+        run->domino[k].thickness *= 0.7 + 0.6 * random_unit(seed);
+    }
+    run->row.push *= random_log(seed, 0.6, 3);
+    run->row.floor = random_unit(seed) < 0.2; /* changes nothing */
+}
+
+static void the_verdict_changes_at_the_ends(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 17;
+    int fall = 0, stop = 0, open = 0, narrow = 0, none = 0;
+    for (int i = 0; i < 60; i++) {
+        random_row(&run, &seed);
+        bool falls = row_end(&run) == DOM_ROW_FALLS;
+        size_t ends_at = run.verdict.domino;
+        find(&run);
+        fall += falls;
+        stop += !falls;
+        for (size_t k = 0; k + 1 < run.row.count; k++) {
+            const struct domq_window *w = &windows[k];
+            assert_int_equal(w->domino, k + 2);
+            assert_true(w->gap == run.domino[k + 1].gap);
+            none += isnan((double)w->low);
+            if (isnan((double)w->low)) {
+                assert_false(falls);
+                continue;
+            }
+            check_ends(&run, w);
+            if (falls) {
+                assert_true(w->low <= w->gap && w->gap <= w->high);
+                assert_true((w->below == DOM_ROW_FALLS) == (w->low == 0));
+                assert_true(w->above != DOM_ROW_FALLS);
+                open += w->low == 0;
+                narrow += w->low > 0;
+            } else {
+                assert_true(w->gap < w->low || w->gap > w->high);
+                assert_true(w->domino <= ends_at + 1);
+            }
+        }
+    }
+    print_message("# %d rows fall, %d do not; %d windows reach 0, %d do not; %d gaps have none\n", fall, stop,
+                  open, narrow, none);
+    assert_true(fall > 10 && stop > 5 && open > 5 && narrow > 5 && none > 5);
+}
+
+/* A gap as wide as the domino before it is tall is the widest; a wider one is not reached over. */
+static void the_reach_ends_it(void **state)
+{
+    (void)state;
+    static struct run run;
+    make_row(&run, 3, 0.3, 1, 0);
+    run.row.push = 30;
+    assert_int_equal(row_end(&run), DOM_ROW_FALLS);
+    find(&run);
+    assert_near("the widest", windows[0].high, run.domino[0].height, 1e-6);
+    assert_int_equal(windows[0].above, DOM_ROW_MISSES);
+}
+
+static void progress_seen(size_t done, size_t of, void *context)
+{
+    size_t *before = context;
+    assert_true(done == *before + 1 && done <= of);
+    *before = done;
+}
+
+/* Nothing is asked of a single domino, and progress is told of every gap. */
+static void few_gaps(void **state)
+{
+    (void)state;
+    static struct run run;
+    size_t done = 0;
+    make_row(&run, 1, 0.3, 1, 0);
+    find(&run);
+    make_row(&run, 5, 0.3, 1, 0);
+    run.row.domino = run.domino;
+    assert_status(ask_row_windows(&run.row, progress_seen, &done, windows), DOM_OK);
+    assert_int_equal(done, 4);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    const volatile sig_atomic_t now = 1;
+    static struct run run;
+    static const enum dom_status named[] = {DOM_BAD_COUNT, DOM_BAD_TOL, DOM_BAD_G, DOM_INTERRUPTED};
+    make_row(&run, 5, 0.3, 1.2, 0);
+    run.row.domino = run.domino;
+    for (int wrong = 0; wrong < 4; wrong++) {
+        struct asked_row row = run.row;
+        row.count = wrong == 0 ? 0 : row.count;
+        row.tol = wrong == 1 ? 1e-30 : row.tol;
+        row.g = wrong == 2 ? 0 : row.g;
+        row.interrupt = wrong == 3 ? &now : NULL;
+        assert_status(ask_row_windows(&row, NULL, NULL, windows), named[wrong]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_verdict_changes_at_the_ends),
+        cmocka_unit_test(the_reach_ends_it),
+        cmocka_unit_test(few_gaps),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
