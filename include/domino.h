@@ -702,6 +702,26 @@ typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 
+/* The row at one time. */
+struct dom_moment {
+    dom_real time;                /* s, as in struct dom_fall */
+    size_t head;                  /* number of the last domino that was hit, from 1 */
+    size_t moving;                /* how many dominoes move with it, itself included */
+    const dom_real *tilt, *omega; /* of domino 1 at [0], ...: rad and rad/s; valid during the visit */
+};
+
+/*
+ * Runs a row and calls visit for each of `count` times in s, which do not decrease; a time after the motion
+ * gives the state in which the run ends, with the time when it ends, so INFINITY finds that. A domino that
+ * has detached keeps the tilt it had then. times < 0 are for a first domino that is tipped over its edge;
+ * else, and for NaN: DOM_BAD_TIME. DOM_NO_MARGIN: the row comes so close to a stop that later times have no
+ * value. visit returns false to end the run. Other statuses as dom_row_run.
+ */
+typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
+enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
+                              const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
+                              struct dom_verdict *verdict);
+
 /* Writes `count` dominoes of a train, with gaps of s times own height and the first mass in kg. No checks. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);

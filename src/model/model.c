@@ -260,23 +260,40 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
     return FIND(q, limit_best, best->error, best);
 }
 
+static struct row_request row_request(const struct dom_row *row, const struct dom_compute *compute)
+{
+    return (struct row_request){.domino = row->domino,
+                                .count = row->count,
+                                .g = row->g,
+                                .push = row->push,
+                                .effect = {DOM_DYNAMICS(ROW_VALUE)},
+                                .floor = row->floor,
+                                .tol = compute->tol,
+                                .precision = compute->precision,
+                                .work = compute->work,
+                                .interrupt = compute->interrupt};
+}
+
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *asked, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
     struct dom_compute compute = compute_or_default(asked);
-    struct row_request request = {.domino = row->domino,
-                                  .count = row->count,
-                                  .g = row->g,
-                                  .push = row->push,
-                                  .effect = {DOM_DYNAMICS(ROW_VALUE)},
-                                  .floor = row->floor,
-                                  .tol = compute.tol,
-                                  .precision = compute.precision,
-                                  .work = compute.work,
-                                  .interrupt = compute.interrupt};
+    struct row_request request = row_request(row, &compute);
     enum dom_status status = precision_check(compute.precision);
     return status == DOM_OK ? kernels[compute.precision]->row_run(&request, times, visit, context, verdict)
                             : status;
+}
+
+enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *asked,
+                              const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
+                              struct dom_verdict *verdict)
+{
+    struct dom_compute compute = compute_or_default(asked);
+    struct row_request request = row_request(row, &compute);
+    enum dom_status status = precision_check(compute.precision);
+    return status == DOM_OK
+               ? kernels[compute.precision]->row_watch(&request, times, count, visit, context, verdict)
+               : status;
 }
 
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *asked,

@@ -32,6 +32,8 @@
     X(limit_pair, const struct request *, struct dom_limit *)                                                \
     X(limit_best, const struct request *, struct dom_best *)                                                 \
     X(row_run, const struct row_request *, bool, dom_fall_visit *, void *, struct dom_verdict *)             \
+    X(row_watch, const struct row_request *, const dom_real *, size_t, dom_moment_visit *, void *,           \
+      struct dom_verdict *)                                                                                  \
     X(count_find, dom_real, dom_real, dom_real, bool, struct dom_count *)
 
 struct kernel {

@@ -8,6 +8,7 @@
  * Inside, the head of the moment is the unit, as everywhere in here: its height, m g h / 2, tau.
  */
 #include "motion/forces.h"
+#include "row/moments.h"
 #include <stdlib.h>
 
 /* ---- The row as a chain ---- */
@@ -121,11 +122,12 @@ struct run {
     const struct row_request *asked;
     struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
     bool times;
-    size_t moving;      /* dominoes, with the head */
-    real omegasq;       /* of the head at its start, in its tau */
-    real inertia_ratio; /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 for none */
-    real time;          /* s, so far; NaN where it has no value */
-    real carried;       /* J, of motion before the next collision */
+    size_t moving;       /* dominoes, with the head */
+    real omegasq;        /* of the head at its start, in its tau */
+    real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 for none */
+    real time;           /* s, so far; NaN where it has no value */
+    real carried;        /* J, of motion before the next collision */
+    struct watch *watch; /* of moments that were asked for, or NULL */
     struct dom_verdict verdict;
 };
 
@@ -136,6 +138,9 @@ struct descent {
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
     bool stops, locks;                          /* locks: it moves where friction locks */
     struct required_friction required_friction; /* of the floor */
+    struct watch *watch;
+    size_t head;
+    real begins, tau; /* s */
 };
 
 /* Where the motion ends in this stretch. */
@@ -159,14 +164,19 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     struct segment *st = &d->st;
     bool ends = d->stops || d->locks;
     real to = ends ? d->stop : st->hi, part = 0, J;
+    const struct since since = {d->begins, d->tau, d->time};
     enum dom_status status = st->lo < to ? segment_contact(st, to, &d->least_force) : DOM_OK;
     if (status == DOM_OK && floor && st->lo < to)
         status = floor_over(st, st->lo, to, &d->required_friction);
+    if (ends && status == DOM_OK && st->lo < to)
+        return watch_stretch(d->watch, st, d->head, to, d->stops, &since, REAL_NAN);
     if (ends || status != DOM_OK)
         return status;
     d->climbed += segment_climbed(st, st->hi, &J);
     if (times)
         status = segment_time(st, &part);
+    if (status == DOM_OK)
+        status = watch_stretch(d->watch, st, d->head, to, false, &since, part);
     d->time += part;
     return status != DOM_OK ? status : st->status;
 }
@@ -184,6 +194,8 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     enum dom_status status = segment_cut(st, &d->stay);
     if (status == DOM_OK)
         status = segment_begin(st);
+    if (status == DOM_OK && !over && st->lo == st->hi)
+        status = watch_detach(d->watch, st, d->head, d->stay);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
     /* In energy at the launch: with friction not all of it comes as far as here. */
@@ -200,6 +212,8 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
         status = descent_rest(d, used_up);
     if (status == DOM_OK && !over)
         status = descent_move(d, times, floor);
+    if (status == DOM_OK && !d->stops && !d->locks)
+        status = watch_detach(d->watch, st, d->head, d->stay);
     if (status == DOM_OK && !st->locks)
         *st = next;
     return status;
@@ -216,7 +230,13 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
                                  .inertia_ratio = run->inertia_ratio},
                           .stay = run->moving,
                           .least_margin = (real)INFINITY,
-                          .least_force = (real)INFINITY};
+                          .least_force = (real)INFINITY,
+                          .watch = run->watch,
+                          .head = k,
+                          .begins = run->time,
+                          .tau = block.tau};
+    if (run->watch)
+        run->watch->head = k;
     struct sums at;
     struct geometry geometry = d->st.geometry;
     geometry.n = run->moving;
@@ -268,6 +288,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     enum dom_status status = run->asked->floor && sine > 0
                                  ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction)
                                  : DOM_OK;
+    watch_tip(run->watch, &d->st, block.tau);
     d->st.start.from = geometry->c;
     d->st.start.omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0;
     run->carried = d->st.start.omegasq * block.unit;
@@ -367,7 +388,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
         }
         fall_floor(run->asked, k, &d.required_friction, &fall);
         verdict_add(&run->verdict, &fall, k == 0 && tips);
-        more = !visit || visit(&fall, context);
+        more = (!visit || visit(&fall, context)) && !(run->watch && run->watch->ended);
         if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->asked->count)
             status = row_hit(run, k, &d);
         if (status != DOM_OK)
@@ -378,8 +399,8 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 
 /* ---- Public ---- */
 
-KERNEL enum dom_status row_run(const struct row_request *asked, bool times, dom_fall_visit *visit,
-                               void *context, struct dom_verdict *verdict)
+static enum dom_status row_answer(const struct row_request *asked, bool times, dom_fall_visit *visit,
+                                  void *context, struct watch *watch, struct dom_verdict *verdict)
 {
     enum dom_status status = row_check(asked);
     for (size_t k = 0; status == DOM_OK && k < asked->count; k++) {
@@ -389,19 +410,43 @@ KERNEL enum dom_status row_run(const struct row_request *asked, bool times, dom_
     }
     if (status != DOM_OK)
         return status;
-    struct run run = {
-        .asked = asked, .times = times, .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
+    struct run run = {.asked = asked,
+                      .times = times,
+                      .watch = watch,
+                      .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     run.geometry = malloc(asked->count * sizeof *run.geometry);
     if (!run.geometry)
         return DOM_NO_MEMORY;
     run.geometry[0] = (struct geometry){.dynamics = &energy_balance};
-    status = row_make(asked, run.geometry);
+    status = watch ? watch_begin(watch, asked->count) : DOM_OK;
+    if (status == DOM_OK)
+        status = row_make(asked, run.geometry);
     if (status == DOM_OK)
         status = row_falls(&run, visit, context);
+    if (status == DOM_OK && watch)
+        status = watch_rest(watch);
     dynamics_end(&run.geometry[0]);
     run.verdict.seconds = times ? run.time : REAL_NAN;
     if (status == DOM_OK)
         *verdict = run.verdict;
     free(run.geometry);
+    return status;
+}
+
+KERNEL enum dom_status row_run(const struct row_request *asked, bool times, dom_fall_visit *visit,
+                               void *context, struct dom_verdict *verdict)
+{
+    return row_answer(asked, times, visit, context, NULL, verdict);
+}
+
+KERNEL enum dom_status row_watch(const struct row_request *asked, const dom_real *times, size_t count,
+                                 dom_moment_visit *visit, void *context, struct dom_verdict *verdict)
+{
+    struct watch watch = {.time = times, .times = count, .visit = visit, .context = context};
+    for (size_t k = 0; k < count; k++)
+        if (isnan(times[k]) || (k > 0 && times[k] < times[k - 1]) || (times[k] < 0 && !isnan(asked->push)))
+            return DOM_BAD_TIME;
+    enum dom_status status = row_answer(asked, true, NULL, NULL, &watch, verdict);
+    watch_free(&watch);
     return status;
 }

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The row as it is at given times.  A head's way is cut where a domino detaches; in each stretch time is a
+ * Chebyshev series of the tilt of the head, of which the tilts of all that lean on it follow.  A domino that
+ * has detached keeps the tilt that it had then.
+ */
+#include "row/moments.h"
+#include <stdlib.h>
+
+KERNEL enum dom_status watch_begin(struct watch *w, size_t count)
+{
+    w->tilt = calloc(count, sizeof *w->tilt);
+    w->omega = calloc(count, sizeof *w->omega);
+    return w->tilt && w->omega ? DOM_OK : DOM_NO_MEMORY;
+}
+
+KERNEL void watch_free(struct watch *w)
+{
+    free(w->tilt);
+    free(w->omega);
+}
+
+/* ---- The state where the head leans at a tilt ---- */
+
+/* Sets the tilts of the n dominoes that move, and with omega in rad/s of the head their angular velocities.
+ */
+static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
+                                  real omega)
+{
+    struct tilt tilt;
+    enum dom_status status = geometry_tilt(&st->geometry, theta, &tilt);
+    if (status != DOM_OK)
+        return status;
+    struct link k = link_head(&st->geometry, tilt);
+    w->moving = st->geometry.n;
+    for (;;) {
+        w->tilt[head - k.i] = k.i == 0 ? theta : tilt_angle(k.tilt);
+        w->omega[head - k.i] = k.slope * omega;
+        if (k.i + 1 >= st->geometry.n)
+            return DOM_OK;
+        if (!k.leads) { /* by rounding: it detaches just here */
+            k.contact = geometry_contact(k.geometry, k.tilt);
+            k.step = 0;
+        }
+        link_next(&k);
+    }
+}
+
+static void watch_visit(struct watch *w, dom_real time)
+{
+    const struct dom_moment moment = {
+        .time = time, .head = w->head + 1, .moving = w->moving, .tilt = w->tilt, .omega = w->omega};
+    w->next++;
+    w->ended = !w->visit(&moment, w->context);
+}
+
+static enum dom_status stretch_lean(struct watch *w, const struct stretch *s, real theta)
+{
+    real omegasq = 0;
+    enum dom_status status =
+        s->rests && theta >= s->to ? DOM_OK : segment_speed(&s->st, theta, &omegasq, NULL);
+    return status == DOM_OK ? watch_lean(w, &s->st, s->head, theta, sqrt(fmax(omegasq, 0)) / s->since.tau)
+                            : status;
+}
+
+/* ---- From time to tilt ---- */
+
+/*
+ * Towards a rest the slowness grows like 1 / sqrt(to - theta).  Of x, with theta = to - (to - lo) x^2, the
+ * time to the rest is smooth.
+ */
+static real slowness_to_rest(real x, void *context)
+{
+    struct stretch *s = context;
+    real u = fmax(s->span * x, sqrt(REAL_EPSILON)), squared = REAL_NAN;
+    real by = fmin(s->to * u * u, s->to - s->st.lo);
+    s->st.status = s->st.geometry.dynamics->before_rest(&s->st.geometry, s->to, by, &squared);
+    return s->st.status == DOM_OK ? 2 * s->to * u * s->span * sqrt(squared) : REAL_NAN;
+}
+
+/* Finds how long the stretch takes, and the series of its time. */
+static enum dom_status stretch_begin(struct stretch *s, real lasts)
+{
+    struct segment *st = &s->st;
+    enum num_status solver;
+    real kinetic = st->start.kinetic,
+         noise = 16 * REAL_EPSILON * kinetic / fabs(kinetic - st->barrier.height),
+         tol = fmax(st->geometry.tol / 8, noise);
+    if (!(noise < (real)0.125))
+        return DOM_NO_MARGIN;
+    if (s->rests) {
+        s->span = sqrt((s->to - st->lo) / s->to);
+        solver = num_peak_series(slowness_to_rest, s, 0, 1, 0, REAL_NAN, tol, &s->series);
+    } else {
+        real width = barrier_width(&st->geometry, st->start.from, &st->barrier, kinetic - st->barrier.height);
+        solver = num_peak_series(slowness, st, st->lo, s->to, st->barrier.theta_m, width, tol, &s->series);
+    }
+    s->has_series = solver == NUM_OK;
+    if (st->status != DOM_OK && st->status != DOM_NOT_CONVERGED)
+        return st->status;
+    s->lasts = lasts;
+    if (isnan(lasts) && s->has_series)
+        s->lasts = num_series_at(&s->series, s->rests ? 1 : s->to);
+    else if (isnan(lasts) && s->rests)
+        return model_status(st->status, num_integral(slowness_to_rest, s, 0, 1, tol, &s->lasts, NULL));
+    else if (isnan(lasts))
+        return segment_integral(st, slowness, st->lo, s->to, tol, &s->lasts, NULL);
+    return DOM_OK;
+}
+
+/* By how much the time up to a tilt, or from an x to the rest, is too long. */
+static real stretch_over(real at, void *context)
+{
+    struct stretch *s = context;
+    real time = 0;
+    enum dom_status status = DOM_OK;
+    if (s->rests)
+        status = model_status(s->st.status,
+                              num_integral(slowness_to_rest, s, 0, at, s->st.geometry.tol / 8, &time, NULL));
+    else if (at > s->st.lo)
+        status = segment_integral(&s->st, slowness, s->st.lo, at, s->st.geometry.tol / 8, &time, NULL);
+    s->st.status = status;
+    return status == DOM_OK ? time - s->into : REAL_NAN;
+}
+
+/* Finds the tilt at the time `into` the stretch, in tau. */
+static enum dom_status stretch_tilt(struct stretch *s, real into, real *theta)
+{
+    real x = 0;
+    enum num_status solver;
+    *theta = into <= 0 ? s->st.lo : s->to;
+    if (!(into > 0 && into < s->lasts))
+        return DOM_OK;
+    s->into = s->rests ? s->lasts - into : into;
+    if (s->has_series)
+        solver = num_series_find(&s->series, s->into, &x);
+    else
+        solver = num_root(stretch_over, s, s->rests ? 0 : s->st.lo, s->rests ? 1 : s->to,
+                          fmax(s->st.geometry.tol, 4 * REAL_EPSILON), &x);
+    x = s->rests ? s->to - (s->to - s->st.lo) * x * x : x;
+    *theta = fmin(fmax(x, s->st.lo), s->to);
+    return model_status(s->has_series ? DOM_OK : s->st.status, solver);
+}
+
+static real stretch_end(const struct stretch *s)
+{
+    return s->since.begins + (s->since.passed + s->lasts) * s->since.tau;
+}
+
+KERNEL enum dom_status watch_stretch(struct watch *w, const struct segment *st, size_t head, real to,
+                                     bool rests, const struct since *since, real lasts)
+{
+    if (!w || w->ended)
+        return DOM_OK;
+    if (isnan(since->begins + since->passed) && w->next < w->times)
+        return DOM_NO_MARGIN;
+    struct stretch *s = &w->last;
+    *s = (struct stretch){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
+    /* A stretch without a time costs nothing; the end of the row is needed in any case. */
+    bool inside = w->next < w->times && !((real)w->time[w->next] >= stretch_end(s));
+    enum dom_status status = inside || isnan(lasts) ? stretch_begin(s, lasts) : DOM_OK;
+    while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < stretch_end(s)) {
+        real theta = 0;
+        status =
+            stretch_tilt(s, ((real)w->time[w->next] - since->begins) / since->tau - since->passed, &theta);
+        if (status == DOM_OK)
+            status = stretch_lean(w, s, theta);
+        if (status == DOM_OK)
+            watch_visit(w, w->time[w->next]);
+    }
+    return status;
+}
+
+KERNEL enum dom_status watch_detach(struct watch *w, const struct segment *st, size_t head, size_t stay)
+{
+    if (!w || stay >= st->geometry.n)
+        return DOM_OK;
+    enum dom_status status = watch_lean(w, st, head, st->hi, 0);
+    w->moving = stay;
+    return status;
+}
+
+KERNEL enum dom_status watch_rest(struct watch *w)
+{
+    enum dom_status status = DOM_OK;
+    const struct stretch *s = &w->last;
+    if (w->ended || w->next >= w->times)
+        return DOM_OK;
+    if (s->st.geometry.n > 0) /* else nothing has moved */
+        status = stretch_lean(w, s, s->to);
+    while (status == DOM_OK && !w->ended && w->next < w->times)
+        watch_visit(w, stretch_end(s));
+    return status;
+}
+
+/* ---- Before the first hit ---- */
+
+/*
+ * At the angle phi beyond its edge a single domino has w = 2 u sin^2(phi / 2), u being its reach: so
+ * tan(phi / 4) grows like exp(t sqrt(u / 2)).
+ */
+KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
+{
+    if (!w)
+        return;
+    const real u = tip->geometry.reach, whole = tip->hi - tip->lo;
+    struct stretch *s = &w->last;
+    *s = (struct stretch){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
+    w->moving = 1;
+    while (!w->ended && w->next < w->times && (real)w->time[w->next] < 0) {
+        real time = (real)w->time[w->next] / tau, phi = 4 * atan(tan(whole / 4) * exp(time * sqrt(u / 2)));
+        w->tilt[0] = tip->lo + phi;
+        w->omega[0] = sqrt(2 * u) * sin(phi / 2) / tau;
+        watch_visit(w, w->time[w->next]);
+    }
+}

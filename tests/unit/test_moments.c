@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* All tilts of a row at a time: at hits, between them by energy and by their own derivative, and at the end.
+ */
+#include "run.h"
+#include "support.h"
+
+enum { FRAMES = 400, DOMINOES = 24 };
+
+/* What was seen at the times that were asked for. */
+struct seen {
+    size_t count, dominoes;
+    double time[FRAMES], tilt[FRAMES][DOMINOES], omega[FRAMES][DOMINOES];
+    size_t head[FRAMES], moving[FRAMES];
+    size_t most; /* visits before the visitor ends the run */
+};
+
+static bool moment_seen(const struct domq_moment *m, void *context)
+{
+    struct seen *s = context;
+    assert_true(s->count < FRAMES);
+    s->time[s->count] = (double)m->time;
+    s->head[s->count] = m->head;
+    s->moving[s->count] = m->moving;
+    for (size_t k = 0; k < s->dominoes; k++) {
+        s->tilt[s->count][k] = (double)m->tilt[k];
+        s->omega[s->count][k] = (double)m->omega[k];
+    }
+    return ++s->count < s->most;
+}
+
+static enum dom_status watch(struct run *run, const domq_real *times, size_t count, struct seen *seen)
+{
+    const struct domq_row row = asked_row(&run->row);
+    const struct domq_compute compute = asked_row_compute(&run->row);
+    assert_true(run->row.count <= DOMINOES);
+    seen->count = 0;
+    seen->dominoes = run->row.count;
+    seen->most = FRAMES + 1;
+    return domq_row_watch(&row, &compute, times, count, moment_seen, seen, &run->verdict);
+}
+
+/* Potential and kinetic energy of all dominoes, in J. */
+static double energy(const struct run *run, const double *tilt, const double *omega)
+{
+    double sum = 0;
+    for (size_t k = 0; k < run->row.count; k++) {
+        const struct domq_domino *p = &run->domino[k];
+        double h = (double)p->height, d = (double)p->thickness, m = (double)p->mass;
+        sum += m * 9.81 * (h * cos(tilt[k]) + d * sin(tilt[k])) / 2;
+        sum += m * (h * h + d * d) / 3 * omega[k] * omega[k] / 2;
+    }
+    return sum;
+}
+
+/* The free height between the tip of domino k and the face of its leader, 0 where it leans on it. */
+static double clearance(const struct run *run, const double *tilt, size_t k)
+{
+    const struct domq_domino *own = &run->domino[k], *leader = &run->domino[k + 1];
+    double turn = tilt[k] - tilt[k + 1], d = (double)leader->thickness;
+    return ((double)leader->gap + d) * cos(tilt[k + 1]) - d - (double)own->height * sin(turn);
+}
+
+/* Rows that fall and rows that stop, with uneven dominoes, some of which detach. */
+static void rows(struct run *run, int i)
+{
+    static const double s[] = {0.3, 0.4, 0.55, 0.4, 0.6}, r[] = {1, 1.3, 1.6, 2.1, 1.5},
+                        mu[] = {0, 0, 0, 0, 0.2};
+    make_row(run, i == 3 ? 6 : 12, s[i], r[i], mu[i]);
+}
+
+static void agrees_with_hits(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct seen seen;
+    for (int i = 0; i < 5; i++) {
+        domq_real times[ROW_MOST];
+        rows(&run, i);
+        assert_status(run_row(&run), DOM_OK);
+        struct domq_verdict verdict = run.verdict;
+        for (size_t k = 0; k < run.falls; k++)
+            times[k] = run.fall[k].time;
+        assert_status(watch(&run, times, run.falls, &seen), DOM_OK);
+        assert_int_equal(seen.count, run.falls);
+        assert_true(run.verdict.end == verdict.end && run.verdict.domino == verdict.domino);
+        for (size_t k = 0; k < run.falls; k++) {
+            assert_near("time", seen.time[k], (double)times[k], 0);
+            assert_int_equal(seen.head[k], k + 1);
+            /* One may detach in the very moment. */
+            assert_true(seen.moving[k] <= run.fall[k].moving && seen.moving[k] + 1 >= run.fall[k].moving);
+            assert_near("a domino that is just hit", seen.tilt[k][k], 0, 1e-7);
+            assert_near("its omega", seen.omega[k][k], (double)run.fall[k].omega, 1e-9);
+            if (k > 0)
+                assert_near("where the one before hits", seen.tilt[k][k - 1], (double)run.fall[k - 1].theta,
+                            1e-9);
+            for (size_t j = k + 1; j < run.row.count; j++)
+                assert_true(seen.tilt[k][j] == 0 && seen.omega[k][j] == 0);
+        }
+    }
+}
+
+static void keeps_the_laws_between(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct seen seen;
+    size_t detached = 0;
+    for (int i = 0; i < 5; i++) {
+        domq_real times[FRAMES];
+        rows(&run, i);
+        assert_status(run_row(&run), DOM_OK);
+        double whole = (double)(run.fall[run.falls - 1].time) * 1.05;
+        for (size_t k = 0; k < FRAMES; k++)
+            times[k] = (domq_real)(whole * (double)k / FRAMES);
+        assert_status(watch(&run, times, FRAMES, &seen), DOM_OK);
+        for (size_t k = 1; k < seen.count; k++) {
+            const double *tilt = seen.tilt[k], *before = seen.tilt[k - 1];
+            size_t head = seen.head[k] - 1;
+            bool same = seen.head[k] == seen.head[k - 1] && seen.moving[k] == seen.moving[k - 1];
+            for (size_t j = 0; j < run.row.count; j++)
+                assert_true(tilt[j] >= before[j]);
+            for (size_t j = head + 1 - seen.moving[k]; j < head; j++) {
+                assert_true(fabs(clearance(&run, tilt, j)) < 1e-11 * (double)run.domino[j].height);
+                double h = seen.time[k] - seen.time[k - 1], rise = tilt[j] - before[j];
+                /* The mean of both ends, to the third order of a step. */
+                if (same)
+                    assert_true(fabs(rise - h * (seen.omega[k][j] + seen.omega[k - 1][j]) / 2) <
+                                1e-7 + 0.1 * rise);
+            }
+            detached += head + 1 - seen.moving[k];
+            for (size_t j = 0; j + seen.moving[k] < head + 1; j++)
+                assert_true(seen.omega[k][j] == 0);
+            if (same && run.row.mu == 0)
+                assert_near("energy", energy(&run, tilt, seen.omega[k]),
+                            energy(&run, before, seen.omega[k - 1]), 1e-11);
+            else if (same)
+                assert_true(energy(&run, tilt, seen.omega[k]) <
+                            energy(&run, before, seen.omega[k - 1]) * (1 + 1e-11));
+        }
+    }
+    assert_true(detached > 0);
+}
+
+static void ends(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct seen seen;
+    const domq_real times[] = {1, 1e6, (domq_real)INFINITY};
+    for (int i = 0; i < 5; i++) {
+        rows(&run, i);
+        run.row.push *= 1.5;
+        assert_status(run_row(&run), DOM_OK);
+        const struct domq_fall *last = &run.fall[run.falls - 1];
+        struct domq_verdict verdict = run.verdict;
+        assert_status(watch(&run, times, 3, &seen), DOM_OK);
+        assert_int_equal(seen.head[2], run.falls);
+        assert_near("the last tilt", seen.tilt[2][run.falls - 1], (double)last->theta, 1e-10);
+        assert_true(seen.time[1] == seen.time[2]);
+        if (verdict.end == DOM_ROW_FALLS) {
+            assert_near("the time when it lies", seen.time[2], (double)verdict.seconds, 1e-12);
+        } else {
+            assert_int_equal(verdict.end, DOM_ROW_STOPS);
+            assert_true(seen.time[2] > (double)last->time && seen.omega[2][run.falls - 1] == 0);
+        }
+    }
+}
+
+/* A stop, by Newton's second law near it: what is left of the way is half the deceleration times t^2. */
+static void comes_to_rest(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct seen seen;
+    make_row(&run, 6, 0.4, 2.1, 0);
+    domq_real times[3] = {(domq_real)INFINITY};
+    assert_status(watch(&run, times, 1, &seen), DOM_OK);
+    assert_int_equal(run.verdict.end, DOM_ROW_STOPS);
+    double end = seen.time[0], rest = seen.tilt[0][run.verdict.domino - 1];
+    times[0] = end - 2e-3;
+    times[1] = end - 1e-3;
+    assert_status(watch(&run, times, 2, &seen), DOM_OK);
+    size_t head = run.verdict.domino - 1;
+    assert_near("ratio of ways", (rest - seen.tilt[0][head]) / (rest - seen.tilt[1][head]), 4, 0.05);
+    assert_near("omega", seen.omega[1][head], 2 * (rest - seen.tilt[1][head]) / 1e-3, 0.02);
+}
+
+static void tips_before_the_first_hit(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct seen seen;
+    const domq_real times[] = {-1, -0.05, -0.02, -0.0199, 0};
+    make_row(&run, 5, 0.4, 1.2, 0);
+    run.row.push = (domq_real)NAN;
+    assert_status(watch(&run, times, 5, &seen), DOM_OK);
+    double edge = atan((double)(run.domino[0].thickness / run.domino[0].height));
+    assert_true(seen.tilt[0][0] > edge && seen.tilt[0][0] < edge + 1e-5);
+    assert_true(seen.head[0] == 1 && seen.head[4] == 2);
+    for (size_t k = 1; k < 4; k++)
+        assert_near("energy", energy(&run, seen.tilt[k], seen.omega[k]),
+                    energy(&run, seen.tilt[0], seen.omega[0]), 1e-12);
+    double rise = seen.tilt[3][0] - seen.tilt[2][0], h = seen.time[3] - seen.time[2];
+    assert_near("omega", rise / h, (seen.omega[2][0] + seen.omega[3][0]) / 2, 1e-5);
+    assert_near("where it hits", sin(seen.tilt[4][0]), (double)(run.domino[1].gap / run.domino[0].height),
+                1e-12);
+    /* The next one so near that the first leans on it before it tips over. */
+    run.domino[1].gap = 1e-3;
+    assert_status(watch(&run, times, 5, &seen), DOM_OK);
+    assert_int_equal(run.verdict.end, DOM_ROW_LEANS);
+    assert_int_equal(seen.count, 5);
+    assert_near("leans", sin(seen.tilt[4][0]), 1e-3 / (double)run.domino[0].height, 1e-12);
+}
+
+static void refuses(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct seen seen;
+    make_row(&run, 5, 0.4, 1.2, 0);
+    const domq_real back[] = {0.1, 0.05}, nothing[] = {(domq_real)NAN}, early[] = {-0.1};
+    assert_status(watch(&run, back, 2, &seen), DOM_BAD_TIME);
+    assert_status(watch(&run, nothing, 1, &seen), DOM_BAD_TIME);
+    assert_status(watch(&run, early, 1, &seen), DOM_BAD_TIME);
+    assert_int_equal(seen.count, 0);
+    run.row.count = 0;
+    assert_status(watch(&run, back, 1, &seen), DOM_BAD_COUNT);
+}
+
+/* In float, to what it has of digits, and in quad. */
+static void in_all_precisions(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct seen wide, narrow;
+    const domq_real times[] = {0.05, 0.2, (domq_real)INFINITY};
+    static const enum dom_precision precisions[] = {DOM_FLOAT, DOM_QUAD};
+    make_row(&run, 10, 0.4, 1.3, 0.1);
+    assert_status(watch(&run, times, 3, &narrow), DOM_OK);
+    for (int p = 0; p < 2; p++) {
+        run.row.precision = precisions[p];
+        run.row.tol = p == 0 ? (domq_real)1e-5 : (domq_real)1e-20;
+        assert_status(watch(&run, times, 3, &wide), DOM_OK);
+        for (size_t k = 0; k < 3; k++)
+            for (size_t j = 0; j < 10; j++)
+                assert_true(fabs(wide.tilt[k][j] - narrow.tilt[k][j]) < (p == 0 ? 1e-3 : 1e-9));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(agrees_with_hits),
+        cmocka_unit_test(keeps_the_laws_between),
+        cmocka_unit_test(ends),
+        cmocka_unit_test(comes_to_rest),
+        cmocka_unit_test(refuses),
+        cmocka_unit_test(tips_before_the_first_hit),
+        cmocka_unit_test(in_all_precisions),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
