@@ -62,36 +62,37 @@ extern "C" {
     X(BAD_Q, "the mass exponent q is outside its range")                                                     \
     X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
     X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
-    X(BAD_FUEL, "there is no fuel of that number")                                                           \
+    X(BAD_FUEL, "the fuel is none of enum dom_fuel")                                                         \
     X(BAD_TOL, "the tolerance tol is outside its range, or below the floor of the precision")                \
-    X(BAD_PRECISION, "there is no precision of that number")                                                 \
-    X(BAD_METHOD, "there is no method of that number")                                                       \
+    X(BAD_PRECISION, "the precision is none of enum dom_precision")                                          \
+    X(BAD_METHOD, "the method is none of enum dom_method")                                                   \
     X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
     X(BAD_TIME, "the time is outside [0, the next hit]")                                                     \
     X(BAD_G, "the acceleration of gravity g is outside its range")                                           \
     X(BAD_PUSH, "the push is outside its range")                                                             \
-    X(BAD_COUNT, "the row has no domino")                                                                    \
+    X(BAD_COUNT, "the row has no dominoes")                                                                  \
     X(BAD_HEIGHT, "a height is outside its range")                                                           \
     X(BAD_THICKNESS, "a thickness is outside its range")                                                     \
     X(BAD_GAP, "a gap is outside its range")                                                                 \
     X(BAD_MASS, "a mass is outside its range")                                                               \
     X(BAD_SIGMA, "the error of the gaps is outside its range")                                               \
     X(BAD_HEIGHTS, "the error of the heights is outside its range")                                          \
-    X(BAD_ROWS, "the number of rows is 0, or less than what is counted of them")                             \
+    X(BAD_ROWS, "the number of rows is 0, or less than the number counted among them")                       \
     X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
     X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
-    X(NO_FUEL, "the fuel P is not positive: a cycle sets no energy free")                                    \
-    X(STOPS, "the kinetic energy after the collision is below the barrier")                                  \
-    X(LOCKS, "friction locks the train: a contact force passes behind the hinge that it is to turn")         \
-    X(NO_STAND, "no upright domino stands on this slope: |alpha| must be below theta_u, tan theta_u = d")    \
-    X(NO_MARGIN, "the margin is 0 to rounding: times grow like ln(1/margin) and have no value here; a "      \
-                 "slightly smaller r has")                                                                   \
-    X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
-    X(TOO_LONG, "more dominoes matter than can be followed")                                                 \
-    X(UNDERFLOW, "r^(2q+1) is beyond the range of the precision; a smaller r or q is not")                   \
-    X(NO_PRECISION, "this machine has no arithmetic of that precision")                                      \
-    X(NO_METHOD, "this method does not give that answer")                                                    \
-    X(NOT_FINITE, "a value on the way is not finite")                                                        \
+    X(NO_FUEL, "the fuel P is not positive: a cycle releases no energy")                                     \
+    X(STOPS, "the train stops: its kinetic energy after the collision is below the barrier")                 \
+    X(LOCKS,                                                                                                 \
+      "friction locks the train: a contact force passes on the wrong side of a hinge and cannot turn it")    \
+    X(NO_STAND,                                                                                              \
+      "no upright domino stands on this slope: |alpha| must be less than theta_u, tan theta_u = d")          \
+    X(NO_MARGIN, "the margin is 0 to rounding, so times have no value here; use a slightly smaller r")       \
+    X(NO_GROWTH, "even equal dominoes (r = 1) do not go on falling at this separation")                      \
+    X(TOO_LONG, "the answer needs more dominoes than can be computed")                                       \
+    X(UNDERFLOW, "r^(2q+1) is outside the range of the precision; use a smaller r or q")                     \
+    X(NO_PRECISION, "this machine does not have that precision")                                             \
+    X(NO_METHOD, "this method does not give this answer")                                                    \
+    X(NOT_FINITE, "an intermediate value is not finite")                                                     \
     X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
     X(NO_MEMORY, "out of memory")                                                                            \
     X(INTERRUPTED, "interrupted")
@@ -175,13 +176,12 @@ enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 /* How a row ends: X(name, meaning). */
 #define DOM_ROW_ENDS(X)                                                                                      \
     X(FALLS, "all fall")                                                                                     \
-    X(STOPS, "what is left of the motion does not carry it over its barrier")                                \
-    X(MISSES, "it falls short of the next: the gap is larger than it is tall")                               \
-    X(PASSES,                                                                                                \
-      "its tip passes above the next one: a contact of another kind, which this model does not have")        \
-    X(LEANS, "the first touches the second before it is over its edge: it needs a push")                     \
-    X(PARTS, "it runs ahead of those that lean on it: the contact opens, which this model does not follow")  \
-    X(LOCKS, "friction locks: a contact force passes behind the hinge that it is to turn")
+    X(STOPS, "its energy is not enough to tip it over")                                                      \
+    X(MISSES, "it misses the next domino: the gap is larger than its height")                                \
+    X(PASSES, "its upper edge passes above the next domino, a contact that the model does not include")      \
+    X(LEANS, "it touches the next domino before it tips over: it needs a push")                              \
+    X(PARTS, "it moves ahead of the dominoes that lean on it, which the model does not include")             \
+    X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")
 
 enum dom_row_end {
 #define DOM_ROW_ENUM(name, text) DOM_ROW_##name,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Statuses and choices in words: what has no numbers in it, and so is one in all precisions. */
+/* Texts of statuses and choices, which are the same in all precisions. */
 #include "numerics/api.h"
 
 const char *dom_status_text(enum dom_status status)

@@ -285,7 +285,7 @@ foo|unknown command 'foo'; 'help' lists the commands
 barier|unknown command 'barier'; did you mean 'barrier'?
 ba|'ba' may be barrier, back
 2+2|an expression is no command; 'print' evaluates it
-friction|'friction' is an effect: 'effect friction MU'
+friction|'friction' is an effect; enter 'effect friction MU'
 plot foo|plot: 'foo' is no picture; those are: chain, cost, energy, growth, marginal, omega
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
 plot c|plot: 'c' is no picture; those are: chain, cost, energy, growth, marginal, omega

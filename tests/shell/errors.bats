@@ -227,7 +227,7 @@ END
             [[ $stderr =~ $message ]] || same "$state; $command" "$message" "$stderr"
         done
     done <<'END'
-set s 1e-6; set d 1e-12; set r 1|chain 0,energy 0,fuel,barrier|a larger s, d or tol needs fewer
+set s 1e-6; set d 1e-12; set r 1|chain 0,energy 0,fuel,barrier|use a larger s, d or tol
 set s 1e-6; set r 1e6; set q 100|fuel,barrier,duration|range of the precision.*(smaller|lower|larger|less|fewer|at most|up to)
 END
 }

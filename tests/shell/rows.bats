@@ -72,13 +72,13 @@ END
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 20\n' | file good.csv
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7\n' | file short.csv
     wrong 'effect row typo.csv' "cannot read 'typo\.csv': No such file or directory$"
-    wrong 'effect row 5; effect row typo.csv' '; the row before it \(N = 5\) is off now$'
-    wrong 'effect row good.csv; effect row short.csv' 'short\.csv:3:1: too few cells.*; the row before it \(good\.csv\) is off now$'
+    wrong 'effect row 5; effect row typo.csv' '; the earlier row \(N = 5\) is now off$'
+    wrong 'effect row good.csv; effect row short.csv' 'short\.csv:3:1: too few cells.*; the earlier row \(good\.csv\) is now off$'
     wrong 'effect row good.csv; effect push 3; effect placement 1 mm; effect row typo.csv' \
-        '\(good\.csv\) is off now, with push and placement$'
+        '\(good\.csv\) is now off, with push and placement$'
     for before in 'effect row 5' 'effect row good.csv; effect push 3'; do
         run --separate-stderr "$DOMINO" -e "$before; effect row typo.csv; verdict; save"
-        grep -q 'verdict: there is no row here' <<<"$stderr" || same "$before" 'no row' "$stderr"
+        grep -q 'verdict: there is no row;' <<<"$stderr" || same "$before" 'no row' "$stderr"
     done
     same 'the next one is fine' 'all fall' \
         "$(json 'effect row 5; effect push 3; effect row typo.csv; set r 1; effect row good.csv; effect push 9; verdict' 2>&1 | values verdict)"

@@ -65,8 +65,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same level "$(json 'rmax; barrier' | values margin)" "$(json 'effect slope 0; rmax; barrier' | values margin)"
     wrong 'effect slope 10 deg; rmax' 'no upright domino stands on this slope'
     wrong 'effect slope 10 deg; effect row 4; fall' 'no upright domino stands on this slope'
-    wrong 'effect slope 1 deg; set fuel paper' "'effect slope off' first"
-    wrong 'set fuel paper; effect slope 1 deg' 'knows no slope'
+    wrong 'effect slope 1 deg; set fuel paper' "first enter 'effect slope off'"
+    wrong 'set fuel paper; effect slope 1 deg' "'fuel paper' cannot be combined with slope; first enter 'set fuel exact'"
     wrong 'effect slope 1 mm' 'ALPHA is an angle, not a length'
     same 'a row' 'stops' "$(json 'set r 1.6; set q hollow; effect slope -3 deg; effect row 6; effect push 3; verdict' | values verdict)"
 }
@@ -83,13 +83,13 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     done
 }
 
-@test "effects that need or exclude each other say so" {
-    wrong 'effect push 3' "push is about a row: 'effect row N\|FILE' first"
-    wrong 'effect placement 1 mm' 'placement is about a row'
-    wrong 'effect row 4; effect push 3; effect row off' "push is about the row: 'effect push off' first"
-    wrong 'set fuel paper; effect friction 0.2' 'exclude each other'
-    wrong 'effect friction 0.2; set fuel paper' 'exclude each other'
-    wrong 'fall' "there is no row here: 'effect row N'"
+@test "effects that need each other, or cannot be combined, say so" {
+    wrong 'effect push 3' "'effect push' needs a row; first enter 'effect row N'"
+    wrong 'effect placement 1 mm' "'effect placement' needs a row"
+    wrong 'effect row 4; effect push 3; effect row off' "'effect push' needs the row; first enter 'effect push off'"
+    wrong 'set fuel paper; effect friction 0.2' "'fuel paper' cannot be combined with friction; first enter 'set fuel exact'"
+    wrong 'effect friction 0.2; set fuel paper' "'fuel paper' cannot be combined with friction; first enter 'effect friction off'"
+    wrong 'fall' "there is no row; first enter 'effect row N' or 'effect row FILE'"
     wrong 'effect row 4; placement' "'effect placement SIGMA' first"
     wrong 'effect row 4; effect placement 1 mm; budget 2' 'no probability'
 }
@@ -111,18 +111,18 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a value' 0.2 "$(json 'set friction 0.2; show friction' | values value)"
     same 'a file' record.csv "$(json "set row $root/examples/record.csv; show row" | values value)"
     same 'the others stay' "$(json show)" "$(json 'set friction 0.2; reset s; show')"
-    [[ $("$DOMINO" -e 'set push on' 2>&1) == *"push is about a row"* ]]
+    [[ $("$DOMINO" -e 'set push on' 2>&1) == *"'effect push' needs a row"* ]]
     [[ $("$DOMINO" -e 'set friction on') == 'friction is on now with MU = 0.2:'* ]]
     wrong 'set friction -1' 'MU = -1 is out of range'
     wrong 'set friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
     wrong 'set friction off 0.2' 'one argument too many; usage: effect friction MU'
-    wrong 'set fuel paper; set friction 0.2' 'exclude each other'
-    wrong 'set row 4; set push 3; reset row' "push is about the row: 'effect push off' first"
+    wrong 'set fuel paper; set friction 0.2' 'cannot be combined with friction'
+    wrong 'set row 4; set push 3; reset row' "'effect push' needs the row; first enter 'effect push off'"
     wrong 'set s 0.4 0.5' "'0.5' is one argument too many; usage: set NAME VALUE"
 }
 
 @test "values of effects: units, ranges, what is missing, one too many" {
-    wrong 'effect friction' 'MU is missing, the friction coefficient; usage: effect friction MU'
+    wrong 'effect friction' "MU, the friction coefficient, is missing; for example 'effect friction 0.2'"
     wrong 'effect friction -1' 'MU = -1 is out of range'
     wrong 'effect friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
     wrong 'effect friction 3 mm' 'MU is a plain number, not a length'
@@ -131,7 +131,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
     wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'
     wrong 'effect foo 1' "'foo' is no effect; those are: friction, slope, row, push, placement, floor"
-    wrong 'effect row 4; place 1 1 cm' 'domino 1 has no gap before it; in this row 2 .. 4 have'
+    wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; K is 2 .. 4 in this row'
+    wrong 'effect row 1; place 2 1 cm' 'a row of one domino has no gap'
     wrong 'effect row 4; place 2 -1' 'no gap'
 }
 
@@ -194,8 +195,8 @@ zero|height (m),thickness (m),gap (m)\n0,0.1,0\n|2:1: height = 0
 comma|height (m);thickness (m);gap (m)\n1,5;0.1;0\n|2:[0-9]+: height ends before
 unit|height (m),thickness (m),gap (m)\n1 s,0.1,0\n|2:1: height: this is a time
 word|height (m),thickness (m),gap (m)\nx,0.1,0\n|2:1: height
-nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: no dominoes
-both|height (m),thickness (m),gap (m),mass (kg),density\n1,.1,0,1,1\n|1:[0-9]+: both mass and density
+nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: the file has no dominoes
+both|height (m),thickness (m),gap (m),mass (kg),density\n1,.1,0,1,1\n|1:[0-9]+: both mass and density are given; leave
 END
     wrong "effect row $BATS_TEST_TMPDIR/none.csv" "cannot read '.*none.csv': No such file"
     wrong "effect row $BATS_TEST_TMPDIR" 'cannot read'
@@ -232,7 +233,7 @@ height (m),thickness (m),gap (m)
 0.1,0.015,
 0.05,0.0075,0.02
 END
-    wrong "effect row $BATS_TEST_TMPDIR/low.csv; effect push 9; fall" 'passes above the next one'
+    wrong "effect row $BATS_TEST_TMPDIR/low.csv; effect push 9; fall" 'its upper edge passes above the next domino'
     same thousands 'all fall 10000' "$(json 'set r 1; set s 0.3; effect row 10000; effect push 5; verdict' |
         sed -E 's/.*"verdict":"([^"]*)","domino":([0-9]*).*/\1 \2/')"
     # 0.048 m 2^40 is 5e7 km: the numbers are large, and right.

@@ -140,7 +140,7 @@ curve 0.02 0.9 100'
     grep -q "rmax.r_max does not exist here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
     grep -q 'division by zero' <<<"$(csv 'sweep s 0.4 0.5 2 : print 1/(s - 0.4)')"
     grep -q ',all fall$' <<<"$(csv 'effect row 5; effect push 6; sweep s 0.3 0.4 2 : mend')"
-    grep -q 'exclude each other\|does not give that answer\|knows no friction' <<<"$(csv 'effect friction 0.1; sweep fuel exact, paper : barrier')"
+    grep -q "'fuel paper' cannot be combined with friction" <<<"$(csv 'effect friction 0.1; sweep fuel exact, paper : barrier')"
     # A row, and why there is no more of it.
     same 'stops' 3 "$(csv 'sweep r 1.9 1.9 1 : step 9' | wc -l)"
     grep -q 'the train has stopped' <<<"$(csv 'sweep r 1.9 1.9 1 : step 9' | tail -n 1)"
@@ -189,8 +189,8 @@ curve 0.02 0.9 100'
     wrong_line 'sweep s 0.1 0.9 9 : theta1 foo' ":28: theta1: T at 'foo': 'foo' has no value"
     wrong_line 'sweep s 0.1 0.9 9 : theta1' 'theta1: T is missing; usage: theta1 T'
     wrong_line 'sweep s 0.1 0.9 9 : rmax 0.1 0.2' "'0.2' is one argument too many"
-    wrong_line 'sweep s 0.1 0.9 9 : fall' "there is no row here: 'effect row N'"
-    wrong_line 'sweep push 1 9 9 : fall' 'push is about a row'
+    wrong_line 'sweep s 0.1 0.9 9 : fall' "there is no row; first enter 'effect row N'"
+    wrong_line 'sweep push 1 9 9 : fall' "'effect push' needs a row"
     wrong_line 'set errors on; set threads 4; sweep s 0.1 0.9 9 : theta1 foo' "'foo' has no value"
 }
 

@@ -2,7 +2,7 @@
 /*
  * Slope: the floor falls by the angle alpha in the direction of the train, alpha > 0 downhill.  Tilts are
  * measured from the normal of the floor, so contacts and inertia are as on a level floor, and gravity alone
- * turns: the energy of position of a domino is
+ * turns: the potential energy of a domino is
  *
  *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,
  *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha,
@@ -16,14 +16,14 @@
 const struct dom_effect dom_effect_slope = {
     .name = "slope",
     .adds = "a floor that slopes, downhill where ALPHA > 0",
-    .help =
-        "Tilts are measured from the normal of the floor. The energy of position of a domino is then "
-        "h(theta) = cos(theta + alpha) + d sin(theta + alpha), in H, in the fuel P, in the barrier and in "
-        "the forces; with friction C = 1/2 sum r^-qi S_i (sin(theta_i + alpha) - d cos(theta_i + alpha)). "
-        "An upright domino stands only where |alpha| < theta_u, tan theta_u = d. One degree moves r_max "
-        "by 5 to 8 %. The paper's closed form of the fuel knows no slope.",
-    .source = "the energy of position of a block on an inclined plane",
-    .plan = "the energy of position turned by alpha",
+    .help = "An upright domino stands only where |ALPHA| is below theta_u, the angle at which it tips over, "
+            "tan theta_u = d. One degree changes r_max by 5 to 8 %. Tilts are measured from the normal of "
+            "the floor. The potential energy of a domino is then h(theta) = cos(theta + alpha) + d sin(theta "
+            "+ alpha), in H, in the fuel P, in the barrier and in the forces; with friction C = 1/2 sum "
+            "r^-qi S_i (sin(theta_i + alpha) - d cos(theta_i + alpha)). 'fuel paper' cannot be combined with "
+            "a slope: there is no closed form of the fuel.",
+    .source = "the potential energy of a block on an inclined plane",
+    .plan = "the potential energy turned by alpha",
     .argument = {{.name = "ALPHA",
                   .unit = "rad",
                   .meaning = "angle by which the floor falls in the direction of the train",
@@ -39,8 +39,7 @@ KERNEL enum dom_status slope_apply(struct geometry *geometry, real value)
     geometry_gravity(geometry, sin(value), cos(value));
     if (geometry->work)
         geometry->work->entered[DOM_EFFECT_slope]++;
-    /* The domino must stand on the slope, and on one that falls the other way; and it must tip over before it
-     * lies. */
+    /* The domino must stand on the slope and on the opposite one, and tip over before it lies. */
     bool stands = tan(fabs(value)) < geometry->d && geometry->h.y > 0;
     return stands ? DOM_OK : DOM_NO_STAND;
 }

@@ -1,19 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random errors of placement: what they are; placement.c of the model draws them. */
+/* Random errors of placement: their help; placement.c of the model draws them. */
 #include "numerics/api.h"
 
 const struct dom_effect dom_effect_placement = {
     .name = "placement",
-    .adds = "random errors of the gaps, and of the heights if asked for",
-    .help = "The row is set up again and again, each gap with a normal error of its own of standard "
-            "deviation SIGMA (a "
-            "length), each height, where HEIGHTS is given, with a relative one; dominoes that would overlap "
-            "touch. "
-            "'placement' counts how often all fall, with the exact 95 % interval of Clopper and Pearson, and "
-            "where "
-            "rows stop; 'budget' finds the SIGMA that a probability allows. Row number i is the same for the "
-            "same "
-            "'seed', whatever 'threads' is.",
+    .adds = "random errors of the gaps, and of the heights if HEIGHTS is given",
+    .help = "The row is set up again and again. Each gap has a normal error of its own with the standard "
+            "deviation SIGMA, which is a length; each height has a relative error with the standard "
+            "deviation HEIGHTS. Dominoes that would overlap touch. 'placement' counts how often all dominoes "
+            "fall, with the exact 95 % interval of Clopper and Pearson, and reports where rows stop. "
+            "'budget' finds the SIGMA that a probability allows. Row number i is the same for the same "
+            "'seed', with any number of 'threads'.",
     .source =
         "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; generators of GSL",
     .plan = "many rows, verdicts only, on all processors",

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How a row starts. */
+/* The push that starts a row: its help; row.c of the model computes it. */
 #include "numerics/api.h"
 
 const struct dom_effect dom_effect_push = {
     .name = "push",
-    .adds = "the first domino is pushed upright, not tipped over",
-    .help = "Without it the first domino stands on its edge, at theta_u with tan theta_u = d (b1), and is "
-            "let go; its "
-            "time is counted from its first hit. With it the clock starts at the push. A push too weak to "
-            "carry it "
-            "over its edge is a verdict; where it touches the next before it tips over, it needs one.",
+    .adds = "a push of the first domino, which then starts upright",
+    .help = "Without a push the first domino starts on its edge, where it just tips over (tan theta_u = d), "
+            "and is let go; the clock starts when it hits the second domino. With a push it starts upright, "
+            "and the clock starts with the push. A standard domino needs about 2.5 rad/s to tip over; with a "
+            "weaker push the verdict is that the row stops at domino 1. A row whose first domino touches the "
+            "second before it tips over needs a push.",
     .source = "energy of a single domino, (b2) and (b5)",
     .plan = "omega^2 of the first domino",
     .argument = {{.name = "OMEGA",

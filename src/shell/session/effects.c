@@ -18,7 +18,7 @@ bool effect_hint(const char *word, char message[NAMES_MESSAGE])
     char usage[EFFECT_USAGE];
     int k = names_exact(effect_names, NULL, word);
     if (k >= 0)
-        snprintf(message, NAMES_MESSAGE, "'%s' is an effect: 'effect %s'", word,
+        snprintf(message, NAMES_MESSAGE, "'%s' is an effect; enter 'effect %s'", word,
                  effect_usage((enum dom_effect_name)k, usage));
     return k >= 0;
 }
@@ -60,7 +60,7 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
     return setting;
 }
 
-/* Commands that show an effect; one that is not listed has an example all the same. */
+/* Commands that show an effect; effect_example makes them for effects that are not listed. */
 static const char *const examples[DOM_EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
@@ -83,7 +83,8 @@ const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPL
     return example;
 }
 
-/* The file as named, or, where there is none, beside the script that names it. */
+/* Returns the path of the file, to be freed: as given if such a file exists, else in the folder of the
+ * script. */
 static char *path_beside(const struct session *session, const char *path)
 {
     const char *slash = session->source ? strrchr(session->source, '/') : NULL;
@@ -114,7 +115,7 @@ static void row_needed(const struct session *session, char *text, size_t size)
             n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ", effect_at(k)->name);
 }
 
-/* Row off, and what needs it. */
+/* Turns off the row and all effects that need it. */
 static void row_drop(struct session *session)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
@@ -124,7 +125,7 @@ static void row_drop(struct session *session)
     effects_apply(session);
 }
 
-/* False: an error was reported, and there is no row any more: what was asked for is not the one before. */
+/* Reads the row from a file. After an error no row is on, since the earlier one is not what was asked for. */
 static bool row_from_file(struct session *session, const char *name)
 {
     struct listed_row file = {.domino = NULL};
@@ -132,16 +133,17 @@ static bool row_from_file(struct session *session, const char *name)
                                *kept = NULL;
     row_needed(session, needed, sizeof needed);
     if (session->effect[DOM_EFFECT_row].on)
-        snprintf(then, sizeof then, "; the row before it (%s%s) is off now%s",
+        snprintf(then, sizeof then, "; the earlier row (%s%s) is now off%s",
                  session->listed.domino ? "" : "N = ", effect_setting(session, DOM_EFFECT_row, setting),
                  needed);
     if (session->safe) {
-        session_error(session, "'row %s' reads a file, which a safe session does not%s",
+        session_error(session,
+                      "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'%s",
                       names_shown(name, shown), then);
     } else {
         char *path = path_beside(session, name);
         bool read = path && rowfile_read(session, path, then, &file);
-        /* What is saved is found from anywhere; a pipe has no other path. */
+        /* The full path, for 'save' in another folder; a pipe has no other path. */
         kept = read ? realpath(path, NULL) : NULL;
         if (read && !kept)
             kept = path;
@@ -162,19 +164,17 @@ static bool row_from_file(struct session *session, const char *name)
 
 bool effect_needs(struct session *session, enum dom_effect_name name)
 {
-    char usage[EFFECT_USAGE];
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (domq_effect(name)->needs >> k & 1 && !session->effect[k].on)
-            return session_error(session, "%s is about a %s: 'effect %s' first", domq_effect(name)->name,
-                                 effect_at(k)->name, effect_usage((enum dom_effect_name)k, usage));
+            return session_error(session, "'effect %s' needs a %s; first enter 'effect %s %s'",
+                                 domq_effect(name)->name, effect_at(k)->name, effect_at(k)->name,
+                                 effect_at(k)->argument[0].name);
     return (int)name >= DOM_DYNAMICS_COUNT || session->train.fuel != DOM_FUEL_PAPER ||
-           session_error(session,
-                         "the paper's closed form of the fuel knows no %s: they exclude each other; "
-                         "'set fuel exact' first",
+           session_error(session, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
                          domq_effect(name)->name);
 }
 
-/* Makes this the state of an effect; a row from a file ends with it. */
+/* Stores the state of an effect, and forgets the row of a file that it replaces. */
 static bool effect_store(struct session *session, enum dom_effect_name name, struct effect_state state,
                          bool from_file)
 {
@@ -190,12 +190,14 @@ static bool turn_on(struct session *session, enum dom_effect_name name, const do
 {
     const struct domq_effect *e = domq_effect(name);
     struct effect_state state = {.on = true};
-    char usage[EFFECT_USAGE];
+    char usual_value[WIDE_TEXT];
     bool usual = given > 0 && value[0] == EFFECT_ON;
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         if (i >= given && !e->argument[i].optional && !usual)
-            return session_error(session, "%s is missing, the %s; usage: effect %s", e->argument[i].name,
-                                 e->argument[i].meaning, effect_usage(name, usage));
+            return session_error(session, "%s, the %s, is missing; for example 'effect %s %s%s%s'",
+                                 e->argument[i].name, e->argument[i].meaning, e->name,
+                                 quad_text(e->argument[i].usual, 4, usual_value),
+                                 *e->argument[i].unit ? " " : "", e->argument[i].unit);
         state.value[i] = i < given && !usual ? value[i] : e->argument[i].usual;
     }
     return effect_needs(session, name) && (!path || row_from_file(session, path)) &&
@@ -206,8 +208,8 @@ static bool turn_off(struct session *session, enum dom_effect_name name)
 {
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         if (session->effect[k].on && effect_at(k)->needs >> name & 1)
-            return session_error(session, "%s is about the %s: 'effect %s off' first", effect_at(k)->name,
-                                 domq_effect(name)->name, effect_at(k)->name);
+            return session_error(session, "'effect %s' needs the %s; first enter 'effect %s off'",
+                                 effect_at(k)->name, domq_effect(name)->name, effect_at(k)->name);
     return effect_store(session, name, (struct effect_state){.on = false}, false);
 }
 
@@ -240,12 +242,12 @@ bool effects_savable(struct session *session)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
             return session_error(session,
                                  "cannot save: the name of the row's file, '%s', has a control character; "
-                                 "rename the file, or first 'effect row off'",
+                                 "rename the file, or enter 'effect row off'",
                                  names_shown(path, shown));
     return true;
 }
 
-/* As read_file takes it back. */
+/* Writes the name as a word that is read back. */
 static void save_name(const char *path, FILE *out)
 {
     fputs(" \"", out);
@@ -277,7 +279,8 @@ bool scene_weighed(const struct session *session)
     return session_mass(session) > 0 || (session->listed.domino && session->listed.weighed);
 }
 
-/* Masses of which only the ratios are known become such that m g h / 2 of the first is 1, or what is set. */
+/* Scales masses of which only the ratios are known: the first is the session's, or such that its m g h / 2
+ * is 1. */
 static void row_weigh(const struct session *session, struct domq_domino *domino, size_t count)
 {
     domq_real mass = session_block_mass(session, domino[0].height, domino[0].thickness);
@@ -305,7 +308,7 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
     const struct listed_row *listed = &session->listed;
     const struct effect_state *effect = session->effect;
     if (!effect[DOM_EFFECT_row].on) {
-        session_error(session, "there is no row here: 'effect row N', or 'effect row FILE' with a csv file");
+        session_error(session, "there is no row; first enter 'effect row N' or 'effect row FILE'");
         return false;
     }
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
@@ -337,8 +340,11 @@ bool scene_row_place(struct session *session, size_t k, domq_real gap)
         return false;
     size_t count = scene.row.count, i = 0;
     free(scene.domino);
+    if (count < 2)
+        return session_error(session, "a row of one domino has no gap; enter 'effect row N' with a larger N");
     if (k < 2 || k > count)
-        return session_error(session, "domino %zu has no gap before it; in this row 2 .. %zu have", k, count);
+        return session_error(session, "there is no gap before domino %zu; K is 2 .. %zu in this row", k,
+                             count);
     while (i < listed->changes && listed->placed[i].k != k)
         i++;
     struct placed *more =

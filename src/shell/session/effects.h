@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects that are on in a session's scene, and the row that they may make of it. */
+/* The effects of a session, and its row. */
 #ifndef SHELL_EFFECTS_H
 #define SHELL_EFFECTS_H
 
@@ -7,7 +7,7 @@
 #include "session/session.h"
 #include <math.h>
 
-/* Beside its numbers, an effect has these values: off; and on, as it is, or with the usual values. */
+/* Values of an effect besides its numbers: off; and on, which keeps its values or takes the usual ones. */
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 
@@ -16,22 +16,22 @@ static inline const struct domq_effect *effect_at(int k)
     return domq_effect((enum dom_effect_name)k);
 }
 
-/* For names.h: the effects. */
+/* Returns the name of effect k, for names.h; NULL after the last. */
 const char *effect_names(const void *context, int k);
 
-/* Returns true for the name of an effect, and writes into the message how it is turned on. */
+/* Returns true for the name of an effect, and writes a message that shows how to turn the effect on. */
 bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 
-/* Writes "friction MU". */
+/* Writes the usage of an effect, such as "friction MU". */
 enum { EFFECT_USAGE = 64 };
 const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE]);
 
 /* Writes what the effect is set to: "0.2", "1 m, 0.1", "record.csv", "off". */
-enum { EFFECT_SETTING = 256 }; /* the longest name of a file */
+enum { EFFECT_SETTING = 256 }; /* room for the longest name of a file */
 const char *effect_setting(const struct session *session, enum dom_effect_name name,
                            char setting[EFFECT_SETTING]);
 
-/* Returns the file that stands in the place of the effect's first value, or NULL. */
+/* Returns the file that replaces the first value of the effect, or NULL. */
 const char *effect_file(const struct session *session, enum dom_effect_name name);
 
 /* Writes commands that show the effect. */
@@ -39,22 +39,23 @@ enum { EFFECT_EXAMPLE = 128 };
 const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPLE]);
 
 /*
- * Turns an effect on or off; values that are not given are the usual ones.  path, unless NULL, is the file in
- * the place of its first argument.  Returns false after an error, and nothing has changed then; but a file
- * that gives no row leaves none in force, nor what needs one, and the error says so.
+ * Turns an effect on or off; values that are not given are the usual ones.  path, unless NULL, is a file that
+ * replaces the first value.  Returns false after an error, and changes nothing then; but after an error in
+ * the file of a row, the row and the effects that need one are off, and the message says so.
  */
 bool effect_turn(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
                  const char *path);
 
-/* Gives an effect its first value, or EFFECT_OFF, in a session that borrows its row, which is not freed. */
+/* Sets the first value of an effect, or EFFECT_OFF, in a copy of a session; the row, borrowed, is not freed.
+ */
 void effect_put(struct session *session, enum dom_effect_name name, domq_real value);
 
-/* Reports an error if an effect that this one needs is off, or what it cannot be combined with is on. */
+/* Reports an error if an effect that this one needs is off, or one that it cannot be combined with is on. */
 bool effect_needs(struct session *session, enum dom_effect_name name);
 
 /*
- * Reports an error where a saved session could not name the row's file: a control character, such as a new
- * line, would begin a command of its own.  Every other name is read back byte for byte.
+ * Reports an error if a saved session could not name the file of the row: a control character in it, such as
+ * a new line, would begin another command.  All other names are read back byte for byte.
  */
 bool effects_savable(struct session *session);
 
@@ -63,9 +64,7 @@ void effect_save(const struct session *session, enum dom_effect_name name, FILE 
 
 /* ---- The row ---- */
 
-/*
- * The row of the scene, ready to run, of dominoes that are the caller's: free() them.  Energies come in the
- * unit that session_energy_unit names.
+/* The row of the scene, ready to run. The caller frees its dominoes. Energies are in the unit of the session.
  */
 struct scene_row {
     struct domq_row row;
@@ -73,16 +72,16 @@ struct scene_row {
     struct domq_domino *domino;
 };
 
-/* False: there is no row, or no memory, which was reported. */
+/* Makes the row of the scene. Reports an error if there is no row, or no memory. */
 bool scene_row_make(struct session *session, struct scene_row *row);
 
-/* Fills domino[0] to domino[count - 1] with the row that the session has, its changes and masses included. */
+/* Writes the row of the session, with changed gaps and with masses, to domino[0] ... domino[count - 1]. */
 void scene_row_fill(const struct session *session, struct domq_domino *domino, size_t count);
 
-/* Are masses known, so that energies are in J?  Else they are in m g h / 2 of the first domino. */
+/* Returns true if masses are known: energies are then in J, else in m g h / 2 of the first domino. */
 bool scene_weighed(const struct session *session);
 
-/* Changes the gap before domino k, from 1, until another row is taken. */
+/* Changes the gap before domino k, counted from 1, until another row is entered. */
 bool scene_row_place(struct session *session, size_t k, domq_real gap);
 
 #endif

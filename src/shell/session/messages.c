@@ -104,9 +104,9 @@ bool session_status(struct session *session, enum dom_status status)
                                  quad_shown(t->r * t->s).text, quad_shown(t->s).text, (double)(1 / t->s));
     if (status == DOM_NO_METHOD && domq_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
         return session_no_answer(
-            session, "the paper's closed form of the fuel knows no %s; 'set fuel exact', or 'effect %s off'",
+            session, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
             domq_dynamics(t)->name, domq_dynamics(t)->name);
     if (status == DOM_TOO_LONG)
-        return session_no_answer(session, "%s; a larger s, d or tol needs fewer", dom_status_text(status));
+        return session_no_answer(session, "%s; use a larger s, d or tol", dom_status_text(status));
     return session_no_answer(session, "%s", dom_status_text(status));
 }

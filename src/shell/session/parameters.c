@@ -48,9 +48,7 @@ static bool fuel_check(struct session *session, domq_real fuel)
 {
     const struct domq_effect *effect = domq_dynamics(&session->train);
     return fuel != DOM_FUEL_PAPER || !effect ||
-           session_error(session,
-                         "the paper's closed form of the fuel knows no %s: they exclude each other; "
-                         "'effect %s off' first",
+           session_error(session, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
                          effect->name, effect->name);
 }
 

@@ -10,36 +10,36 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- What a column may be ---- */
+/* ---- Columns ---- */
 
 enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RELATIVE, DOMINO, KINDS };
 
-#define COLUMNS "height, thickness, gap, and if they are known mass or density, width"
+#define COLUMNS "height, thickness, gap, and, if known, mass or density, width"
 #define LENGTHS "m, mm, cm, km, in, ft"
-#define LENGTH  "it is a length: 48 mm, 7/48*4.8 cm, or a number in the unit of the head"
-#define WEIGHT  "it is a plain number, its unit stands in the head: "
+#define LENGTH  "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
+#define WEIGHT  "write a plain number; its unit is in the first line, as in "
 
 static const struct kind {
     const char *name, *unit;
-    bool required, zero;            /* zero: 0 is in the range */
-    double lowest, highest;         /* those of masses are what single precision has */
-    const char *range, *is, *units; /* for people: of the value; of a cell; of the head */
-    const char *more;               /* besides unit, one that expressions do not have */
-    int times, over;                /* that one in SI */
-    const char *usual;              /* the one that an error proposes */
+    bool required, zero;               /* zero: 0 is in the range */
+    double lowest, highest;            /* for masses: the range of single precision */
+    const char *range, *write, *units; /* texts for messages: the range; what a cell may be; all units */
+    const char *more;                  /* a unit that expressions do not have */
+    int times, over;                   /* its value in SI: times / over */
+    const char *usual;                 /* the unit that messages propose */
 } kinds[KINDS] = {
     {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
     {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
     {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
-    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "mass (g)", "kg, g", "g", 1, 1000,
+    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "'mass (g)'", "kg, g", "g", 1, 1000,
      "g"},
-    {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "density (g/cm^3)",
+    {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "'density (g/cm^3)'",
      "kg/m^3, g/cm^3", "g/cm^3", 1000, 1, "g/cm^3"},
     {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
     {"relative", "", false, false, 1e-40, 1e38, "1e-40 .. 1e38",
-     "it is a plain number: mass over that of the first", "none", "", 1, 1, ""},
-    {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "it is a plain number, for the reader's eye", "none", "",
-     1, 1, ""},
+     "write a plain number: the mass over that of the first domino", "none", "", 1, 1, ""},
+    {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "write a plain number; the program does not use it",
+     "none", "", 1, 1, ""},
 };
 
 enum { CELLS = KINDS + 1, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
@@ -50,16 +50,16 @@ struct reader {
     FILE *in;
     long line;
     size_t bytes; /* read so far */
-    bool end;     /* there is no line any more */
+    bool end;     /* no line is left */
     struct text text;
-    const char *separator, *between, *blanks; /* between: the separator for people */
-    int columns;                              /* 0: the head is still to come */
-    int column[KINDS];                        /* of a kind, from 1; 0 for none */
-    domq_real unit[KINDS];                    /* in SI; 0 where the head has none */
-    const char *then;                         /* what an error leads to, behind its message; "" for nothing */
-    int cells;                                /* of this line; only CELLS of them are kept */
+    const char *separator, *between, *blanks; /* between: the separator in messages */
+    int columns;                              /* 0 before the first line is read */
+    int column[KINDS];                        /* the column of each kind, from 1; 0 for none */
+    domq_real unit[KINDS];                    /* the unit of each kind in SI; 0 if the first line has none */
+    const char *then;                         /* appended to messages: the consequence of the error, or "" */
+    int cells;                                /* the number of cells of this line; at most CELLS are kept */
     char *cell[CELLS];
-    char *buffer; /* of LINE_MOST bytes, which a stack may not have */
+    char *buffer; /* LINE_MOST bytes, too many for some stacks */
 };
 
 static const char *kind_names(const void *context, int k)
@@ -68,7 +68,7 @@ static const char *kind_names(const void *context, int k)
     return k < KINDS ? kinds[k].name : NULL;
 }
 
-/* The unit of that name in SI; 0 if it is none of this kind. */
+/* Returns the value of a unit in SI; 0 if the kind does not have this unit. */
 static domq_real unit_value(const struct kind *k, const char *name)
 {
     struct quantity q = expression_unit(name);
@@ -77,7 +77,7 @@ static domq_real unit_value(const struct kind *k, const char *name)
     return *k->unit == 'm' && q.length == 1 && q.time == 0 && q.angle == 0 ? q.value : 0;
 }
 
-/* At a place in the line, or NULL for its beginning. */
+/* Reports an error at a place in the line; NULL is its beginning. */
 static void __attribute__((format(printf, 3, 4)))
 report(const struct reader *r, const char *at, const char *format, ...)
 {
@@ -90,12 +90,12 @@ report(const struct reader *r, const char *at, const char *format, ...)
                   message, r->then);
 }
 
-/* The same, as the value false. */
+/* Reports an error, and has the value false. */
 #define wrong(...) (report(__VA_ARGS__), false)
 
 /* ---- Lines and their cells ---- */
 
-/* The next line into r->text, or r->end.  False: it is none. */
+/* Reads the next line into r->text, or sets r->end. */
 static bool line_read(struct reader *r)
 {
     size_t n = 0;
@@ -106,7 +106,7 @@ static bool line_read(struct reader *r)
     r->line++;
     r->end = c == EOF && n == 0;
     if (ferror(r->in))
-        return wrong(r, NULL, "cannot read on: %s", strerror(errno));
+        return wrong(r, NULL, "cannot read any further: %s", strerror(errno));
     size_t mark = r->line == 1 && n >= 3 && memcmp(r->buffer, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
     text_free(&r->text);
     if (!text_make(&r->text, r->buffer + mark, n - mark)) {
@@ -114,13 +114,15 @@ static bool line_read(struct reader *r)
         return wrong(r, NULL, "out of memory");
     }
     if (n == LINE_MOST)
-        return wrong(r, NULL, "the line is longer than %d bytes; a line is one domino", LINE_MOST - 1);
+        return wrong(r, NULL, "the line is longer than %d bytes; write one domino on each line",
+                     LINE_MOST - 1);
     if (c == '\0')
-        return wrong(r, r->text.line + strlen(r->text.line), "a NUL byte; a csv file is text, in UTF-8");
+        return wrong(r, r->text.line + strlen(r->text.line),
+                     "the line has a NUL byte; a csv file is text in UTF-8");
     return r->bytes <= FILE_MOST || wrong(r, NULL, "the file is larger than %d MB", FILE_MOST >> 20);
 }
 
-/* Keeps the cell at *place, which moves on to the next, or to NULL. */
+/* Keeps the cell at *place, and moves *place to the next cell, or to NULL. */
 static bool cell_cut(struct reader *r, char **place)
 {
     char *begin = *place + strspn(*place, r->blanks);
@@ -128,15 +130,16 @@ static bool cell_cut(struct reader *r, char **place)
     if (*begin == '"') {
         end = strchr(++begin, '"');
         if (!end)
-            return wrong(r, begin - 1, "this '\"' is never closed");
+            return wrong(r, begin - 1,
+                         "this '\"' is never closed; write another '\"' at the end of the cell");
         next = end + 1 + strspn(end + 1, r->blanks);
         if (*next && *next != *r->separator)
-            return wrong(r, next, "behind the closing '\"' stands no %s", r->between);
+            return wrong(r, next, "a %s is missing after the closing '\"'", r->between);
         begin += strspn(begin, " \t");
     }
     while (end > begin && isspace((unsigned char)end[-1]))
         end--;
-    if (end == begin + 1 && *begin == '-') /* nothing, said aloud */
+    if (end == begin + 1 && *begin == '-') /* '-' is an empty cell */
         end--;
     *place = *next ? next + 1 : NULL;
     *end = '\0';
@@ -146,7 +149,7 @@ static bool cell_cut(struct reader *r, char **place)
     return true;
 }
 
-/* The line's cells, whose ends become NULs. */
+/* Cuts the line into cells, each ended by a NUL. */
 static bool cells_cut(struct reader *r)
 {
     char *place = r->text.line;
@@ -155,9 +158,9 @@ static bool cells_cut(struct reader *r)
     return !place;
 }
 
-/* ---- The head ---- */
+/* ---- The first line ---- */
 
-/* "(mm)", "[mm]", "mm" or nothing, behind a column's name. */
+/* Reads the unit after the name of a column: "(mm)", "[mm]", "mm" or nothing. */
 static bool unit_read(struct reader *r, int kind, const char *at)
 {
     const struct kind *k = &kinds[kind];
@@ -168,16 +171,16 @@ static bool unit_read(struct reader *r, int kind, const char *at)
     char *cube = strstr(name, "\u00b3");
     if (cube)
         memcpy(cube, "^3", 2);
-    if (*at == '\0') { /* then each cell must have one, unless they are pure numbers */
+    if (*at == '\0') { /* then each cell needs a unit, unless it is a plain number */
         r->unit[kind] = *k->unit ? 0 : 1;
         return true;
     }
     r->unit[kind] = one ? unit_value(k, name) : 0;
-    return r->unit[kind] > 0 ||
-           wrong(r, begin, "'%s' is no unit of %s; those are %s", names_shown(at, shown), k->name, k->units);
+    return r->unit[kind] > 0 || wrong(r, begin, "'%s' is not a unit of %s; its units are: %s",
+                                      names_shown(at, shown), k->name, k->units);
 }
 
-/* The name and unit of the next column. */
+/* Reads the name and the unit of the next column. */
 static bool name_read(struct reader *r, const char *cell)
 {
     char name[32], shown[NAMES_SHOWN];
@@ -190,13 +193,13 @@ static bool name_read(struct reader *r, const char *cell)
     if (k < 0)
         return wrong(r, cell,
                      close ? "unknown column '%s'; did you mean '%s'?"
-                           : "unknown column '%s'; the first line names %s",
+                           : "unknown column '%s'; the columns are %s",
                      names_shown(close ? name : cell, shown), close ? close : COLUMNS);
     if (r->column[k] > 0)
-        return wrong(r, cell, "a second column '%s'; the first is column %d", name, r->column[k]);
+        return wrong(r, cell, "'%s' is the name of two columns; the first is column %d", name, r->column[k]);
     r->column[k] = ++r->columns;
     if (r->column[MASS] > 0 && r->column[DENSITY] > 0)
-        return wrong(r, cell, "both mass and density; a row has one of them at most");
+        return wrong(r, cell, "both mass and density are given; leave one of these columns out");
     return unit_read(r, k, cell + length + strspn(cell + length, " \t"));
 }
 
@@ -207,10 +210,11 @@ static bool head_read(struct reader *r)
     r->blanks = *r->separator == '\t' ? " \r\f\v" : " \t\r\f\v";
     if (!strstr(r->text.line, r->separator))
         return wrong(r, NULL,
-                     "one column; the first line names " COLUMNS ", with ',' or ';' or a tab between");
+                     "there is only one column; the first line names " COLUMNS
+                     ", separated by ',', ';' or tabs");
     if (!cells_cut(r))
         return false;
-    /* Of CELLS columns one is unknown, or a second one. */
+    /* CELLS columns are one more than there are kinds: one is unknown, or given twice. */
     for (int i = 0; i < r->cells; i++)
         if (!name_read(r, r->cell[i]))
             return false;
@@ -240,7 +244,8 @@ static bool value_check(const struct reader *r, int kind, domq_real value, const
                  k->range);
 }
 
-/* What nobody said is not guessed: metres in a file of millimetres would be a row of towers. */
+/* Reports that a unit is missing. None is guessed: metres in a file of millimetres would be a row of towers.
+ */
 static bool no_unit(const struct reader *r, int kind, const char *cell)
 {
     const struct kind *k = &kinds[kind];
@@ -251,7 +256,7 @@ static bool no_unit(const struct reader *r, int kind, const char *cell)
                  names_shown(cell, shown), names_shown(cell, shown), k->unit, k->name, k->usual, here);
 }
 
-/* What the cell says, in SI; its range is not judged. */
+/* Evaluates a cell, in SI, without a check of its range. */
 static bool cell_value(const struct reader *r, int kind, const char *cell, domq_real *value)
 {
     const struct kind *k = &kinds[kind];
@@ -259,17 +264,17 @@ static bool cell_value(const struct reader *r, int kind, const char *cell, domq_
     struct quantity q = {0, 0, 0, 0};
     struct expression e = {.text = cell, .lookup = no_names, .angle = 1};
     if (*cell == '\0')
-        return wrong(r, cell, "%s is missing; only the gap of the first domino may be", k->name);
+        return wrong(r, cell, "%s is missing; only the gap of the first domino may be left out", k->name);
     if (!expression_evaluate(&e, &q))
         return wrong(r, e.end, *e.end ? "%s at '%s': %s; %s" : "%s%s: %s; %s", k->name,
-                     names_shown(e.end, shown), e.message, k->is);
+                     names_shown(e.end, shown), e.message, k->write);
     const char *rest = skip_blanks(e.end);
     if (*rest)
         return wrong(r, rest, "%s ends before '%s'; %s", k->name, names_shown(rest, shown),
-                     *rest == ',' ? "decimals have a point and no comma" : k->is);
+                     *rest == ',' ? "write decimals with a point, not with a comma" : k->write);
     bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
     if (!bare && (*k->unit != 'm' || q.length != 1 || q.time != 0 || q.angle != 0))
-        return wrong(r, cell, "%s: this is %s; %s", k->name, expression_kind(q, text, sizeof text), k->is);
+        return wrong(r, cell, "%s: this is %s; %s", k->name, expression_kind(q, text, sizeof text), k->write);
     if (bare && r->unit[kind] == 0 && q.value != 0)
         return no_unit(r, kind, cell);
     *value = bare ? q.value * r->unit[kind] : q.value;
@@ -285,11 +290,11 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
                          ? value[RELATIVE]
                          : value[DENSITY] * value[HEIGHT] * value[THICKNESS] * width;
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
-        return wrong(r, r->cell[r->column[THICKNESS] - 1], "thickness / height = %s; it is 1e-12 .. 100",
-                     quad_shown(ratio).text);
+        return wrong(r, r->cell[r->column[THICKNESS] - 1],
+                     "thickness / height = %s is out of range; it is 1e-12 .. 100", quad_shown(ratio).text);
     if (!value_check(r, MASS, mass, NULL))
         return false;
-    if ((rows->count & (rows->count - 1)) == 0) { /* it is full at 0, 1, 2, 4, ... */
+    if ((rows->count & (rows->count - 1)) == 0) { /* the array is full at 0, 1, 2, 4, ... */
         struct domq_domino *more = realloc(rows->domino, 2 * (rows->count + 1) * sizeof *more);
         if (!more)
             return wrong(r, NULL, "out of memory");
@@ -308,13 +313,13 @@ static bool row_read(struct reader *r, struct listed_row *rows)
         return false;
     if (r->cells != r->columns)
         return wrong(r, r->cells > r->columns ? r->cell[r->columns] : NULL,
-                     "too %s cells: %d, and the head has %d; a %s parts them",
+                     "too %s cells: %d, but the first line has %d; a %s separates them",
                      r->cells > r->columns ? "many" : "few", r->cells, r->columns, r->between);
     if (rows->count == DOMINOES_MOST)
         return wrong(r, NULL, "too many dominoes; a row has at most %d", DOMINOES_MOST);
     for (int k = 0; k < KINDS; k++) {
         const char *cell = r->column[k] ? r->cell[r->column[k] - 1] : NULL;
-        bool none = k == GAP && rows->count == 0; /* there is nothing before the first */
+        bool none = k == GAP && rows->count == 0; /* the first domino has no gap */
         if (!cell || (none && *cell == '\0'))
             continue;
         if (!cell_value(r, k, cell, &value[k]) || (!none && !value_check(r, k, value[k], cell)))
@@ -329,9 +334,10 @@ static bool lines_read(struct reader *r, struct listed_row *rows)
         if (!line_read(r))
             return false;
         if (r->end)
-            return rows->count > 0 ||
-                   wrong(r, NULL, "no dominoes; the first line names " COLUMNS ", each below is one");
-        /* The blank before a comment goes with it: a tab there parts no cells. */
+            return rows->count > 0 || wrong(r, NULL,
+                                            "the file has no dominoes; the first line names " COLUMNS
+                                            ", and each line after it is one domino");
+        /* The blank before a comment is a part of it: a tab there does not separate cells. */
         char *comment = r->text.line + (text_end(r->text.line, "") - r->text.line);
         comment[*comment && comment > r->text.line ? -1 : 0] = '\0';
         if (*skip_blanks(r->text.line) != '\0' && !(r->columns ? row_read(r, rows) : head_read(r)))
@@ -351,7 +357,7 @@ bool rowfile_read(struct session *session, const char *path, const char *then, s
     if (!r.in)
         return session_error(session, "cannot read '%s': %s%s", names_shown(path, shown), strerror(errno),
                              then);
-    /* A name may not hide the rest of a message, nor break its line. */
+    /* A name must not hide the rest of a message, nor break its line. */
     r.path = strlen(path) > 255 || strpbrk(path, "\n\r\t\033") ? names_shown(path, shown) : path;
     bool good = lines_read(&r, rows);
     rows->weighed = r.column[MASS] > 0 || r.column[DENSITY] > 0;
