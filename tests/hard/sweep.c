@@ -7,6 +7,20 @@
 #include "sketch.h"
 #include "workers.h"
 
+double sweep_size(void)
+{
+    const char *text = getenv("SWEEP_SIZE");
+    char *end;
+    if (!text || !*text)
+        return 1;
+    double size = strtod(text, &end);
+    if (*end || !(size > 0 && size <= 1)) {
+        fprintf(stderr, "SWEEP_SIZE is a number above 0, up to 1, such as 0.05\n");
+        exit(2);
+    }
+    return size;
+}
+
 /* ---- One point ---- */
 
 struct point {

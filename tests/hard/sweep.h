@@ -6,6 +6,12 @@
 #include "tally.h"
 #include <stdint.h>
 
+/*
+ * Returns the part of the points to look at, for those in a hurry: SWEEP_SIZE in the environment, in (0, 1];
+ * 1 without it.  Ends the program where it is no such number.
+ */
+double sweep_size(void);
+
 struct sweep {
     enum dom_precision precision;
     uint64_t seed;

@@ -27,27 +27,9 @@ static struct swept sweeps[] = {
     {.sweep = {DOM_QUAD, 3, 1500, .barriers = 6, .durations = 15, .growths = 10, .pairs = 20}},
 };
 
-/*
- * SWEEP_SIZE in the environment: the part of the points that is looked at, for those in a hurry; without it,
- * all of them.  In a part no quantity has to occur as often, and half of the bounds are those of a few
- * trains.
- */
+/* The part of the points that is looked at.  In a part no quantity has to occur as often, and half of the
+ * bounds are those of a few trains. */
 static double size = 1;
-
-/* False if the size is no number in (0, 1]. */
-static bool size_taken(void)
-{
-    const char *text = getenv("SWEEP_SIZE");
-    char *end;
-    if (!text || !*text)
-        return true;
-    size = strtod(text, &end);
-    if (*end || !(size > 0 && size <= 1))
-        return false;
-    for (size_t k = 0; k < sizeof sweeps / sizeof *sweeps; k++)
-        sweeps[k].sweep.points = (int)ceil(size * sweeps[k].sweep.points);
-    return true;
-}
 
 static const char *label(const struct swept *swept)
 {
@@ -174,10 +156,9 @@ static void statuses_are_right(void **state)
 
 int main(void)
 {
-    if (!size_taken()) {
-        fprintf(stderr, "SWEEP_SIZE is a number above 0, up to 1\n");
-        return 2;
-    }
+    size = sweep_size();
+    for (size_t k = 0; k < sizeof sweeps / sizeof *sweeps; k++)
+        sweeps[k].sweep.points = (int)ceil(size * sweeps[k].sweep.points);
     const struct CMUnitTest tests[] = {SWEEP(0, "double"), SWEEP(1, "float"), SWEEP(2, "quad")};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
