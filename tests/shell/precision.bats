@@ -23,8 +23,8 @@ quad() { # COMMANDS KEY DIGITS
     quad launch omega0sq 0.003764633846114133271360875675498
     quad launch J0 1.13529538563429866110049936845
     quad fuel fuel_exact 0.177287017324780688790030782681
-    # A table has them, too.
-    "$DOMINO" -e 'set precision quad; rmax' | grep -q '^r_max  *1\.6442290395351491072813656395 '
+    # A table shows as many as are asked for, up to what tol promises.
+    "$DOMINO" -e 'set precision quad; set digits 29; rmax' | grep -q '^r_max  *1\.6442290395351491072813656395 '
 }
 
 @test "quad: what is typed is not a rounded double, decimals neither" {
@@ -45,19 +45,43 @@ quad() { # COMMANDS KEY DIGITS
     same quad "$value" "$(json "set precision quad; set r $value; show r" | values value)"
 }
 
-@test "tol and digits follow the precision where they have their defaults; a floor is kept" {
+@test "tol follows the precision where it has its default; a floor is kept; digits stay" {
     show='show tol; show digits'
     state() { json "$1; $show" | values value | paste -sd ' ' -; }
-    same double '1e-12 10' "$(state '')"
-    same quad '1e-30 30' "$(state 'set precision quad')"
-    same float '1e-05 5' "$(state 'set precision float')"
-    same 'quad, then double' '1e-12 10' "$(state 'set precision quad; set precision double')"
+    same double '1e-12 6' "$(state '')"
+    same quad '1e-30 6' "$(state 'set precision quad')"
+    same float '1e-05 6' "$(state 'set precision float')"
+    same 'quad, then double' '1e-12 6' "$(state 'set precision quad; set precision double')"
     same 'chosen ones stay' '1e-06 12' "$(state 'set tol 1e-6; set digits 12; set precision quad')"
-    same 'a tol below the floor becomes it' '1e-06 5' "$(state 'set tol 1e-14; set precision float')"
-    same 'reset takes the precision back' '1e-12 10' "$(state 'set precision quad; reset; reset digits')"
-    same 'reset tol' '1e-30 30' "$(state 'set precision quad; set tol 1e-3; reset tol')"
+    same 'a tol below the floor becomes it' '1e-06 6' "$(state 'set tol 1e-14; set precision float')"
+    same 'reset takes the precision back' '1e-12 6' "$(state 'set precision quad; set digits 9; reset; reset digits')"
+    same 'reset tol' '1e-30 6' "$(state 'set precision quad; set tol 1e-3; reset tol')"
     same 'set says that tol has changed' 'tol is now 1e-30' "$("$DOMINO" -e 'set precision quad')"
     same 'and nothing where it has not' '(nothing)' "$("$DOMINO" -e 'set tol 1e-3; set precision quad')"
+}
+
+@test "tables show 6 digits, or as many as 'set digits' asks for, up to what tol promises; csv and json have all" {
+    rmax() { "$DOMINO" -e "$1; rmax" | sed -n 's/^r_max  *\([0-9.]*\) .*/\1/p'; }
+    same default 1.64423 "$(rmax '')"
+    for setting in 'float|1.6442' 'double|1.64423' 'quad|1.64423'; do
+        same "${setting%|*}" "${setting#*|}" "$(rmax "set precision ${setting%|*}")"
+    done
+    same 3 1.64 "$(rmax 'set digits 3')"
+    same 12 1.64422903954 "$(rmax 'set digits 12')"
+    same 'no more than tol promises' 1.64422903954 "$(rmax 'set digits 30')"
+    same 'a finer tol' 1.64422903953515 "$(rmax 'set digits 30; set tol 1e-15')"
+    same 'a coarse one' 1.644 "$(rmax 'set tol 1e-4')"
+    same quad 1.644229039535149107281365639 "$(rmax 'set precision quad; set digits 28')"
+    same 'whole numbers are whole' 1234567 "$("$DOMINO" -e 'print 1234567')"
+    same 'a seed, too' 4294967295 "$("$DOMINO" -e 'set seed 4294967295; show seed' | awk '$1 == "seed" { print $2 }')"
+    "$DOMINO" -e 'show seed' | grep -q '0 \.\. 4294967295 '
+    same 'a session keeps what it has' 9 \
+        "$(json "set digits 9; save $BATS_TEST_TMPDIR/s.dom; reset digits; source $BATS_TEST_TMPDIR/s.dom; show digits" | values value)"
+    # For programs nothing depends on it.
+    for output in csv json; do
+        same "$output" "$("$DOMINO" -e "set output $output; set digits 2; rmax; count 112")" \
+            "$("$DOMINO" -e "set output $output; set digits 30; rmax; count 112")"
+    done
 }
 
 @test "tol below what the precision can give: refused, with the floor" {

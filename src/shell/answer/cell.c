@@ -56,6 +56,16 @@ static const char *bound_text(domq_real error, char text[WIDE_TEXT])
     return text;
 }
 
+/* Returns how many digits an exact value needs: 0.4 has one, also where its text could have 36. */
+static int exact_digits(struct cell cell, int all)
+{
+    char text[WIDE_TEXT];
+    int digits = all < 15 ? all : 15;
+    while (digits < all && quad_read(quad_text(cell.number, digits, text), NULL) != cell.number)
+        digits++;
+    return digits;
+}
+
 /* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
 static int bound_digits(struct cell cell, int all)
 {
@@ -76,8 +86,7 @@ static const char *real_text(struct cell cell, int digits, bool bounds, char tex
     bool known = bounds && isfinite(cell.error) && cell.digits == 0;
     if (!known)
         return quad_text(cell.number, cell.digits ? cell.digits : digits, text);
-    if (cell.error != 0)
-        digits = bound_digits(cell, digits);
+    digits = cell.error != 0 ? bound_digits(cell, digits) : exact_digits(cell, digits);
     quad_text(cell.number, digits, number);
     domq_real error = printed_error(cell, number);
     if (error > 0)

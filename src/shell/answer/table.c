@@ -50,13 +50,14 @@ static struct cell measured_cell(struct measure measure, struct cell cell)
     return cell;
 }
 
-/* What has a bound shows the digits that it leaves, all else those of the style, or of the tolerance. */
+/* Returns the text of a cell: with a bound all digits that the bound leaves, else those of the style, or of
+ * the tolerance. */
 static const char *table_text(const struct answer *a, struct cell cell, int digits, char text[CELL_TEXT])
 {
     int most = (int)a->style.digits;
     if (cell.computed && most > a->style.tol_digits)
         most = a->style.tol_digits;
-    bool bounded = a->style.errors && cell.error != 0 && isfinite(cell.error);
+    bool bounded = a->style.errors && isfinite(cell.error);
     return cell_text(cell, !bounded && digits > most ? most : digits, a->style.errors, text);
 }
 

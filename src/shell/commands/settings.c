@@ -163,9 +163,11 @@ static bool run_print(struct session *session, const struct call *call)
         q.value = style_angle(&session->style, q.value);
         snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
     }
+    int digits = (int)call->answer->style.digits;
+    if (digits < 15 && q.value == quad(floor)(q.value))
+        digits = 15; /* a whole number is shown whole */
     if (answer_for_people(call->answer))
-        answer_say(call->answer, "%s%s%s", quad_text(q.value, (int)call->answer->style.digits, number),
-                   *unit ? " " : "", unit);
+        answer_say(call->answer, "%s%s%s", quad_text(q.value, digits, number), *unit ? " " : "", unit);
     else
         answer_cells(call->answer, cell_unbounded(q.value), cell_word(unit));
     return true;

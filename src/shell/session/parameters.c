@@ -22,7 +22,8 @@ static const char tol_help[] =
     "default along, unless another tol was set; 'cost rmax' shows what a digit costs.";
 static const char precision_help[] =
     "One source of the model, compiled for each. Parameters are kept in the widest and rounded to this one: "
-    "in quad 7/48 has 34 digits. tol and digits follow where they still have their defaults.";
+    "in quad 7/48 has 34 digits. tol follows if it still has its default; 'set digits 33' shows what quad "
+    "gives.";
 static const char errors_help[] =
     "Behind each number stands +/- and a bound: of all rounding on the way from the parameters, as the "
     "precision has them, of what tol cuts off, and of the digits that are not printed; digits does not "
@@ -37,11 +38,6 @@ static domq_real tol_default(const struct domq_arithmetic *arithmetic)
 static domq_real tol_floor(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->tol_floor;
-}
-
-static domq_real digits_default(const struct domq_arithmetic *arithmetic)
-{
-    return arithmetic->digits;
 }
 
 static bool fuel_check(struct session *session, domq_real fuel)
@@ -65,7 +61,8 @@ static domq_real parameter_lowest(const struct session *session, const struct pa
     return p->lowest_of ? p->lowest_of(domq_arithmetic(session->compute.precision)) : p->value->lowest;
 }
 
-/* Of tol and digits, what was the old default becomes the new one; a tol below the new floor becomes that. */
+/* Sets the precision; a tol that was the old default becomes the new one, and one below the new floor that.
+ */
 static void precision_put(struct session *session, domq_real precision)
 {
     enum dom_precision before = session->compute.precision;
@@ -135,7 +132,7 @@ const struct parameter session_parameters[] = {
     {ROW("output", style.output, "", "how answers are written", .usual = 0),
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
     {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
-         .highest = WIDE_DIGITS, .whole = true), .fallback_of = digits_default, .setting = true},
+         .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true), .setting = true},
     {ROW("angle", style.angle, "", "unit of angles, typed and answered", .usual = ANGLE_RAD),
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
     {ROW("errors", style.errors, "", "whether every number has the bound of its error", .usual = 0),
@@ -270,8 +267,10 @@ const char *parameter_word(const struct parameter *p, domq_real value)
 
 void parameter_range(const struct session *session, const struct parameter *p, int i, char *text, size_t size)
 {
+    int digits = p->value[i].whole ? 15 : 6; /* a whole number is shown whole */
     if (!p->words_only)
-        snprintf(text, size, "%g .. %g", (double)(i ? p->value[i].lowest : parameter_lowest(session, p)),
+        snprintf(text, size, "%.*g .. %.*g", digits,
+                 (double)(i ? p->value[i].lowest : parameter_lowest(session, p)), digits,
                  (double)p->value[i].highest);
     size_t used = 0;
     for (const struct word *w = p->words; p->words_only && w->name && used < size; w++)
@@ -282,6 +281,7 @@ void parameter_text(const struct parameter *p, domq_real value, int digits, char
 {
     char number[WIDE_TEXT];
     const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
+    digits = p->value->whole && digits < 15 ? 15 : digits; /* a whole number is shown whole */
     snprintf(text, size, "%s",
              word                    ? word
              : digits >= WIDE_DIGITS ? quad_exact(value, number)

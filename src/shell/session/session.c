@@ -8,7 +8,7 @@ void session_init(struct session *session, FILE *out)
                                 .compute = domq_compute_default(),
                                 .scale = domq_scale_default(),
                                 .out = out};
-    session->style.digits = domq_arithmetic(session->compute.precision)->digits;
+    session->style.digits = DIGITS_DEFAULT;
     session->seed = SEED_DEFAULT;
 }
 

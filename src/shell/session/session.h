@@ -98,7 +98,7 @@ struct session {
     } ans;
 };
 
-enum { SEED_DEFAULT = 1 };
+enum { SEED_DEFAULT = 1, DIGITS_DEFAULT = 6 };
 
 /* Begins a session in which every parameter has its default. */
 void session_init(struct session *session, FILE *out);
