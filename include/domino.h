@@ -79,6 +79,8 @@ extern "C" {
     X(BAD_HEIGHTS, "the error of the heights is outside its range")                                          \
     X(BAD_ROWS, "the number of rows is 0, or less than the number counted among them")                       \
     X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
+    X(BAD_SAFETY, "the safety is not a finite number above 1")                                               \
+    X(BAD_HALL, "the hall is not longer than the last domino is tall")                                       \
     X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
     X(NO_FUEL, "the fuel P is not positive: a cycle releases no energy")                                     \
     X(STOPS, "the train stops: its kinetic energy after the collision is below the barrier")                 \
@@ -191,6 +193,18 @@ enum dom_row_end {
 
 /* Returns the meaning of an end: a phrase about the domino where the row ends. */
 const char *dom_row_end_text(enum dom_row_end end);
+
+/* What a design keeps small. Mass: at given heights of the first and last, the fewest dominoes weigh least.
+ */
+enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
+
+/* What makes a wish impossible. */
+enum dom_design_limit {
+    DOM_DESIGN_FITS,   /* nothing: there is a row */
+    DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is less than the largest that one has */
+    DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
+    DOM_DESIGN_HALL    /* the hall is too short; `needs` is the length of the shortest row found, in m */
+};
 
 /* ---- Work and interrupts ---- */
 
@@ -796,6 +810,44 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
  */
 enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
                              dom_real *push);
+
+/* ---- The design of a row ---- */
+
+/* What a builder wishes. */
+struct dom_wish {
+    dom_real first, height; /* m, of the first domino and of the last; height > first */
+    dom_real safety;        /* > 1: times the energy that each cycle needs */
+    dom_real hall;          /* m, for the row with its last domino lying; > height; infinite: no limit */
+    dom_real g, push;       /* as in struct dom_row */
+    enum dom_least least;
+};
+
+/* A row of a train, from a wish. Unless limit is DOM_DESIGN_FITS, only limit and needs are set, else NaN or
+ * 0. */
+struct dom_design {
+    dom_real s, r;    /* gap of each domino over its height, a multiple of 0.001; growth */
+    size_t steps;     /* first r^steps = height: there are steps + 1 dominoes */
+    dom_real feet;    /* m, from the back of the first to the front of the last */
+    dom_real length;  /* m, the same with the last lying: feet + height */
+    dom_real seconds; /* as in struct dom_verdict */
+    dom_real train;   /* kinetic / barrier of the endless train */
+    dom_real row;     /* the smallest kinetic / barrier of the row's dominoes, the first left out */
+    size_t weakest;   /* the number of that domino, from 2 */
+    enum dom_design_limit limit;
+    dom_real needs; /* what would make the wish possible; NaN with DOM_DESIGN_FITS */
+};
+
+/*
+ * Finds the row of a train in which every cycle has at least `safety` times the energy that it needs: kinetic
+ * >= safety barrier in the endless train, and at each domino of the row after the first. The fewest dominoes
+ * are those of the largest growth at which the train has this safety at any s; r is then made smaller, so
+ * that the last domino is exactly `height` tall, and s stays where that growth is largest, or as close as the
+ * hall and the start of the row allow. DOM_LEAST_LENGTH takes the shortest row instead, with up to 60
+ * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001.
+ * DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G, DOM_BAD_PUSH: a wish is outside its range.
+ */
+enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
+                                const struct dom_compute *compute, struct dom_design *design);
 
 /* ---- Errors of placement: the same row, set up many times ---- */
 

@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Designs a row: from a first height and a last one to a separation, a growth and a number of dominoes with
+ * which every cycle has a multiple of the energy that it needs. The search asks the public functions about
+ * trains and rows, so that a designed row holds by the same verdict as one that a person enters.
+ */
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <stdlib.h>
+
+/* Separations are multiples of 1/GRID: half a tenth of a millimetre on a standard domino. */
+enum { GRID = 1000, COARSE = 20 };
+
+/* So many dominoes more than the fewest are tried; and so many in sequence without a shorter row end the
+ * search for the shortest one. */
+enum { MORE = 60, LONGER = 8 };
+
+/* What a search keeps. Once status is not DOM_OK, no train or row is computed any more, and none is enough.
+ */
+struct planner {
+    struct dom_train train;
+    struct dom_compute compute;
+    const struct dom_wish *wish;
+    struct dom_domino *domino; /* room for `room` dominoes */
+    size_t room;
+    enum dom_status status;
+    size_t weakest; /* of the last row */
+    dom_real least; /* energy over the energy that is needed, there */
+    dom_real seconds;
+};
+
+/* A separation k/GRID and a number of steps. */
+struct choice {
+    int k;
+    size_t steps;
+};
+
+static dom_real separation(int k)
+{
+    return (dom_real)k / GRID;
+}
+
+/* Returns the growth that takes the first domino to the last one in so many steps. */
+static dom_real growth(const struct planner *p, size_t steps)
+{
+    return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
+}
+
+/* ---- What a train and a row have over what they need ---- */
+
+/* Returns the kinetic energy of the endless train over its barrier; 0 where it does not go on at all. */
+static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
+{
+    struct dom_barrier barrier;
+    if (p->status != DOM_OK || s * r > 1)
+        return 0;
+    p->train.s = s;
+    p->train.r = r;
+    enum dom_status status = dom_barrier_find(&p->train, &p->compute, &barrier);
+    if (status == DOM_OK || status == DOM_STOPS)
+        return barrier.kinetic / barrier.barrier;
+    if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
+        status != DOM_UNDERFLOW && status != DOM_TOO_LONG)
+        p->status = status;
+    return 0;
+}
+
+/* Keeps the domino that has least over what it needs. The start decides about the first one, not the row. */
+static bool ratio_seen(const struct dom_fall *fall, void *context)
+{
+    struct planner *p = context;
+    dom_real ratio = fall->kinetic / fall->barrier;
+    if (fall->domino > 1 && !(ratio >= p->least)) {
+        p->least = ratio;
+        p->weakest = fall->domino;
+    }
+    return true;
+}
+
+/* Makes room for a row of so many dominoes, and writes it. */
+static bool row_write(struct planner *p, struct choice c)
+{
+    size_t count = c.steps + 1;
+    if (count > p->room) {
+        struct dom_domino *more = realloc(p->domino, count * sizeof *more);
+        if (!more) {
+            p->status = DOM_NO_MEMORY;
+            return false;
+        }
+        p->domino = more;
+        p->room = count;
+    }
+    const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
+    p->train.s = separation(c.k);
+    p->train.r = growth(p, c.steps);
+    dom_row_of_train(&p->train, &scale, 1, p->domino, count);
+    p->domino[c.steps].height = p->wish->height;
+    return true;
+}
+
+/* Returns the least energy of the row's dominoes over what they need; 0 where not all of them fall. */
+static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (p->status != DOM_OK || !row_write(p, c))
+        return 0;
+    struct dom_row row = {.domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push};
+#define VALUE(effect, member, status) row.member = p->train.member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    p->least = (dom_real)INFINITY;
+    p->weakest = 0;
+    p->status = dom_row_run(&row, &p->compute, times, ratio_seen, p, &verdict);
+    p->seconds = verdict.seconds;
+    return p->status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
+}
+
+static bool train_enough(struct planner *p, struct choice c)
+{
+    return train_ratio(p, separation(c.k), growth(p, c.steps)) >= p->wish->safety;
+}
+
+static bool enough(struct planner *p, struct choice c)
+{
+    return train_enough(p, c) && row_ratio(p, c, p->wish->push, false) >= p->wish->safety;
+}
+
+/* ---- Lengths ---- */
+
+/* Returns the length from the first domino's back to the last one's front, at s = s_feet and thickness d. */
+static dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
+{
+    dom_real r = growth(p, steps), height = p->wish->first, sum = 0;
+    for (size_t k = 0; k <= steps; k++, height *= r)
+        sum += (p->train.d + (k ? s : 0)) * height;
+    return sum;
+}
+
+/* Returns the length with the last domino lying in front of its foot. */
+static dom_real length_of(const struct planner *p, struct choice c)
+{
+    return feet_of(p, c.steps, separation(c.k)) + p->wish->height;
+}
+
+/* Returns the largest k with which the row is not longer than the hall; less than 1: none is. */
+static int widest(const struct planner *p, size_t steps)
+{
+    dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
+    dom_real s = (p->wish->hall - p->wish->height - closed) / (open - closed);
+    return s >= 1 ? GRID : s > 0 ? (int)(double)floor(s * GRID) : 0;
+}
+
+/* ---- The separation ---- */
+
+/* Returns the largest growth at which the train has the safety, to 1e-7; 0 where it has not at r = 1. */
+static dom_real safe_growth(struct planner *p, dom_real s)
+{
+    dom_real lo = 1, hi = 1 / s;
+    if (!(train_ratio(p, s, 1) >= p->wish->safety))
+        return 0;
+    if (train_ratio(p, s, hi) >= p->wish->safety)
+        return hi;
+    while (hi - lo > (dom_real)1e-7 * hi && p->status == DOM_OK) {
+        dom_real middle = (lo + hi) / 2;
+        *(train_ratio(p, s, middle) >= p->wish->safety ? &lo : &hi) = middle;
+    }
+    return lo;
+}
+
+/*
+ * Finds the separation at which the train may grow most and still has the safety, on the grid: first in
+ * coarse steps, then in steps that are halved. Returns that growth, 0 if there is none.
+ */
+static dom_real separation_find(struct planner *p, int *best)
+{
+    dom_real most = 0;
+    *best = 0;
+    for (int k = COARSE; k <= GRID; k += COARSE) {
+        dom_real r = safe_growth(p, separation(k));
+        if (r > most) {
+            most = r;
+            *best = k;
+        }
+    }
+    for (int step = COARSE / 2, from = *best; step > 0 && most > 0; step = step / 2, from = *best)
+        for (int k = from - step; k <= from + step; k += 2 * step) {
+            dom_real r = k > 0 && k <= GRID ? safe_growth(p, separation(k)) : 0;
+            if (r > most) {
+                most = r;
+                *best = k;
+            }
+        }
+    return most;
+}
+
+/* Returns the separation nearest to k, and not above `most`, with which the row has the safety; 0: none. */
+static int nearest(struct planner *p, size_t steps, int k, int most)
+{
+    enum { STEP = 5 };
+    int from = k < most ? k : most;
+    for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += STEP)
+        for (int side = -1; side <= (away ? 1 : -1); side += 2) {
+            struct choice c = {from + side * away, steps};
+            if (c.k > 0 && c.k <= most && enough(p, c))
+                return c.k;
+        }
+    return 0;
+}
+
+/* Returns the smallest separation down to which the row has the safety, from one with which it has. */
+static int closest(struct planner *p, size_t steps, int good)
+{
+    int bad = good;
+    while (bad > 0 && enough(p, (struct choice){bad, steps})) {
+        good = bad;
+        bad -= COARSE / 2;
+    }
+    bad = bad > 0 ? bad : 0;
+    while (good - bad > 1) {
+        int middle = (good + bad) / 2;
+        *(enough(p, (struct choice){middle, steps}) ? &good : &bad) = middle;
+    }
+    return good;
+}
+
+/* ---- The number of dominoes ---- */
+
+/* Finds the shortest row from so many steps on; false if none has the safety. */
+static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
+{
+    dom_real length = (dom_real)INFINITY;
+    size_t longer = 0;
+    for (size_t n = fewest; n <= fewest + MORE && longer < LONGER && p->status == DOM_OK; n++) {
+        if (length_of(p, (struct choice){0, n}) >= length)
+            break;
+        struct choice c = {nearest(p, n, k, GRID), n};
+        if (c.k > 0)
+            c.k = closest(p, n, c.k);
+        bool shorter = c.k > 0 && length_of(p, c) < length;
+        longer = shorter || !isfinite(length) ? 0 : longer + 1;
+        if (shorter) {
+            *best = c;
+            length = length_of(p, c);
+        }
+    }
+    return p->status == DOM_OK && isfinite(length);
+}
+
+/* Finds the row with the fewest dominoes that fits into the hall; the shortest one does. */
+static struct choice fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice short_one)
+{
+    for (size_t n = fewest; n < short_one.steps && p->status == DOM_OK; n++) {
+        struct choice c = {nearest(p, n, k, widest(p, n)), n};
+        if (c.k > 0)
+            return c;
+    }
+    int most = widest(p, short_one.steps);
+    int near = nearest(p, short_one.steps, k, most);
+    return near > 0 ? (struct choice){near, short_one.steps} : short_one;
+}
+
+/* Returns the weakest push with which the row has the safety, to four digits, or NaN. */
+static dom_real push_enough(struct planner *p, struct choice c)
+{
+    dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
+    for (int i = 0; i < 16 && row_ratio(p, c, hi, false) < p->wish->safety; i++) {
+        lo = hi;
+        hi *= 2;
+    }
+    if (!(row_ratio(p, c, hi, false) >= p->wish->safety))
+        return DOM_NAN;
+    while (hi - lo > (dom_real)1e-4 * hi && p->status == DOM_OK) {
+        dom_real middle = (lo + hi) / 2;
+        *(row_ratio(p, c, middle, false) >= p->wish->safety ? &hi : &lo) = middle;
+    }
+    return hi;
+}
+
+/* Returns the largest safety that a train of any separation and growth has: that of equal dominoes. */
+static dom_real safety_most(struct planner *p)
+{
+    dom_real most = 0;
+    for (int k = COARSE / 2; k <= GRID; k += COARSE / 2)
+        most = fmax(most, train_ratio(p, separation(k), 1));
+    return most;
+}
+
+/* Fills the design with what was chosen; times = true: with the time of its fall. */
+static void design_fill(struct planner *p, struct choice c, bool times, struct dom_design *design)
+{
+    dom_real train = train_ratio(p, separation(c.k), growth(p, c.steps));
+    dom_real row = row_ratio(p, c, p->wish->push, times);
+    design->s = separation(c.k);
+    design->r = growth(p, c.steps);
+    design->steps = c.steps;
+    design->feet = feet_of(p, c.steps, design->s);
+    design->length = length_of(p, c);
+    design->train = train;
+    design->row = row;
+    design->weakest = p->weakest;
+    design->seconds = p->seconds;
+}
+
+static void design_search(struct planner *p, struct dom_design *design)
+{
+    struct choice short_one = {0, 0}, c;
+    int k;
+    dom_real most = separation_find(p, &k);
+    if (most == 0) {
+        design->limit = DOM_DESIGN_SAFETY;
+        design->needs = safety_most(p);
+        return;
+    }
+    size_t fewest = 1;
+    while (growth(p, fewest) > most && fewest < MORE * MORE)
+        fewest++;
+    c = (struct choice){k, fewest};
+    bool any = shortest(p, fewest, k, &short_one);
+    if (p->status == DOM_OK && !any) {
+        design->limit = DOM_DESIGN_START;
+        design->needs = push_enough(p, c);
+        return;
+    }
+    if (p->status == DOM_OK && length_of(p, short_one) > p->wish->hall) {
+        design->limit = DOM_DESIGN_HALL;
+        design->needs = length_of(p, short_one);
+        return;
+    }
+    c = p->wish->least == DOM_LEAST_LENGTH ? short_one : fewest_that_fits(p, fewest, k, short_one);
+    if (p->status == DOM_OK)
+        design_fill(p, c, true, design);
+}
+
+enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
+                                const struct dom_compute *compute, struct dom_design *design)
+{
+    struct planner p = {.train = *train,
+                        .compute = compute ? *compute : dom_compute_default(),
+                        .wish = wish,
+                        .status = DOM_OK};
+    if (!(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first)))
+        return DOM_BAD_HEIGHT;
+    if (!(wish->safety > 1 && isfinite(wish->safety)))
+        return DOM_BAD_SAFETY;
+    if (!(wish->hall > wish->height))
+        return DOM_BAD_HALL;
+    if (!(wish->g > 0 && isfinite(wish->g)))
+        return DOM_BAD_G;
+    if (wish->push < 0 || isinf(wish->push))
+        return DOM_BAD_PUSH;
+    p.compute.errors = false;
+    p.compute.method = DOM_METHOD_OURS;
+    p.train.s = separation(GRID / 2);
+    p.train.r = 1;
+    p.status = dom_train_check(&p.train, &p.compute);
+    *design = (struct dom_design){.s = DOM_NAN,
+                                  .r = DOM_NAN,
+                                  .feet = DOM_NAN,
+                                  .length = DOM_NAN,
+                                  .seconds = DOM_NAN,
+                                  .train = DOM_NAN,
+                                  .row = DOM_NAN,
+                                  .needs = DOM_NAN};
+    if (p.status == DOM_OK)
+        design_search(&p, design);
+    free(p.domino);
+    return p.status;
+}
