@@ -842,8 +842,8 @@ struct dom_design {
  * >= safety barrier in the endless train, and at each domino of the row after the first. The fewest dominoes
  * are those of the largest growth at which the train has this safety at any s; r is then made smaller, so
  * that the last domino is exactly `height` tall, and s stays where that growth is largest, or as close as the
- * hall and the start of the row allow. DOM_LEAST_LENGTH takes the shortest row instead, with up to 60
- * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001.
+ * hall and the start of the row allow. DOM_LEAST_LENGTH takes the shortest row instead, with up to 30
+ * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001, in double.
  * DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G, DOM_BAD_PUSH: a wish is outside its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,

@@ -15,13 +15,13 @@ enum { GRID = 1000, COARSE = 20 };
 
 /* So many dominoes more than the fewest are tried; and so many in sequence without a shorter row end the
  * search for the shortest one. */
-enum { MORE = 60, LONGER = 8 };
+enum { MORE = 30, LONGER = 8 };
 
 /* What a search keeps. Once status is not DOM_OK, no train or row is computed any more, and none is enough.
  */
 struct planner {
     struct dom_train train;
-    struct dom_compute compute;
+    struct dom_compute compute; /* of the search: in double, whatever the answer's precision */
     const struct dom_wish *wish;
     struct dom_domino *domino; /* room for `room` dominoes */
     size_t room;
@@ -198,7 +198,7 @@ static dom_real separation_find(struct planner *p, int *best)
 /* Returns the separation nearest to k, and not above `most`, with which the row has the safety; 0: none. */
 static int nearest(struct planner *p, size_t steps, int k, int most)
 {
-    enum { STEP = 5 };
+    enum { STEP = 10 };
     int from = k < most ? k : most;
     for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += STEP)
         for (int side = -1; side <= (away ? 1 : -1); side += 2) {
@@ -248,17 +248,18 @@ static bool shortest(struct planner *p, size_t fewest, int k, struct choice *bes
     return p->status == DOM_OK && isfinite(length);
 }
 
-/* Finds the row with the fewest dominoes that fits into the hall; the shortest one does. */
-static struct choice fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice short_one)
+/* Finds the row with the fewest dominoes that fits into the hall; false if none with so many steps does. */
+static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
-    for (size_t n = fewest; n < short_one.steps && p->status == DOM_OK; n++) {
-        struct choice c = {nearest(p, n, k, widest(p, n)), n};
-        if (c.k > 0)
-            return c;
+    for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n++) {
+        int most = widest(p, n);
+        if (most <= 0) /* and more dominoes leave less */
+            return false;
+        *best = (struct choice){nearest(p, n, k, most), n};
+        if (best->k > 0)
+            return true;
     }
-    int most = widest(p, short_one.steps);
-    int near = nearest(p, short_one.steps, k, most);
-    return near > 0 ? (struct choice){near, short_one.steps} : short_one;
+    return false;
 }
 
 /* Returns the weakest push with which the row has the safety, to four digits, or NaN. */
@@ -287,11 +288,13 @@ static dom_real safety_most(struct planner *p)
     return most;
 }
 
-/* Fills the design with what was chosen; times = true: with the time of its fall. */
-static void design_fill(struct planner *p, struct choice c, bool times, struct dom_design *design)
+/* Fills the design with what was chosen. */
+static void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
+                        struct dom_design *design)
 {
+    p->compute = *compute;
     dom_real train = train_ratio(p, separation(c.k), growth(p, c.steps));
-    dom_real row = row_ratio(p, c, p->wish->push, times);
+    dom_real row = row_ratio(p, c, p->wish->push, true);
     design->s = separation(c.k);
     design->r = growth(p, c.steps);
     design->steps = c.steps;
@@ -303,9 +306,9 @@ static void design_fill(struct planner *p, struct choice c, bool times, struct d
     design->seconds = p->seconds;
 }
 
-static void design_search(struct planner *p, struct dom_design *design)
+static void design_search(struct planner *p, const struct dom_compute *compute, struct dom_design *design)
 {
-    struct choice short_one = {0, 0}, c;
+    struct choice c = {0, 0};
     int k;
     dom_real most = separation_find(p, &k);
     if (most == 0) {
@@ -316,30 +319,26 @@ static void design_search(struct planner *p, struct dom_design *design)
     size_t fewest = 1;
     while (growth(p, fewest) > most && fewest < MORE * MORE)
         fewest++;
-    c = (struct choice){k, fewest};
-    bool any = shortest(p, fewest, k, &short_one);
-    if (p->status == DOM_OK && !any) {
+    bool fits = p->wish->least != DOM_LEAST_LENGTH && fewest_that_fits(p, fewest, k, &c);
+    if (!fits && shortest(p, fewest, k, &c)) {
+        fits = length_of(p, c) <= p->wish->hall;
+        design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
+        design->needs = fits ? DOM_NAN : length_of(p, c);
+    } else if (!fits && p->status == DOM_OK) {
         design->limit = DOM_DESIGN_START;
-        design->needs = push_enough(p, c);
-        return;
+        design->needs = push_enough(p, (struct choice){k, fewest});
     }
-    if (p->status == DOM_OK && length_of(p, short_one) > p->wish->hall) {
-        design->limit = DOM_DESIGN_HALL;
-        design->needs = length_of(p, short_one);
-        return;
-    }
-    c = p->wish->least == DOM_LEAST_LENGTH ? short_one : fewest_that_fits(p, fewest, k, short_one);
-    if (p->status == DOM_OK)
-        design_fill(p, c, true, design);
+    if (fits && p->status == DOM_OK)
+        design_fill(p, c, compute, design);
 }
 
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design)
 {
-    struct planner p = {.train = *train,
-                        .compute = compute ? *compute : dom_compute_default(),
-                        .wish = wish,
-                        .status = DOM_OK};
+    struct dom_compute asked = compute ? *compute : dom_compute_default();
+    asked.errors = false;
+    asked.method = DOM_METHOD_OURS;
+    struct planner p = {.train = *train, .compute = asked, .wish = wish, .status = DOM_OK};
     if (!(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first)))
         return DOM_BAD_HEIGHT;
     if (!(wish->safety > 1 && isfinite(wish->safety)))
@@ -350,21 +349,23 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
         return DOM_BAD_G;
     if (wish->push < 0 || isinf(wish->push))
         return DOM_BAD_PUSH;
-    p.compute.errors = false;
-    p.compute.method = DOM_METHOD_OURS;
     p.train.s = separation(GRID / 2);
     p.train.r = 1;
     p.status = dom_train_check(&p.train, &p.compute);
-    *design = (struct dom_design){.s = DOM_NAN,
-                                  .r = DOM_NAN,
-                                  .feet = DOM_NAN,
-                                  .length = DOM_NAN,
-                                  .seconds = DOM_NAN,
-                                  .train = DOM_NAN,
-                                  .row = DOM_NAN,
-                                  .needs = DOM_NAN};
+    p.compute.precision = DOM_DOUBLE;
+    p.compute.tol = dom_arithmetic(DOM_DOUBLE)->tol_default;
+    struct dom_design found = {.s = DOM_NAN,
+                               .r = DOM_NAN,
+                               .feet = DOM_NAN,
+                               .length = DOM_NAN,
+                               .seconds = DOM_NAN,
+                               .train = DOM_NAN,
+                               .row = DOM_NAN,
+                               .needs = DOM_NAN};
     if (p.status == DOM_OK)
-        design_search(&p, design);
+        design_search(&p, &asked, &found);
+    if (p.status == DOM_OK)
+        *design = found;
     free(p.domino);
     return p.status;
 }

@@ -41,6 +41,7 @@ struct answer {
     /* Unless NULL, the answer is that of one point of a sweep: this takes its rows, and swept is its own. */
     void (*point)(struct answer *answer, const struct cell *cells, const char *reason);
     struct swept *swept;
+    enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
 };
 
 /* Returns true if programs find the bounds of column i behind it. */

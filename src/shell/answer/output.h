@@ -52,6 +52,12 @@ struct answer answer_part(const struct answer *answer, FILE *out, bool first);
  */
 const char *answer_end(struct answer *answer);
 
+/* Keeps what the command decides, for 'assert': a row falls, a train goes on. */
+static inline void answer_holds(struct answer *answer, bool yes)
+{
+    answer->holds = yes ? ANSWER_YES : ANSWER_NO;
+}
+
 /* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
 bool answer_lost(const struct answer *answer);
 

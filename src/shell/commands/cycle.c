@@ -235,6 +235,7 @@ static bool run_barrier(struct session *session, const struct call *call)
                           : status == DOM_STOPS ? "stops"
                           : status == DOM_LOCKS ? "locks"
                                                 : "no fuel";
+    answer_holds(call->answer, status == DOM_OK);
     return answer_row(call->answer,
                       ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
                           cell_word(verdict)),
@@ -343,6 +344,7 @@ const struct command cycle_commands[] = {
      .example = "barrier",
      .see = "launch rmax",
      .principal = "barrier",
+     .holds = "the train goes on",
      ANSWER(barrier)},
     {.name = "duration",
      .train = true,

@@ -297,6 +297,7 @@ static bool run_count(struct session *session, const struct call *call)
     else
         why = "r = 1: the dominoes do not grow, no number of them is enough";
     char reason[160], name[32];
+    answer_holds(a, feasible && isfinite(count.dominoes));
     if (!feasible)
         snprintf(reason, sizeof reason, "not possible at s = %.6g with %s dominoes: %s", (double)train.s,
                  mass_name(train.q, name), why);
@@ -361,6 +362,7 @@ const struct command limit_commands[] = {
      .see = "rmax best",
      .echo = "r",
      .principal = "dominoes",
+     .holds = "the growth is possible, and gets there",
      ANSWER(count)},
     {.name = NULL},
 };

@@ -10,6 +10,7 @@ const struct command_group all_commands[] = {
     {"Any answer over a grid", sweep_commands},
     {"Effects beyond the paper", effect_commands},
     {"A row of dominoes", row_commands},
+    {"Planning a row", design_commands},
     {"Rows with random errors", study_commands},
     {"What accuracy costs", cost_commands},
     {"The session", session_commands},

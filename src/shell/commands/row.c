@@ -169,6 +169,7 @@ static bool run_fall(struct session *session, const struct call *call)
     if (scene_weighed(session))
         columns_in_joules(a);
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
+    answer_holds(a, status == DOM_OK && verdict.end == DOM_ROW_FALLS);
     if (status == DOM_OK) {
         verdict_say(session, a, &scene, &verdict, true);
         if (scene.row.floor)
@@ -213,6 +214,7 @@ static bool run_verdict(struct session *session, const struct call *call)
         return row_status(session, status);
     if (!verdict_known(session, &v))
         return false;
+    answer_holds(a, v.end == DOM_ROW_FALLS);
     if (scene_weighed(session))
         columns_in_joules(a);
     answer_row(a,
@@ -286,12 +288,14 @@ const struct command row_commands[] = {
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
      .rows = true,
+     .holds = "all dominoes fall",
      ANSWER(fall)},
     {.name = "verdict",
      .summary = "whether the whole row falls, and where it is weakest",
      .example = "effect row 5; verdict",
      .see = "fall mend",
      .principal = "seconds",
+     .holds = "all dominoes fall",
      ANSWER(verdict)},
     {.name = "mend",
      .summary = "the smallest change of one gap that saves a row",

@@ -10,7 +10,7 @@ extern const struct command_group all_commands[];
 
 extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
     session_commands[], help_commands[], draw_commands[], plot_commands[], effect_commands[], row_commands[],
-    study_commands[], sweep_commands[];
+    study_commands[], sweep_commands[], design_commands[];
 
 /* The last members of a row: columns and function of a command that answers. */
 #define ANSWER(name_) .columns = name_##_columns, .run = run_##name_
@@ -26,6 +26,11 @@ bool run_why(struct session *session, const struct call *call);
 bool run_animate(struct session *session, const struct call *call);
 bool run_mend(struct session *session, const struct call *call);
 bool run_pool(struct session *session, const struct call *call);
+bool run_assert(struct session *session, const struct call *call);
+
+/* Reads the command of 'assert'; lists for names.h the commands that decide something. */
+bool assert_read(struct reader *reader, struct call *call);
+const char *assert_names(const void *context, int k);
 
 /* Lists for names.h the ways to space the rows of 'cycle'. */
 const char *cycle_by(const void *context, int k);

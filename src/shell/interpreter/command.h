@@ -80,6 +80,7 @@ struct command {
     const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
     bool train;          /* is about the endless train */
     bool draws;          /* gives a picture where people read */
+    const char *holds;   /* what is true if its answer is yes, see answer_holds; NULL: it decides nothing */
     bool runs;           /* runs other commands, whose answers go where its own would */
     bool files;          /* touches files: not in a safe session */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */

@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Designed rows, checked by the functions about trains and rows, and against all separations on a grid. */
+#include "support.h"
+
+static struct domq_wish wish_of(double height, double safety, double hall, enum dom_least least)
+{
+    return (struct domq_wish){.first = 0.048,
+                              .height = height,
+                              .safety = safety,
+                              .hall = hall,
+                              .g = 9.81,
+                              .push = DOMQ_NAN,
+                              .least = least};
+}
+
+static double train_ratio(const struct domq_train *train, double s, double r)
+{
+    struct domq_train t = *train;
+    struct domq_barrier b;
+    t.s = s;
+    t.r = r;
+    enum dom_status status = domq_barrier_find(&t, NULL, &b);
+    return status == DOM_OK || status == DOM_STOPS ? (double)(b.kinetic / b.barrier) : 0;
+}
+
+static bool least_seen(const struct domq_fall *fall, void *context)
+{
+    double *least = context, ratio = (double)(fall->kinetic / fall->barrier);
+    if (fall->domino > 1)
+        *least = fmin(*least, ratio);
+    return true;
+}
+
+enum { MOST = 200 };
+
+static struct domq_domino domino[MOST];
+
+/* Returns the least ratio of a row after its first domino; 0 where not all fall. */
+static double row_least(const struct domq_train *train, const struct domq_wish *w, double s, size_t steps,
+                        bool times, struct domq_verdict *v)
+{
+    struct domq_train t = *train;
+    const struct domq_scale scale = {.h = w->first, .g = w->g};
+    double least = HUGE_VAL;
+    assert_true(steps < MOST);
+    t.s = (domq_real)s;
+    t.r = (domq_real)pow((double)(w->height / w->first), 1.0 / (double)steps);
+    domq_row_of_train(&t, &scale, 1, domino, steps + 1);
+    const struct domq_row row = {
+        .domino = domino, .count = steps + 1, .g = w->g, .push = w->push, .mu = t.mu, .alpha = t.alpha};
+    assert_status(domq_row_run(&row, NULL, times, least_seen, &least, v), DOM_OK);
+    return v->end == DOM_ROW_FALLS ? least : 0;
+}
+
+/* Checks a design by the row that it describes. */
+static void row_holds(const struct domq_train *train, const struct domq_wish *w, const struct domq_design *d)
+{
+    struct domq_verdict v;
+    double feet = 0, least = row_least(train, w, (double)d->s, d->steps, true, &v);
+    assert_int_equal(v.end, DOM_ROW_FALLS);
+    assert_true((isinf(least) && isinf(d->row)) || fabs((double)d->row / least - 1) < 1e-8);
+    assert_near("seconds", (double)d->seconds, (double)v.seconds, 1e-8);
+    for (size_t k = 0; k <= d->steps; k++)
+        feet += (double)(domino[k].gap + domino[k].thickness);
+    assert_near("feet", (double)d->feet, feet, 1e-12);
+    assert_near("length", (double)d->length, feet + (double)w->height, 1e-12);
+    assert_near("height", (double)domino[d->steps].height, (double)w->height, 1e-12);
+}
+
+/* Whatever is wished: the design has the safety by other functions, and no separation has it with a step
+ * less. */
+static void designs_hold(void **state)
+{
+    (void)state;
+    uint64_t seed = 181;
+    int fit = 0, limits[4] = {0};
+    for (int i = 0; i < 24; i++) {
+        struct domq_train train = domq_train_default();
+        struct domq_design d;
+        train.q = i % 2 ? 3 : 4;
+        train.mu = i % 3 ? 0.6 * random_unit(&seed) : 0;
+        train.alpha = i % 5 ? 0 : 0.04 * random_unit(&seed) - 0.02;
+        double height = random_log(&seed, 0.06, 20), safety = 1 + random_log(&seed, 0.05, 4);
+        struct domq_wish w =
+            wish_of(height, safety, i % 4 ? HUGE_VAL : height * (2 + random_unit(&seed)), DOM_LEAST_DOMINOES);
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        limits[d.limit]++;
+        if (d.limit != DOM_DESIGN_FITS)
+            continue;
+        fit++;
+        row_holds(&train, &w, &d);
+        double ratio = train_ratio(&train, (double)d.s, (double)d.r);
+        assert_true((isinf(ratio) && isinf(d.train)) || fabs((double)d.train / ratio - 1) < 1e-9);
+        assert_true((double)d.row >= safety && (double)d.train >= safety);
+        assert_true(d.length <= w.hall && fabs((double)d.s * 1000 - round((double)d.s * 1000)) < 1e-12);
+        double fewer = pow(height / 0.048, 1.0 / (double)(d.steps - 1));
+        struct domq_verdict v;
+        for (int k = 5; d.steps > 1 && i % 4 && k <= 1000 && k / 1000.0 * fewer <= 1; k += 15)
+            assert_true(train_ratio(&train, k / 1000.0, fewer) < safety ||
+                        row_least(&train, &w, k / 1000.0, d.steps - 1, false, &v) < safety);
+    }
+    print_message("# %d fit, %d safety, %d start, %d hall\n", fit, limits[1], limits[2], limits[3]);
+    assert_true(fit >= 12 && limits[DOM_DESIGN_HALL] >= 2);
+}
+
+/* The number that an impossible wish needs makes it possible, and a little less does not. */
+static void needs_are_enough(void **state)
+{
+    (void)state;
+    struct domq_train train = domq_train_default();
+    struct domq_design d;
+    train.q = 3;
+    train.mu = 0.3;
+    struct domq_wish w = wish_of(8, 2, 15, DOM_LEAST_DOMINOES);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_HALL);
+    double shortest = (double)d.needs;
+    w.hall = shortest;
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_FITS);
+    w.hall = shortest * (1 - 1e-9);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_HALL);
+    w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_LENGTH);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_near("shortest", (double)d.length, shortest, 1e-12);
+
+    w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
+    w.push = 0.5;
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_START);
+    w.push = d.needs;
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_FITS);
+
+    train.mu = 3;
+    w = wish_of(8, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    assert_int_equal(d.limit, DOM_DESIGN_SAFETY);
+    double most = 0;
+    for (int k = 1; k < 1000; k++)
+        most = fmax(most, train_ratio(&train, k / 1000.0, 1));
+    assert_near("safety", (double)d.needs, most, 1e-3);
+    assert_true(isnan((double)d.s) && d.steps == 0);
+}
+
+/* Every row that is possible is as long as the shortest one, or longer. */
+static void shortest_is_shortest(void **state)
+{
+    (void)state;
+    struct domq_train train = domq_train_default();
+    struct domq_design d;
+    train.q = 3;
+    train.mu = 0.3;
+    struct domq_wish w = wish_of(2, 2.5, HUGE_VAL, DOM_LEAST_LENGTH);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+    double length = (double)d.length;
+    struct domq_verdict v;
+    for (size_t n = 4; n < 16; n++)
+        for (int k = 200; k < 600; k += 4) {
+            double r = pow(2 / 0.048, 1.0 / (double)n), feet = 0, height = 0.048;
+            for (size_t j = 0; j <= n; j++, height *= r)
+                feet += height * ((double)train.d + (j ? k / 1000.0 : 0));
+            assert_true(feet + 2 >= length * (1 - 1e-9) || train_ratio(&train, k / 1000.0, r) < 2.5 ||
+                        row_least(&train, &w, k / 1000.0, n, false, &v) < 2.5);
+        }
+}
+
+/* Both headers design the same row. */
+static void both_headers(void **state)
+{
+    (void)state;
+    struct dom_train train = dom_train_default();
+    struct domq_train trainq = domq_train_default();
+    const struct dom_wish w = {
+        .first = 0.048, .height = 1, .safety = 2, .hall = HUGE_VAL, .g = 9.81, .push = NAN};
+    const struct domq_wish wq = {.first = (domq_real)0.048,
+                                 .height = 1,
+                                 .safety = 2,
+                                 .hall = (domq_real)HUGE_VAL,
+                                 .g = (domq_real)9.81,
+                                 .push = DOMQ_NAN};
+    struct dom_design d;
+    struct domq_design q;
+    for (int kind = 3; kind <= 4; kind++) {
+        train.q = kind;
+        trainq.q = kind;
+        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_status(domq_design_find(&trainq, &wq, NULL, &q), DOM_OK);
+        assert_true(d.steps == q.steps && d.weakest == q.weakest && d.limit == q.limit);
+        assert_near("s", d.s, (double)q.s, 1e-15);
+        assert_near("r", d.r, (double)q.r, 1e-14);
+        assert_near("row", d.row, (double)q.row, 1e-9);
+        assert_near("seconds", d.seconds, (double)q.seconds, 1e-9);
+    }
+}
+
+static void wrong_wishes(void **state)
+{
+    (void)state;
+    static const double bad[] = {0, -1, NAN, INFINITY};
+    struct domq_train train = domq_train_default();
+    struct domq_design d;
+    for (int k = 0; k < 4; k++) {
+        struct domq_wish w = wish_of(1, 2, HUGE_VAL, DOM_LEAST_DOMINOES), ok = w;
+        w.first = bad[k];
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+        w = ok, w.height = bad[k];
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+        w = ok, w.safety = bad[k];
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
+        w = ok, w.g = bad[k];
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_G);
+        w = ok, w.hall = bad[k];
+        if (k < 3)
+            assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
+        w = ok, w.push = bad[k];
+        if (k % 2)
+            assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_PUSH);
+    }
+    struct domq_wish w = wish_of(0.048, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HEIGHT);
+    w = wish_of(1, 1, HUGE_VAL, DOM_LEAST_DOMINOES);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_SAFETY);
+    w = wish_of(1, 2, 1, DOM_LEAST_DOMINOES);
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_HALL);
+    w = wish_of(1, 2, HUGE_VAL, DOM_LEAST_DOMINOES);
+    train.d = 0;
+    assert_status(domq_design_find(&train, &w, NULL, &d), DOM_BAD_D);
+    volatile sig_atomic_t stop = 1;
+    struct domq_compute compute = domq_compute_default();
+    compute.interrupt = &stop;
+    train = domq_train_default();
+    assert_status(domq_design_find(&train, &w, &compute, &d), DOM_INTERRUPTED);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(designs_hold), cmocka_unit_test(needs_are_enough),
+        cmocka_unit_test(both_headers), cmocka_unit_test(shortest_is_shortest),
+        cmocka_unit_test(wrong_wishes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
