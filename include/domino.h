@@ -265,7 +265,7 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
     X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: free gap to the next domino over height")              \
     X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how much larger each domino is than the one before")          \
     X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness over height")                                         \
-    X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, massive = 4")
+    X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, solid = 4")
 
 /* The largest friction coefficient between dominoes. */
 #define DOM_MU_HIGHEST 100
@@ -919,8 +919,9 @@ struct dom_effect {
     const char *source; /* where the mathematics is from */
     const char *plan;   /* what is solved, and how */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
-    unsigned needs;  /* bits 1 << DOM_EFFECT_...: other effects that must be on */
-    bool dissipates; /* true: dominoes lose energy while they move; see dom_law */
+    unsigned needs;       /* bits 1 << DOM_EFFECT_...: other effects that must be on */
+    bool dissipates;      /* true: dominoes lose energy while they move; see dom_law */
+    const char *synonyms; /* other words that people look for */
 };
 
 /* The descriptions of the effects in both lists. */

@@ -274,6 +274,52 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
     same 'no blank before it' '(nothing)' "$(grep -vE '^  .{20} ' "$BATS_TEST_TMPDIR/list")"
 }
 
+@test "help begins with ten lines to type, all of which work in this order" {
+    "$DOMINO" -e help | sed -nE 's/^> (.{20}) [^ ].*$/\1/p' >"$BATS_TEST_TMPDIR/lines"
+    same lines 10 "$(wc -l <"$BATS_TEST_TMPDIR/lines")"
+    same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' "$BATS_TEST_TMPDIR/lines")"
+    same 'the last' quit "$(sed -n '$s/ *$//p' "$BATS_TEST_TMPDIR/lines")"
+    run --separate-stderr "$DOMINO" --bail - <"$BATS_TEST_TMPDIR/lines"
+    same 'what went wrong' '(nothing)' "$stderr"
+    for words in '20 dominoes' 1.64422904 1.514451798 ' x \[h\]' '^    12 ' '^rmax \[S\]: '; do
+        grep -q -- "$words" <<<"$output" || same 'the answers' "$words" "$output"
+    done
+}
+
+@test "apropos finds what people say, first what is about it" {
+    while read -r word wanted; do
+        same "apropos $word" "$wanted" "$("$DOMINO" -e "apropos $word" | grep -oxE "$wanted( .*)?" | cut -c "-${#wanted}")"
+    done <<'END'
+quiz count
+tower count
+picture draw
+image plot
+spacing set s
+feet slip
+undo reset
+script source
+slope effect slope
+probability placement
+graph curve
+movie animate
+Domtoren count
+solid set q
+massive set q
+sandpaper effect friction
+speed duration
+degrees set angle
+END
+    same 'first what is about it' 'effect slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
+    wrong 'apropos money' "^-e:1: apropos: nothing is about 'money'; try another word, such as"
+    for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
+}
+
+@test "q takes solid and its synonym, and only solid is offered" {
+    same values '4 4 3' "$(for word in solid massive hollow; do "$DOMINO" -e "set q $word; print q"; done | paste -sd ' ' -)"
+    same offered 'hollow solid' "$("$DOMINO" -e 'complete set q ' | paste -sd ' ' -)"
+    same 'help q' 'hollow 3 solid 4' "$("$DOMINO" -e 'help q' | sed -n 's/^  \(hollow\|solid\|massive\) */\1 /p' | paste -sd ' ' -)"
+}
+
 # ---- Names ----
 
 @test "an unknown name: what was meant, which there are, or where they are listed, never two of these" {

@@ -10,7 +10,7 @@ setup() {
     socket=$BATS_TEST_TMPDIR/tmux
     prompt='domino❯'
     export HOME=$BATS_TEST_TMPDIR XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
-    export INPUTRC=/dev/null DOMINO_HISTORY='' LC_ALL=C.UTF-8 NO_COLOR=1
+    export INPUTRC=/dev/null DOMINO_HISTORY='' LC_ALL=C.UTF-8 NO_COLOR=1 PAGER=cat
     unset TMUX TMUX_TMPDIR BASH_ENV ENV PROMPT_COMMAND
 }
 teardown() {
@@ -80,7 +80,7 @@ only() { [ "$(screen)" = "$1" ]; }
 # Does every line of the answers to these commands fit in the width?
 fits() { # WIDTH COMMAND...
     local width=$1 command wide=''
-    open_session "$width" 70
+    open_session "$width" 180
     for command in "${@:2}"; do
         clear_screen
         ask "$command"
@@ -105,6 +105,100 @@ errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'prin
 @test "answers fit in 120 columns" { fits 120 "${answers[@]}"; }
 @test "answers with 17 digits fit in 80 columns" { fits 80 'set digits 17' "${answers[@]}"; }
 @test "help fits in 80 columns" { fits 80 "${helps[@]}"; }
+@test "help and apropos fit in 60 and 40 columns, and break no word" {
+    for width in 60 40; do
+        fits "$width" help 'help set' 'help tol' 'help friction' 'help plot' 'help placement' 'apropos row' 'apropos e'
+        [[ $(screen) == *'set tol'* ]]
+        terminal kill-server
+    done
+}
+
+# ---- Long texts ----
+
+rows_are() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 1)" = "$1" ]; }
+modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
+
+@test "help on a short terminal without a program that pages: Enter goes on, q and ^C end, and the modes stay" {
+    export PAGER=""
+    open_terminal 80 24 env TERM=dumb "$DOMINO"
+    see_last "$prompt"
+    modes >"$BATS_TEST_TMPDIR/before"
+    type_in help
+    press Enter
+    see '^-- more -- .*\) *$'
+    [[ $(screen) == 'The first five minutes'* ]]
+    [ "$(screen | wc -l)" -eq 24 ]
+    press Enter
+    see '^  goto PLACE '
+    hides 'The first five minutes'
+    see_last '-- more -- (Enter: next page; q, Enter: end)'
+    press C-c
+    see_last "$prompt"
+    ask 'print 6*7'
+    see '^42$'
+    modes | diff "$BATS_TEST_TMPDIR/before" -
+    type_in 'help; print 8*8'
+    press Enter
+    see_last '-- more -- (Enter: next page; q, Enter: end)'
+    press q Enter
+    see '^64$'
+    see_last "$prompt"
+    # To its end, in two pages, and a text that fits.
+    terminal resize-window -x 80 -y 60
+    until_true rows_are 60
+    press Enter
+    type_in help
+    press Enter
+    see_last '-- more -- (Enter: next page; q, Enter: end)'
+    press Enter
+    see "'apropos WORD' finds one\\."
+    see_last "$prompt"
+    ask 'help s'
+    see "'set s VALUE' changes it"
+}
+
+@test "help on a short terminal goes through PAGER, not in a pipe, into a file, or in a safe session" {
+    export PAGER="sed -e '1s/.*/PAGED/' -e '2,\$d'"
+    open_session 80 24
+    ask 'help; print 6*7'
+    see '^PAGED$'
+    see '^42$'
+    clear_screen
+    ask "help > $BATS_TEST_TMPDIR/file"
+    ask "help s"
+    see "'set s VALUE'"
+    hides PAGED
+    "$DOMINO" -e help | diff - "$BATS_TEST_TMPDIR/file"
+    press -l quit
+    press Enter
+    until_true gone
+    open_terminal 80 24 sh -c "'$DOMINO' -e help | tail -n 1; '$DOMINO' --safe"
+    see_last "$prompt"
+    see "'apropos WORD' finds one"
+    type_in help
+    press Enter
+    see '^-- more --'
+    hides PAGED
+}
+gone() { ! terminal has-session 2>/dev/null; }
+
+@test "a PAGER that does not exist, and one that is killed and leaves a raw terminal" {
+    export PAGER=no-such-program
+    open_session 80 24
+    modes >"$BATS_TEST_TMPDIR/before"
+    type_in help
+    press Enter
+    see '^-- more --'
+    press q Enter
+    see_last "$prompt"
+    terminal kill-server
+    export PAGER='stty raw -echo </dev/tty; kill -9 $$'
+    open_session 80 24
+    ask help
+    ask 'print 6*7'
+    see '^42$'
+    modes | diff "$BATS_TEST_TMPDIR/before" -
+}
 @test "errors fit in 80 columns" { fits 80 "${errors[@]}"; }
 
 @test "tables follow the width of the terminal" {

@@ -872,7 +872,7 @@ set output j|json
 set fuel |exact paper
 set angle |rad deg
 set timing |off on
-set q |hollow massive
+set q |hollow solid
 set q h|hollow
 help b|barrier back best budget
 help dig|digits

@@ -4,6 +4,7 @@
 
 const struct dom_effect dom_effect_floor = {
     .name = "floor",
+    .synonyms = "feet foot slip slide slippery ground",
     .adds = "the friction that the floor needs so that no foot slips",
     .help =
         "With it, 'fall' and 'slip' report the friction coefficient that the floor needs so that no foot "

@@ -4,6 +4,7 @@
 
 const struct dom_effect dom_effect_placement = {
     .name = "placement",
+    .synonyms = "probability chance errors precision accuracy",
     .adds = "random errors of the gaps, and of the heights if HEIGHTS is given",
     .help = "The row is set up again and again. Each gap has a normal error of its own with the standard "
             "deviation SIGMA, which is a length; each height has a relative error with the standard "

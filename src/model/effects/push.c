@@ -4,6 +4,7 @@
 
 const struct dom_effect dom_effect_push = {
     .name = "push",
+    .synonyms = "start finger kick speed velocity",
     .adds = "a push of the first domino, which then starts upright",
     .help = "Without a push the first domino starts on its edge, where it just tips over (tan theta_u = d), "
             "and is let go; the clock starts when it hits the second domino. With a push it starts upright, "

@@ -4,6 +4,7 @@
 
 const struct dom_effect dom_effect_row = {
     .name = "row",
+    .synonyms = "file csv load measurements list finite spacing",
     .adds = "a finite row of dominoes, equal or not, instead of the endless train",
     .help =
         "With N, domino k is h r^(k-1) tall; its gap is s times its own height, and its mass is what q says. "

@@ -58,13 +58,18 @@ void column_fit(struct column *c, const char *word)
 
 void output_wrapped(FILE *out, const char *text, int left, int right)
 {
+    enum { ROOM = 12, BELOW = 8 }; /* with less room, a text begins below, after so many blanks */
+    if (right > 2 * ROOM && right <= left + ROOM && terminal_columns(text) > right - left) {
+        left = BELOW;
+        fprintf(out, "\n%*s", left, "");
+    }
     int at = left;
     while (*text) {
         size_t length = strcspn(text, " ");
         int columns = 0;
         for (size_t i = 0; i < length; i++)
             columns += ((unsigned char)text[i] & 0xc0) != 0x80;
-        if (at > left && right > left + 12 && at + 1 + columns > right) {
+        if (at > left && right > left + ROOM && at + 1 + columns > right) {
             fprintf(out, "\n%*s", left, "");
             at = left;
         }

@@ -84,6 +84,7 @@ static bool run_cost(struct session *session, const struct call *call)
 
 const struct command cost_commands[] = {
     {.name = "cost",
+     .synonyms = "accuracy precision benchmark speed fast",
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_CHOICE,
                    .of = "command with a tolerance",

@@ -321,6 +321,7 @@ static bool run_draw(struct session *session, const struct call *call)
 
 const struct command draw_commands[] = {
     {.name = "draw",
+     .synonyms = "picture image drawing figure svg png pdf show",
      .train = true,
      .argument = {{.name = "T", .kind = ARGUMENT_PLACE, .optional = true, .choices = forces_names},
                   {.name = "forces",
@@ -342,6 +343,7 @@ const struct command draw_commands[] = {
      .rows = true,
      ANSWER(draw)},
     {.name = "animate",
+     .synonyms = "picture image film movie video gif",
      .train = true,
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
                   {.name = "N",

@@ -226,6 +226,7 @@ static bool run_scene(struct session *session, const struct call *call)
 
 const struct command effect_commands[] = {
     {.name = "effect",
+     .synonyms = "switch turn",
      .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .of = "effect", .choices = effect_names},
                   {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
@@ -238,6 +239,7 @@ const struct command effect_commands[] = {
      .see = "effects scene",
      .run = run_set},
     {.name = "effects",
+     .synonyms = "list switch",
      .summary = "all effects: on or off, what they add and cost here",
      .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "
              "value, or at a usual one where it is off.",
@@ -246,6 +248,7 @@ const struct command effect_commands[] = {
      .rows = true,
      ANSWER(effects)},
     {.name = "scene",
+     .synonyms = "setup settings list",
      .summary = "the scene, and the plan that follows from it",
      .example = "scene; effect friction 0.2; scene; effect friction off",
      .see = "effect effects",

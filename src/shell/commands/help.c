@@ -6,51 +6,100 @@
 #include "language/quad.h"
 #include "prompt/input.h"
 #include "session/parameters.h"
+#include <stdarg.h>
 #include <string.h>
 
 enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */
 
-/* Of the terminal, but not wider than reads well. */
+/* What 'help' begins with: lines to type, in this order, and what they do. */
+static const struct first_line {
+    const char *line, *does;
+} first_lines[] = {
+    {"count 112 m", "the quiz: how many dominoes topple a tower of 112 m"},
+    {"rmax", "how much larger each domino can be than the one before it"},
+    {"set s 0.3", "dominoes closer to each other: gaps of 0.3 of the height"},
+    {"rmax", "the answer for these gaps; 'show' lists the parameters"},
+    {"draw", "a picture of the train; 'draw > train.svg' writes a file"},
+    {"effect row 12", "a row of 12 dominoes; 'effect row FILE' reads your own"},
+    {"set r 1.2", "each domino is 1.2 times as large as the one before it"},
+    {"fall", "how each domino falls, and whether all do"},
+    {"help rmax", "explains a command; 'apropos tower' finds commands"},
+    {"quit", "ends the session; ^C stops a computation"},
+};
+
+/* Returns the width of help: that of the terminal, but no wider than reads well. */
 static int help_width(FILE *out)
 {
     int width = terminal_width(out);
     return width && width < 100 ? width : 100;
 }
 
-/* Returns the column in which summaries begin: behind the longest usage of a command. */
+/* Prints a sentence, wrapped, after a line end. */
+static void help_say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void help_say(FILE *out, const char *format, ...)
+{
+    char said[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(said, sizeof said, format, arguments);
+    va_end(arguments);
+    output_wrapped(out, said, 0, help_width(out));
+    putc('\n', out);
+}
+
+/* Prints what can be typed, and from the column on what it does; below it where the terminal is narrow. */
+static void help_entry(FILE *out, const char *typed, int column, const char *does)
+{
+    enum { ROOM = 30, INDENT = 6 }; /* columns for the text beside; blanks before the text below */
+    int width = help_width(out), below = width < column + ROOM;
+    if (below)
+        fprintf(out, "%s\n%*s", typed, INDENT, "");
+    else
+        fprintf(out, "%-*s", column, typed);
+    output_wrapped(out, does, below ? INDENT : column, width);
+    putc('\n', out);
+}
+
+/* Returns the column in which summaries begin: after the longest usage of a command. */
 static int summary_column(void)
 {
     char usage[USAGE_SIZE];
     int widest = 0;
     for (const struct command_group *g = command_groups(); g->title; g++)
         for (const struct command *c = g->commands; c->name; c++) {
-            int quad = (int)strlen(command_usage(c, usage));
-            widest = quad > widest ? quad : widest;
+            int wide = (int)strlen(command_usage(c, usage));
+            widest = wide > widest ? wide : widest;
         }
-    return widest + 1;
+    return widest + 2;
 }
 
 static void help_list(FILE *out)
 {
-    char usage[USAGE_SIZE];
+    char usage[USAGE_SIZE], typed[USAGE_SIZE + 2], names[256] = "Parameters:";
     int column = summary_column();
-    for (const struct command_group *g = command_groups(); g->title; g++) {
-        fprintf(out, "%s%s\n", g == command_groups() ? "" : "\n", g->title);
-        for (const struct command *c = g->commands; c->name; c++)
-            fprintf(out, "  %-*s %s\n", column, command_usage(c, usage), c->summary);
+    fputs("The first five minutes: type what follows the '>'\n", out);
+    for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++) {
+        snprintf(typed, sizeof typed, "> %s", first_lines[i].line);
+        help_entry(out, typed, column + 2, first_lines[i].does);
     }
-    char names[256] = "Parameters:";
-    for (const struct parameter *p = session_parameters; !p->effect; p++) {
+    for (const struct command_group *g = command_groups(); g->title; g++) {
+        fprintf(out, "\n%s\n", g->title);
+        for (const struct command *c = g->commands; c->name; c++) {
+            snprintf(typed, sizeof typed, "  %s", command_usage(c, usage));
+            help_entry(out, typed, column + 2, c->summary);
+        }
+    }
+    putc('\n', out);
+    for (const struct parameter *p = session_parameters; p->name; p++) {
+        if (p->effect && p[-1].effect == NULL) {
+            help_say(out, "%s", names);
+            snprintf(names, sizeof names, "Effects:");
+        }
         size_t used = strlen(names);
         snprintf(names + used, sizeof names - used, " %s", p->name);
     }
-    putc('\n', out);
-    output_wrapped(out, names, 0, 80);
-    fputs("\nEffects:", out);
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (p->effect)
-            fprintf(out, " %s", p->name);
-    fputs("\n'help NAME' explains one of these, 'apropos WORD' finds one.\n", out);
+    help_say(out, "%s", names);
+    help_say(out, "'help NAME' explains one of these, 'apropos WORD' finds one.");
 }
 
 static void help_text(FILE *out, const char *text)
@@ -60,22 +109,27 @@ static void help_text(FILE *out, const char *text)
     putc('\n', out);
 }
 
-/* Writes what the i-th value of an effect is, and in which range. */
+/* Prints what a value of an effect is, and its range. */
 static void help_value(FILE *out, const struct domq_effect_argument *a, const char *range)
 {
-    fprintf(out, "  %-8s %s, %s%s%s%s%s%s\n", a->name, a->meaning, range, *a->unit ? " " : "", a->unit,
-            a->or_file ? "; or " : "", a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
+    char text[512];
+    snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, range, *a->unit ? " " : "", a->unit,
+             a->or_file ? "; or " : "", a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
+    int left = fprintf(out, "  %-8s ", a->name);
+    output_wrapped(out, text, left, help_width(out));
+    putc('\n', out);
 }
 
 static void help_effect_state(const struct session *session, const struct parameter *p)
 {
     char setting[EFFECT_SETTING], shown[NAMES_SHOWN];
-    fprintf(session->out, "\nSource: %s\n", p->effect->source);
+    putc('\n', session->out);
+    help_say(session->out, "Source: %s", p->effect->source);
     if (session->effect[p->which].on)
-        fprintf(session->out, "It is on: %s\n",
-                names_shown(effect_setting(session, p->which, setting), shown));
+        help_say(session->out, "The effect is on: %s",
+                 names_shown(effect_setting(session, p->which, setting), shown));
     else
-        fputs("It is off, and nothing of it is computed.\n", session->out);
+        help_say(session->out, "The effect is off, and takes no time.");
 }
 
 static void help_parameter(struct session *session, const struct parameter *p)
@@ -86,8 +140,8 @@ static void help_parameter(struct session *session, const struct parameter *p)
         effect_usage(p->which, usage);
     else
         snprintf(usage, sizeof usage, "%s VALUE", p->name);
-    fprintf(out, "%s%s: %s\n\n", p->effect ? "effect " : "", p->effect ? usage : p->name,
-            parameter_meaning(p));
+    help_say(out, "%s%s: %s", p->effect ? "effect " : "", p->effect ? usage : p->name, parameter_meaning(p));
+    putc('\n', out);
     parameter_text(p, parameter_get(session, p), session_style(session).all_digits, text, sizeof text);
     if (!p->effect)
         fprintf(out, "  value    %s%s%s\n", text, *p->value->unit ? " " : "", p->value->unit);
@@ -100,16 +154,18 @@ static void help_parameter(struct session *session, const struct parameter *p)
     }
     parameter_text(p, parameter_fallback(session, p), 6, text, sizeof text);
     fprintf(out, "  default  %s\n", text);
-    for (const struct word *w = p->words; parameter_is_number(p) && w && w->name; w++)
-        fprintf(out, "  %-8s %g\n", w->name, (double)w->value);
+    const char *name;
+    for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
+        fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
     if (parameter_help(p))
         help_text(out, parameter_help(p));
     if (p->effect)
         help_effect_state(session, p);
-    fprintf(out, "\n'set %s' changes it, 'reset %s' takes it back.\n", usage, p->name);
+    putc('\n', out);
+    help_say(out, "'set %s' changes it, 'reset %s' sets the default.", usage, p->name);
 }
 
-/* Runs the example in a session of its own, with the defaults: the output is true, or ends at an error. */
+/* Runs the example in a session of its own, with the defaults, so that its output is what the reader gets. */
 static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
@@ -117,7 +173,9 @@ static void help_example(struct session *session, const char *example)
     fresh.compute.interrupt = session->compute.interrupt;
     fresh.source = "help";
     fresh.safe = fresh.bail = true;
-    fprintf(session->out, "\nExample: %s\n\n", example);
+    putc('\n', session->out);
+    help_say(session->out, "Example: %s", example);
+    putc('\n', session->out);
     command_run_text(&fresh, example);
     session->errors += fresh.errors;
     session_close(&fresh);
@@ -153,9 +211,9 @@ static void help_command(struct session *session, const struct command *c)
 {
     char usage[USAGE_SIZE];
     FILE *out = session->out;
-    fprintf(out, "%s: %s\n", command_usage(c, usage), c->summary);
+    help_say(out, "%s: %s", command_usage(c, usage), c->summary);
     if (c->equation)
-        fprintf(out, "Equation: %s\n", c->equation);
+        help_say(out, "Equation: %s", c->equation);
     if (c->help)
         help_text(out, c->help);
     if (c->columns && c->columns->key)
@@ -163,15 +221,17 @@ static void help_command(struct session *session, const struct command *c)
     help_columns(out, c->columns);
     int fewest;
     if (command_values(c, &fewest) >= 0)
-        fprintf(out, "In an expression '%s' stands for its %s.\n", c->name, c->principal);
+        help_say(out, "In an expression '%s' stands for its %s.", c->name, c->principal);
     if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE) {
         fputs("\nThe parameters now:\n", out);
         run_topic(session, "show");
     }
     if (c->example)
         help_example(session, c->example);
-    if (c->see)
-        fprintf(out, "\nSee also: %s\n", c->see);
+    if (c->see) {
+        putc('\n', out);
+        help_say(out, "See also: %s", c->see);
+    }
 }
 
 static bool run_help(struct session *session, const struct call *call)
@@ -195,41 +255,64 @@ static bool run_help(struct session *session, const struct call *call)
     return true;
 }
 
-/* Does the text have the word in it, whatever its case? */
+/* Returns true if the word is in the text, in any case. */
 static bool mentions(const char *text, const char *word)
 {
     return text && strcasestr(text, word);
 }
 
+/* How a topic mentions a word: in its name, summary or synonyms; or only in its details. */
+enum mention { MENTION_NONE, MENTION_DETAIL, MENTION_TOPIC };
+
+static enum mention command_mentions(const struct command *c, const char *word)
+{
+    if (mentions(c->name, word) || mentions(c->summary, word) || mentions(c->synonyms, word))
+        return MENTION_TOPIC;
+    bool detail = mentions(c->help, word) || mentions(c->equation, word);
+    for (const struct column *k = c->columns; k && k->key && !detail; k++)
+        detail = mentions(k->key, word) || mentions(k->meaning, word);
+    return detail ? MENTION_DETAIL : MENTION_NONE;
+}
+
+static enum mention parameter_mentions(const struct parameter *p, const char *word)
+{
+    bool topic = mentions(p->name, word) || mentions(parameter_meaning(p), word) ||
+                 mentions(parameter_synonyms(p), word);
+    for (const struct word *w = p->words; !p->effect && w && w->name && !topic; w++)
+        topic = mentions(w->name, word);
+    return topic ? MENTION_TOPIC : mentions(parameter_help(p), word) ? MENTION_DETAIL : MENTION_NONE;
+}
+
+/* Lists the commands, parameters and effects that mention the word so; returns how many there are. */
+static int apropos_list(FILE *out, const char *word, enum mention how)
+{
+    char typed[USAGE_SIZE];
+    int found = 0, column = summary_column();
+    for (const struct command_group *g = command_groups(); g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (command_mentions(c, word) == how) {
+                help_entry(out, command_usage(c, typed), column, c->summary);
+                found++;
+            }
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (parameter_mentions(p, word) == how) {
+            snprintf(typed, sizeof typed, "%s %s", p->effect ? "effect" : "set", p->name);
+            help_entry(out, typed, column, parameter_meaning(p));
+            found++;
+        }
+    return found;
+}
+
 static bool run_apropos(struct session *session, const struct call *call)
 {
     const char *word = call->word[0];
-    char usage[USAGE_SIZE];
-    int found = 0, column = summary_column();
-    for (const struct command_group *g = command_groups(); g->title; g++) {
-        for (const struct command *c = g->commands; c->name; c++) {
-            bool hit = mentions(c->name, word) || mentions(c->summary, word) || mentions(c->help, word) ||
-                       mentions(c->equation, word);
-            for (const struct column *k = c->columns; k && k->key && !hit; k++)
-                hit = mentions(k->key, word) || mentions(k->meaning, word);
-            found += hit;
-            if (hit)
-                fprintf(session->out, "%-*s %s\n", column, command_usage(c, usage), c->summary);
-        }
-    }
-    for (const struct parameter *p = session_parameters; p->name; p++) {
-        bool hit = mentions(p->name, word) || mentions(parameter_meaning(p), word) ||
-                   mentions(parameter_help(p), word);
-        for (const struct word *w = p->words; !p->effect && w && w->name && !hit; w++)
-            hit = mentions(w->name, word);
-        const char *verb = p->effect ? "effect" : "set";
-        found += hit;
-        if (hit)
-            fprintf(session->out, "%s %-*s %s\n", verb, column - (int)strlen(verb) - 1, p->name,
-                    parameter_meaning(p));
-    }
-    return found > 0 || session_error(session, "nothing is said about '%s'; 'help' lists everything",
-                                      names_shown(word, usage));
+    char shown[NAMES_SHOWN];
+    int found = apropos_list(session->out, word, MENTION_TOPIC);
+    found += apropos_list(session->out, word, MENTION_DETAIL);
+    return found > 0 || session_error(session,
+                                      "nothing is about '%s'; try another word, such as 'picture' or 'gap', "
+                                      "or 'help', which lists all commands",
+                                      names_shown(word, shown));
 }
 
 static void print_candidate(const char *candidate, void *out)
@@ -245,19 +328,24 @@ static bool run_complete(struct session *session, const struct call *call)
 
 const struct command help_commands[] = {
     {.name = "help",
+     .synonyms = "manual list explain tutorial commands",
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_TOPIC, .of = "topic", .choices = topic_names, .optional = true}},
      .summary = "the commands, or one command or parameter",
      .example = "help tol",
      .see = "apropos show",
+     .pages = true,
      .run = run_help},
     {.name = "apropos",
+     .synonyms = "search find look",
      .argument = {{.name = "WORD", .kind = ARGUMENT_WORD, .choices = topic_names}},
      .summary = "commands and parameters that mention WORD",
      .example = "apropos barrier",
      .see = "help",
+     .pages = true,
      .run = run_apropos},
     {.name = "complete",
+     .synonyms = "tab completion",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
      .summary = "how LINE may go on, a line each, as <TAB> does",
      .example = "complete set output j",

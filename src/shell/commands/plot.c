@@ -310,6 +310,7 @@ static bool run_plot(struct session *session, const struct call *call)
 
 const struct command plot_commands[] = {
     {.name = "plot",
+     .synonyms = "picture image graph figure chart diagram svg png pdf",
      .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
                   {.name = "NAME",
                    .kind = ARGUMENT_CHOICE,

@@ -282,6 +282,7 @@ static bool run_rowmax(struct session *session, const struct call *call)
 
 const struct command row_commands[] = {
     {.name = "fall",
+     .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino, to its verdict",
      .help = "Of each domino that is hit: when, when it hits the next, how fast it starts, and what energy "
              "that leaves over its barrier. 'effect row' says which row.",
@@ -291,6 +292,7 @@ const struct command row_commands[] = {
      .holds = "all dominoes fall",
      ANSWER(fall)},
     {.name = "verdict",
+     .synonyms = "result success topple stop",
      .summary = "whether the whole row falls, and where it is weakest",
      .example = "effect row 5; verdict",
      .see = "fall mend",
@@ -298,6 +300,7 @@ const struct command row_commands[] = {
      .holds = "all dominoes fall",
      ANSWER(verdict)},
     {.name = "mend",
+     .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
      .help = "For each gap up to where the row ends, the nearest value with which all fall, the smallest "
              "change first; and before them the push, where that is what is missing. Each is looked for in "
@@ -306,6 +309,7 @@ const struct command row_commands[] = {
      .rows = true,
      ANSWER(mend)},
     {.name = "place",
+     .synonyms = "move spacing distance gap",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",
      .help = "The change stays until another row is taken; 'save' keeps it, and so does 'row > FILE.csv'.",
@@ -313,6 +317,7 @@ const struct command row_commands[] = {
      .see = "row fall mend",
      .run = run_place},
     {.name = "row",
+     .synonyms = "list export csv spacing",
      .summary = "the dominoes of the row",
      .help = "'row > hall.csv' writes a file that 'effect row hall.csv' reads: its first line has the units.",
      .example = "effect row 3; row",
@@ -320,6 +325,7 @@ const struct command row_commands[] = {
      .rows = true,
      ANSWER(row)},
     {.name = "rowmax",
+     .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
      .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. A first "
              "domino that just tips over, or a weak push, may end it at the second; where that is not so, a "

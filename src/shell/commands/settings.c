@@ -5,6 +5,7 @@
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
+#include "io/terminal.h"
 #include "language/quad.h"
 #include <errno.h>
 #include <string.h>
@@ -59,6 +60,15 @@ struct shown {
     struct cell cell[SHOW_COLUMNS];
 };
 
+/* Adds the name that a number has: "4 (solid)". */
+static void named(const struct parameter *p, domq_real value, char *text, size_t size)
+{
+    const char *name = parameter_word(p, value);
+    size_t used = strlen(text);
+    if (name)
+        snprintf(text + used, size - used, " (%s)", name);
+}
+
 static void shown_make(const struct session *session, const struct parameter *p, bool people,
                        struct shown *shown)
 {
@@ -71,6 +81,10 @@ static void shown_make(const struct session *session, const struct parameter *p,
     else
         parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
     parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
+    if (people && parameter_is_number(p)) {
+        named(p, value, shown->value, sizeof shown->value);
+        named(p, fallback, shown->fallback, sizeof shown->fallback);
+    }
     const struct cell cells[] = {cell_word(p->name),
                                  number || on ? cell_real(value) : cell_word(shown->value),
                                  cell_word(people && p->effect ? "" : p->value->unit),
@@ -80,11 +94,52 @@ static void shown_make(const struct session *session, const struct parameter *p,
     memcpy(shown->cell, cells, sizeof cells);
 }
 
+/* Lists for names.h the columns. */
+static const char *show_keys(const void *context, int k)
+{
+    (void)context;
+    return show_columns[k].key;
+}
+
+/* Leaves cells out of a row, bits 1 << column. */
+static void shown_fit(struct shown *shown, unsigned left_out)
+{
+    int n = 0;
+    for (int i = 0; i < SHOW_COLUMNS; i++)
+        if (!(left_out >> i & 1))
+            shown->cell[n++] = shown->cell[i];
+}
+
+/* Returns the columns that a table of these has before the meaning, which is wrapped or below. */
+static int shown_width(const struct column *columns)
+{
+    int width = 0;
+    for (const struct column *c = columns; c[1].key; c++)
+        width += c->width + 2;
+    return width;
+}
+
+/* Leaves out of a table what a narrow terminal has no room for; shown_fit leaves it out of a row. */
+static unsigned show_fit(const struct session *session, struct answer *a)
+{
+    static const char *const last[] = {"default", "range", "unit"};
+    int width = terminal_width(session->out);
+    unsigned left_out = 0;
+    for (size_t i = 0; width && i < sizeof last / sizeof *last && shown_width(a->columns) > width; i++) {
+        answer_leave_out(a, last[i]);
+        left_out |= 1U << names_exact(show_keys, NULL, last[i]);
+    }
+    return left_out;
+}
+
 static bool run_show(struct session *session, const struct call *call)
 {
     struct column *fitted = answer_columns(call->answer, show_columns);
     struct shown shown;
+    unsigned left_out = 0;
     for (int pass = 0; pass < 2; pass++) {
+        if (pass == 1 && call->answer->style.format->for_people)
+            left_out = show_fit(session, call->answer);
         for (const struct parameter *p = session_parameters; p->name; p++) {
             if (call->parameter ? p != call->parameter : p->effect != NULL)
                 continue;
@@ -92,8 +147,10 @@ static bool run_show(struct session *session, const struct call *call)
             for (int i = 0; pass == 0 && fitted[i + 1].key; i++) /* the last one is wrapped */
                 if (shown.cell[i].kind == CELL_WORD)
                     column_fit(&fitted[i], shown.cell[i].word);
-            if (pass == 1)
-                answer_row(call->answer, shown.cell, NULL);
+            if (pass == 0)
+                continue;
+            shown_fit(&shown, left_out);
+            answer_row(call->answer, shown.cell, NULL);
         }
     }
     return true;
@@ -184,6 +241,7 @@ static bool run_quit(struct session *session, const struct call *call)
 
 const struct command session_commands[] = {
     {.name = "set",
+     .synonyms = "change assign parameter",
      .argument = {{A_PARAMETER},
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
@@ -195,6 +253,7 @@ const struct command session_commands[] = {
      .see = "show reset",
      .run = run_set},
     {.name = "show",
+     .synonyms = "list settings values parameter",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameters: value, unit, range, default, meaning",
      .example = "show fuel",
@@ -202,6 +261,7 @@ const struct command session_commands[] = {
      .rows = true,
      ANSWER(show)},
     {.name = "reset",
+     .synonyms = "undo default clear restore",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME the settings of the session are kept: output, digits, angle, timing.",
@@ -209,6 +269,7 @@ const struct command session_commands[] = {
      .see = "set show",
      .run = run_reset},
     {.name = "print",
+     .synonyms = "calculate calculator convert units feet inch evaluate",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY}},
      .summary = "the value of an expression",
      .help = "Numbers, + - * / ^ and parentheses; units m mm cm km in ft s ms rad deg; pi; sin cos tan asin "
@@ -219,19 +280,28 @@ const struct command session_commands[] = {
      .see = "set",
      ANSWER(print)},
     {.name = "save",
+     .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
      .see = "source",
      .files = true,
      .run = run_save},
     {.name = "source",
+     .synonyms = "script load open read batch import file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "run the commands in FILE",
      .see = "save",
      .files = true,
      .runs = true,
      .run = run_source},
-    {.name = "exit", .summary = "the same as quit", .see = "quit", .run = run_quit},
-    {.name = "quit", .summary = "leave; so does the end of the input (^D)", .run = run_quit},
+    {.name = "exit",
+     .synonyms = "leave end close bye stop",
+     .summary = "the same as quit",
+     .see = "quit",
+     .run = run_quit},
+    {.name = "quit",
+     .synonyms = "exit end close bye stop",
+     .summary = "leave; so does the end of the input (^D)",
+     .run = run_quit},
     {.name = NULL},
 };

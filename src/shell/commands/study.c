@@ -142,6 +142,7 @@ static bool run_slip(struct session *session, const struct call *call)
 
 const struct command study_commands[] = {
     {.name = "placement",
+     .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that the whole row falls, and where not",
      .help = "The scene's row is set up ROWS times (2000), each gap with a random error: 'effect placement "
@@ -153,6 +154,7 @@ const struct command study_commands[] = {
      .principal = "probability",
      ANSWER(placement)},
     {.name = "pool",
+     .synonyms = "cluster parallel merge combine add",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "what 'placement' answers, from the parts of a study",
      .help = "FILE, or '-' for standard input, is the outputs of 'domino --shard I/N' with 'set output csv' "
@@ -166,6 +168,7 @@ const struct command study_commands[] = {
      .files = true,
      .run = run_pool},
     {.name = "budget",
+     .synonyms = "probability chance random precision spacing tolerance",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the errors of gaps that allow success with probability P",
@@ -175,6 +178,7 @@ const struct command study_commands[] = {
      .principal = "sigma",
      ANSWER(budget)},
     {.name = "slip",
+     .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the floor friction that the train's hinges need",
      .help = "In motion, over the whole cycle and all dominoes that move, and in the collision.",

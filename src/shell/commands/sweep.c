@@ -396,6 +396,7 @@ static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
 
 const struct command sweep_commands[] = {
     {.name = "sweep",
+     .synonyms = "loop batch table scan grid",
      .argument = {{.name = "GRID", .kind = ARGUMENT_GRID, .read = sweep_read_grid, .choices = grid_names},
                   {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = sweep_read_command}},
      .summary = "what a command answers, over a grid of any parameters",

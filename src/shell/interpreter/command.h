@@ -69,6 +69,7 @@ struct command {
     const char *name;
     struct argument argument[ARGUMENTS_MAX];
     const char *summary;          /* one line */
+    const char *synonyms;         /* other words that people look for, for 'apropos'; or NULL */
     const char *equation;         /* of the paper, or NULL */
     const char *help;             /* more, or NULL */
     const char *example;          /* commands that show it, or NULL */
@@ -83,6 +84,7 @@ struct command {
     const char *holds;   /* what is true if its answer is yes, see answer_holds; NULL: it decides nothing */
     bool runs;           /* runs other commands, whose answers go where its own would */
     bool files;          /* touches files: not in a safe session */
+    bool pages;          /* gives a long text, which a terminal shows a page at a time */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
     /* Draws the answer into a file whose ending is that of a picture; NULL: the answer has none. */
     bool (*picture)(struct session *session, const struct call *call);

@@ -2,6 +2,7 @@
 /* Runs lines: the commands in them, with their answers in files behind '>'. */
 #include "answer/format.h"
 #include "interpreter/arguments.h"
+#include "io/pager.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
 #include "picture/ending.h"
@@ -26,7 +27,19 @@ static void say_train(const struct session *session, struct answer *answer)
         answer_say(answer, "%s", note);
 }
 
-/* The command has been read, and nothing was wrong with it. */
+/* Runs a command that gives a long text. */
+static bool run_pages(struct session *session, const struct command *c, struct call *call)
+{
+    struct pager pager;
+    FILE *out = session->out;
+    session->out = pager_begin(&pager, out);
+    bool done = c->run(session, call);
+    session->out = out;
+    pager_end(&pager, !session->safe, session->compute.interrupt);
+    return done;
+}
+
+/* Runs a command whose arguments have been read. */
 static bool run_call(struct session *session, const struct command *c, struct call *call)
 {
     struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
@@ -43,7 +56,9 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     double begun = terminal_clock();
     ticker_start();
     bool draws = session->format && c->picture && ending_of(session->redirected)->kind == ENDING_PICTURE;
-    bool done = (draws ? c->picture : c->run)(session, call);
+    bool done = draws      ? c->picture(session, call)
+                : c->pages ? run_pages(session, c, call)
+                           : c->run(session, call);
     ticker_stop();
     call->answer = NULL;
     double seconds = terminal_clock() - begun;

@@ -17,13 +17,7 @@ static const struct timespec moment = {.tv_nsec = 10000000};
 
 /* ---- Waits ---- */
 
-/*
- * Waits until the file is ready for the events, or for the longest time; file -1 for the time alone.  A
- * signal between the look at the flag and the wait is not lost: it comes when the wait begins.  False with
- * ECANCELED.
- */
-static bool io_wait(int file, short events, const struct timespec *longest,
-                    const volatile sig_atomic_t *interrupt)
+bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt)
 {
     struct pollfd ready = {.fd = file, .events = events};
     sigset_t all, before;

@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <sys/types.h>
+#include <time.h>
 
 /*
  * Opens a file as open(2) does; a FIFO to write waits for its reader.  The file does not block, and is closed
@@ -44,6 +45,13 @@ FILE *io_memory(char **text, size_t *size);
  * interrupt came.
  */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
+
+/*
+ * Waits until the file is ready for the events of poll(2), or for the longest time (NULL: without end); file
+ * -1 for the time alone.  A signal between the look at the flag and the wait is not lost: it comes when the
+ * wait begins.  False with ECANCELED: the flag is raised.
+ */
+bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
 /* Writes all bytes; false with errno. */
 bool io_write(int file, const char *bytes, size_t count);

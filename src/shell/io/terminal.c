@@ -10,17 +10,34 @@
 #include <time.h>
 #include <unistd.h>
 
+/* A stream into memory, and the terminal on which its text is shown later. */
+static const FILE *lent;
+static FILE *lender;
+
+void terminal_lend(FILE *memory, FILE *terminal)
+{
+    lent = memory;
+    lender = terminal;
+}
+
+/* Returns the file of the terminal that shows what the stream takes, or -1. */
+static int shown_on(FILE *stream)
+{
+    int file = fileno(stream == lent ? lender : stream);
+    return file >= 0 && isatty(file) ? file : -1;
+}
+
 bool terminal_colour(FILE *stream)
 {
     const char *term = getenv("TERM"), *no = getenv("NO_COLOR");
-    return isatty(fileno(stream)) && !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
+    return shown_on(stream) >= 0 && !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
 }
 
 bool terminal_size(FILE *stream, int *width, int *height)
 {
     struct winsize size = {0};
-    int file = fileno(stream);
-    bool known = file >= 0 && isatty(file) && ioctl(file, TIOCGWINSZ, &size) == 0;
+    int file = shown_on(stream);
+    bool known = file >= 0 && ioctl(file, TIOCGWINSZ, &size) == 0;
     *width = size.ws_col;
     *height = size.ws_row;
     return known;

@@ -15,6 +15,10 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Columns of the terminal behind the stream; 0 if there is none. */
 int terminal_width(FILE *stream);
 
+/* Makes a stream into memory have what this terminal has, on which its text is shown later; NULL ends that.
+ */
+void terminal_lend(FILE *memory, FILE *terminal);
+
 /* Does the locale have UTF-8? */
 bool terminal_utf8(void);
 

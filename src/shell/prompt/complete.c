@@ -51,7 +51,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     if (a->choices)
         offer_list(&offer, a->choices, NULL);
     else if (p && p->words)
-        offer_list(&offer, parameter_words, p);
+        offer_list(&offer, parameter_offered, p);
     else if (a->kind != ARGUMENT_FILE && a->kind != ARGUMENT_REST && a->kind != ARGUMENT_NONE) {
         offer_list(&offer, number_names, NULL);
         expression = true;

@@ -78,13 +78,16 @@ static void precision_put(struct session *session, domq_real precision)
 }
 
 /* What the shell adds to a number of the library's lists: members of its row.  One for each number. */
-#define MORE_s
-#define MORE_r
-#define MORE_d
-#define MORE_q   .words = (const struct word[]){{"hollow", 3}, {"massive", 4}, {NULL, 0}},
-#define MORE_tol .help = tol_help, .fallback_of = tol_default, .lowest_of = tol_floor,
-#define MORE_h
-#define MORE_g
+#define MORE_s .synonyms = "spacing distance apart gap",
+#define MORE_r .synonyms = "growth factor ratio size larger",
+#define MORE_d .synonyms = "width thin thick depth",
+#define MORE_q                                                                                               \
+    .synonyms = "wood block box weight material",                                                            \
+    .words = (const struct word[]){{"hollow", 3}, {"solid", 4}, {"massive", 4}, {NULL, 0}},
+#define MORE_tol                                                                                             \
+    .synonyms = "accuracy precision", .help = tol_help, .fallback_of = tol_default, .lowest_of = tol_floor,
+#define MORE_h .synonyms = "size tall scale",
+#define MORE_g .synonyms = "weight moon planet",
 
 /* Formats by number, in the order of their list. */
 #define FORMAT_NUMBER(name)  FORMAT_##name,
@@ -116,28 +119,39 @@ const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
-    {ROW("mass", mass, "kg", "mass of the first domino, 0 for none: energies are then in m g h/2", .highest = 1e9)},
+    {ROW("mass", mass, "kg", "mass of the first domino, 0 for none: energies are then in m g h/2", .highest = 1e9),
+     .synonyms = "weight kilogram energy joule"},
     {ROW("density", density, "kg/m^3", "of solid dominoes half as wide as tall, where no mass is set",
-         .highest = 1e9)},
+         .highest = 1e9),
+     .synonyms = "wood weight material"},
     {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (c7)", .usual = DOM_FUEL_EXACT),
+     .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
     {ROW("precision", compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+     .synonyms = "accuracy digits float double quad",
      .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .put = precision_put},
     {ROW("seed", seed, "", "of random rows: the same seed, the same rows", .highest = (domq_real)4294967295.0,
-         .usual = SEED_DEFAULT, .whole = true)},
+         .usual = SEED_DEFAULT, .whole = true),
+     .synonyms = "random chance"},
     {ROW("threads", threads, "", "of curves, sweeps and studies; 0: as many as there are processors",
-         .highest = 256, .whole = true), .setting = true},
+         .highest = 256, .whole = true),
+     .synonyms = "parallel cores processors cpu fast", .setting = true},
     {ROW("output", style.output, "", "how answers are written", .usual = 0),
+     .synonyms = "format csv json spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
     {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
-         .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true), .setting = true},
+         .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
+     .synonyms = "accuracy decimals", .setting = true},
     {ROW("angle", style.angle, "", "unit of angles, typed and answered", .usual = ANGLE_RAD),
+     .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
     {ROW("errors", style.errors, "", "whether every number has the bound of its error", .usual = 0),
+     .synonyms = "accuracy uncertainty precision bounds",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     {ROW("timing", timing, "", "whether every answer ends with its time", .usual = 0),
+     .synonyms = "seconds speed fast",
      .words = SWITCH, .words_only = true, .setting = true},
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
@@ -155,6 +169,15 @@ const char *parameter_words(const void *parameter, int k)
 {
     const struct word *words = ((const struct parameter *)parameter)->words;
     return words ? words[k].name : NULL;
+}
+
+const char *parameter_offered(const void *parameter, int k)
+{
+    const struct parameter *p = parameter;
+    for (const struct word *w = p->words; w && w->name; w++)
+        if (parameter_word(p, w->value) == w->name && k-- == 0)
+            return w->name;
+    return NULL;
 }
 
 const struct parameter *parameter_find(const char *name)
@@ -176,6 +199,11 @@ const char *parameter_meaning(const struct parameter *p)
 const char *parameter_help(const struct parameter *p)
 {
     return p->effect ? p->effect->help : p->help;
+}
+
+const char *parameter_synonyms(const struct parameter *p)
+{
+    return p->effect ? p->effect->synonyms : p->synonyms;
 }
 
 bool parameter_is_number(const struct parameter *p)

@@ -21,6 +21,7 @@ struct parameter {
     /* What it takes: one value, whose .usual is the default, or the arguments of an effect. */
     const struct domq_effect_argument *value;
     const char *help;                 /* more, or NULL */
+    const char *synonyms;             /* other words that people look for, for 'apropos'; not of an effect */
     const struct domq_effect *effect; /* NULL: not an effect */
     enum dom_effect_name which;       /* of the effect */
     const struct word *words;         /* names for some values; NULL for none */
@@ -46,6 +47,9 @@ extern const struct parameter session_parameters[];
 const char *parameter_names(const void *context, int k);
 const char *parameter_words(const void *parameter, int k);
 
+/* Lists the words without synonyms: of the words for one value the first. */
+const char *parameter_offered(const void *parameter, int k);
+
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
@@ -55,6 +59,9 @@ const struct domq_effect_argument *parameter_value(const struct parameter *param
 /* Return what the parameter stands for, in a few words; and more about it, or NULL. */
 const char *parameter_meaning(const struct parameter *parameter);
 const char *parameter_help(const struct parameter *parameter);
+
+/* Returns other words that people look for, or NULL. */
+const char *parameter_synonyms(const struct parameter *parameter);
 
 /* Returns true for a parameter that is a number in expressions: 'print 2*s'. */
 bool parameter_is_number(const struct parameter *parameter);
