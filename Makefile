@@ -327,9 +327,11 @@ lint: built_by_gcc $(HEADERS) | $(FIRST)
 	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	tests/layers $(B)/gcc
+	tests/equations
+	tests/comments
 	mandoc -T lint -W warning $(PAGES)
 	tests/spelling README.md src/README.md $(PAGES)
-	shellcheck tests/run tests/layers tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
+	shellcheck tests/run tests/layers tests/comments tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
 	  src/shell/prompt/domino.bash
 
 format:

@@ -28,15 +28,15 @@
  *
  * Units: lengths in the height h of the head (the foremost falling domino, number 0; the dominoes that push
  * it, its followers, are 1, 2, ... down the train), energies in m g h / 2 of the head, angles in radians from
- * the vertical, time in tau (a1). Only struct dom_scale and rows are in metres, kilograms and seconds.
+ * the vertical, time in tau (1; a1). Only struct dom_scale and rows are in metres, kilograms and seconds.
  *
  * Statuses: a function that can fail returns a status; DOM_BAD_... names the parameter that is outside its
  * range. Unless the status is DOM_OK, or a comment says otherwise, only the bounds of the result are written.
  *
  * Threads: functions keep nothing between calls, do no input or output, and may run in any number of threads.
  *
- * "(24; c6)" in a comment is an equation: the number that the paper prints, and the label of its source;
- * "(c6)" is the label alone. "corrected" marks where the paper has a slip.
+ * "(24; c6)" in a comment is an equation: the number that the paper prints, and the label of its source.
+ * "corrected" marks where the paper has a slip.
  */
 #ifndef DOMINO_H
 #define DOMINO_H
@@ -113,7 +113,7 @@ const char *dom_status_text(enum dom_status status);
 /* The arithmetic that computes. Quad is __float128 where the machine has it, else long double if wider. */
 enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 
-/* Which fuel P enters (c6): see dom_fuel_find. */
+/* The fuel P in (24; c6): see dom_fuel_find. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
@@ -160,10 +160,10 @@ const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
     DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
-    DOM_EVENT_FALL,   /* a follower detaches from the domino that it leaned on (A17) */
+    DOM_EVENT_FALL,   /* a follower detaches from the domino that it leaned on (41; A17) */
     DOM_EVENT_TOP,    /* the top of the barrier, where there is one */
     DOM_EVENT_STOP,   /* the train comes to rest below the top: there is no next hit */
-    DOM_EVENT_HIT     /* the head hits the next domino (a2) */
+    DOM_EVENT_HIT     /* the head hits the next domino (2; a2) */
 };
 
 /* The most events that a cycle has. */
@@ -277,9 +277,9 @@ struct dom_train {
     enum dom_fuel fuel; /* default DOM_FUEL_EXACT */
     /* A member for each effect of DOM_DYNAMICS, default 0, off: mu is the coefficient of Coulomb friction
      * between dominoes, 0 ... DOM_MU_HIGHEST. With any of these effects DOM_FUEL_PAPER and methods other than
-     * DOM_METHOD_OURS give DOM_NO_METHOD. With friction the equation of motion replaces (c3) and (c6).
-     * alpha is the angle in radians by which the floor falls in the direction of the train, -1.5 ... 1.5;
-     * DOM_NO_STAND: no domino stands on that slope. */
+     * DOM_METHOD_OURS give DOM_NO_METHOD. With friction the equation of motion replaces (21; c3) and
+     * (24; c6). alpha is the angle in radians by which the floor falls in the direction of the train, -1.5
+     * ... 1.5; DOM_NO_STAND: no domino stands on that slope. */
 #define DOM_DYNAMICS_MEMBER(effect, member, status) dom_real member;
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
 };
@@ -350,12 +350,12 @@ struct dom_angles_error {
 };
 
 struct dom_angles {
-    dom_real theta_c;     /* the head hits the next domino here: sin theta_c = r s (a2) */
-    dom_real theta_u;     /* a single domino tips over here: tan theta_u = d (b1) */
-    dom_real theta_inf;   /* far followers approach this angle: cos theta_inf = d / (s + d) (A16) */
-    dom_real theta_f;     /* the last angle of a follower: (A18) if it detaches, else theta_inf */
+    dom_real theta_c;     /* the head hits the next domino here: sin theta_c = r s (2; a2) */
+    dom_real theta_u;     /* a single domino tips over here: tan theta_u = d (4; b1) */
+    dom_real theta_inf;   /* far followers approach this angle: cos theta_inf = d / (s + d) (40; A16) */
+    dom_real theta_f;     /* the last angle of a follower: (42; A18) if it detaches, else theta_inf */
     dom_real theta_leave; /* the leader's angle at which its follower detaches; NaN if none does */
-    bool detaches;        /* true if followers detach from their leaders (A17) */
+    bool detaches;        /* true if followers detach from their leaders (41; A17) */
     struct dom_angles_error error;
 };
 
@@ -369,8 +369,8 @@ struct dom_contact_error {
 
 /* A domino at tilt theta and the follower that leans on it. */
 struct dom_contact {
-    dom_real theta_1; /* angle of the follower (b8); theta_f once the follower has detached */
-    dom_real slope;   /* d theta_1 / d theta (b10); 0 once detached */
+    dom_real theta_1; /* angle of the follower (12; b8); theta_f once the follower has detached */
+    dom_real slope;   /* d theta_1 / d theta (14; b10); 0 once detached */
     dom_real arm_a;   /* arm of the contact force on the leader, in h; NaN once detached */
     dom_real arm_b;   /* arm of the contact force on the follower, in h; NaN once detached */
     struct dom_contact_error error;
@@ -380,7 +380,7 @@ struct dom_contact {
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
 
-/* ---- The train behind the head at one tilt ---- */
+/* ---- The dominoes of the train at one tilt ---- */
 
 struct dom_link_error {
     dom_real theta, slope, arm_a, arm_b, weight;
@@ -389,10 +389,10 @@ struct dom_link_error {
 /* Domino i of the train. */
 struct dom_link {
     size_t i;              /* number of the domino, 0 = head */
-    dom_real theta;        /* the angle theta_i of the domino (A2) */
-    dom_real slope;        /* d theta_i / d theta (A9) */
+    dom_real theta;        /* the angle theta_i of the domino (27; A2) */
+    dom_real slope;        /* d theta_i / d theta (33; A9) */
     dom_real arm_a, arm_b; /* of the contact with the follower of domino i, in h; NaN without one (table 1) */
-    dom_real weight;       /* r^(-q i), the weight of the domino in H (c1) */
+    dom_real weight;       /* r^(-q i), the weight of the domino in H (19; c1) */
     struct dom_link_error error;
 };
 
@@ -411,9 +411,9 @@ struct dom_energy_error {
 };
 
 struct dom_energy {
-    dom_real dH; /* H(theta) - H(0); H is the potential energy of the train (c1), in m g h / 2 */
-    dom_real J;  /* inertia of the train: its kinetic energy is J tau^2 omega^2 (c2) */
-    dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (d8, corrected) */
+    dom_real dH; /* H(theta) - H(0); H is the potential energy of the train (19; c1), in m g h / 2 */
+    dom_real J;  /* inertia of the train: its kinetic energy is J tau^2 omega^2 (20; c2) */
+    dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (50; d8, corrected) */
     struct dom_energy_error error;
 };
 
@@ -427,7 +427,7 @@ struct dom_fuels_error {
 
 struct dom_fuels {
     dom_real exact; /* the potential energy that all dominoes lose in one cycle: H(0) - H(theta_c) */
-    dom_real paper; /* 1 - h(theta_f): the second equality of (c7), which holds only for r = 1 */
+    dom_real paper; /* 1 - h(theta_f): the second equality of (25; c7), which holds only for r = 1 */
     struct dom_fuels_error error;
 };
 
@@ -444,8 +444,8 @@ struct dom_launch_error {
 struct dom_launch {
     dom_real fuel;           /* P, as train->fuel selects it, less what friction takes */
     dom_real J0;             /* J(0) */
-    dom_real velocity_ratio; /* omega(0) / omega_1(theta_c), just after / before: (J(0) - 1) / J(0) (c4) */
-    dom_real omegasq;        /* tau^2 omega(0)^2 after the collision (c6) */
+    dom_real velocity_ratio; /* omega(0) / omega_1(theta_c), after / before: (J(0) - 1) / J(0) (22; c4) */
+    dom_real omegasq;        /* tau^2 omega(0)^2 after the collision (24; c6) */
     dom_real kinetic;        /* J(0) tau^2 omega(0)^2 */
     struct dom_launch_error error;
 };
@@ -470,7 +470,7 @@ struct dom_barrier {
      * collision that just suffices to pass every tilt. */
     dom_real barrier;
     dom_real kinetic; /* just after the collision; NaN without fuel */
-    dom_real margin;  /* kinetic - barrier (c8, corrected); NaN without fuel */
+    dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN without fuel */
     struct dom_barrier_error error;
 };
 
@@ -485,8 +485,8 @@ enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom
 /* ---- One cycle ---- */
 
 /*
- * Finds tau^2 omega(theta)^2 between one collision and the next (c3). The value is NaN unless the status is
- * DOM_OK. DOM_NO_FUEL: there is no cycle. DOM_STOPS: the train stops before theta.
+ * Finds tau^2 omega(theta)^2 between one collision and the next (21; c3). The value is NaN unless the status
+ * is DOM_OK. DOM_NO_FUEL: there is no cycle. DOM_STOPS: the train stops before theta.
  */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, struct dom_value *omegasq);
@@ -534,13 +534,13 @@ struct dom_state_error {
 struct dom_state {
     dom_real theta;         /* tilt of the head */
     dom_real time;          /* since the launch, in tau */
-    dom_real omegasq;       /* tau^2 omega^2 (c3) */
-    dom_real acceleration;  /* tau^2 times the angular acceleration of the head, from (c3) */
+    dom_real omegasq;       /* tau^2 omega^2 (21; c3) */
+    dom_real acceleration;  /* tau^2 times the angular acceleration of the head, from (21; c3) */
     dom_real kinetic;       /* J(theta) tau^2 omega^2 */
     dom_real climbed;       /* H(theta) - H(0); negative where the train has come down */
     dom_real fallen;        /* the part of `climbed` in dominoes that detached in this cycle */
     dom_real before;        /* kinetic energy of the train just before the collision */
-    dom_real lost;          /* in the collision; without friction before / J(0) (c4) */
+    dom_real lost;          /* in the collision; without friction before / J(0) (22; c4) */
     dom_real friction_work; /* energy that friction has taken since the launch */
     struct dom_state_error error;
 };
@@ -623,7 +623,7 @@ struct dom_limit {
 
 /*
  * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0; 1/s if it never does.
- * train->r is not used. DOM_OK with DOM_END_NONE: already equal dominoes, r = 1, do not go on. DOM_TOO_LONG,
+ * train->r is not used. DOM_OK with DOM_END_NONE: even equal dominoes, r = 1, do not go on. DOM_TOO_LONG,
  * here and in the next two: it would take more than a second or two in double. Without friction, bounds cover
  * every growth up to r_max; they can miss a dip of the margin narrower than 1e-6 in ln r (1e-4 just before
  * r_max; more where 1,500 intervals do not decide). With friction, growths are only sampled.
@@ -634,7 +634,7 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
 /*
  * Finds the largest growth of two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry
  * domino 0 over the barrier of the pair. train->r and train->fuel are not used. Where equal dominoes fail but
- * larger ones succeed ((b0) is a lower bound on r), r_max is the end of the first band of r that succeeds.
+ * larger ones succeed ((5; b0) is a lower bound on r), r_max is the end of the first band of r that succeeds.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -946,7 +946,8 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
 
-/* Returns tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (a1), for solid blocks; d in h. Checks nothing. */
+/* Returns tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (1; a1), for solid blocks; d in h. Checks
+ * nothing. */
 dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d);
 
 /* Returns the front speed in m/s: (s + d) r h over the duration of a cycle, in tau. Checks nothing. */

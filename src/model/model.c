@@ -3,7 +3,7 @@
 #include "dynamics/list.h"
 #include "precision/kernel.h"
 
-/* A question, and the kernel that answers it unless the status says why none does. */
+/* Holds a question and the kernel that answers it. The status says why no kernel answers. */
 struct question {
     struct request request;
     const struct kernel *kernel;
@@ -13,7 +13,7 @@ struct question {
 static const struct kernel *const kernels[] = {
     [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
 
-/* The status that names a parameter of the lists. */
+/* Statuses of the parameters in the lists. */
 #define BAD_s   DOM_BAD_S
 #define BAD_r   DOM_BAD_R
 #define BAD_d   DOM_BAD_D
@@ -27,7 +27,7 @@ static enum dom_status precision_check(enum dom_precision precision)
                                              : DOM_NO_PRECISION;
 }
 
-/* Keeps the first parameter that is outside its range. */
+/* Stores the status of the first parameter that is outside its range. */
 #define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
     if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
         status = BAD_##name;
@@ -58,7 +58,7 @@ static struct dom_compute compute_or_default(const struct dom_compute *compute)
     return compute ? *compute : dom_compute_default();
 }
 
-/* The values of effects, by number. */
+/* Lists the values of the effects, in the order of their numbers. */
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
 
@@ -82,7 +82,8 @@ static struct question question_make(const struct dom_train *train, const struct
     return q;
 }
 
-/* A question about a limit of growth, which has r of its own: the train's may be anything. */
+/* Returns a question about a limit of growth. The search finds r itself: r of the train may have any
+ * value. */
 static struct question question_of_limit(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_train t = *train;
@@ -90,13 +91,13 @@ static struct question question_of_limit(const struct dom_train *train, const st
     return question_make(&t, compute);
 }
 
-/* Calls a function of the kernel with the request and more arguments; the value is its status. */
+/* Calls a function of the kernel with the request and further arguments. Evaluates to its status. */
 #define ASK(question, member, ...)                                                                           \
     ((question).status != DOM_OK         ? (question).status                                                 \
      : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \
                                          : (question).kernel->member(&(question).request, __VA_ARGS__))
 
-/* Returns the status of an answer, whose bounds are NaN where none are asked for. */
+/* Returns the status of an answer. Sets the bounds to NaN if the question asks for none. */
 static enum dom_status found(const struct question *q, enum dom_status status, void *bounds, size_t size)
 {
     if (!q->request.errors)
@@ -104,7 +105,7 @@ static enum dom_status found(const struct question *q, enum dom_status status, v
     return status;
 }
 
-/* Calls a function of the kernel that fills an answer with bounds: they are NaN where it finds none. */
+/* Calls a function of the kernel that fills an answer and its bounds, which stay NaN where it finds none. */
 #define FIND(question, member, bounds, ...)                                                                  \
     (no_bounds(&(bounds), sizeof(bounds)),                                                                   \
      found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))

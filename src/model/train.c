@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Defaults, scales and rows: what is the same in every precision, in the arithmetic of dom_real. */
+/* Defaults, scales and rows: functions that are equal in every precision, in the arithmetic of dom_real. */
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
@@ -35,10 +35,10 @@ dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *
 }
 
 /*
- * The floors of tol: some five units, for the roundings that no tolerance undoes.  A long double of 64
- * bits is the best that some machines have.
+ * The smallest values of tol: about five units, for the rounding errors that no tolerance removes. On some
+ * machines a long double of 64 bits is the widest type.
  */
-#define TENTH(power) (1 / (dom_real)(power)) /* of a power of ten that a double holds exactly */
+#define TENTH(power) (1 / (dom_real)(power)) /* a power of ten that a double holds exactly */
 
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 {

@@ -73,3 +73,18 @@ of_help() {
         [ -e "$root/$link" ] || { echo "$link"; false; }
     done
 }
+
+@test "comments of C sources are in plain words, and ask no questions" {
+    same comments '(nothing)' "$("$root/tests/comments")"
+    # What is wrong is found: words, at the first line of the comment, and questions; not in strings.
+    printf '%s\n' 'int a; /* Nobody' ' * reads it. */' '/* Is it over? */ char *b = "who /* knows */";' >"$BATS_TEST_TMPDIR/bad.c"
+    run "$root/tests/comments" "$BATS_TEST_TMPDIR/bad.c"
+    [ "$status" = 1 ]
+    [[ ${lines[0]} = *'bad.c:1: better: name the subject'* ]]
+    [[ ${lines[1]} = *'bad.c:3: a question: Is it over?'* ]]
+    [ "${#lines[@]}" = 2 ]
+}
+
+@test "each equation is cited with the number that the paper prints, and the table lists the files" {
+    same equations '(nothing)' "$("$root/tests/equations")"
+}

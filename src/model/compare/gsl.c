@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * To compare with: the same energies, given to solvers of GSL as anybody would.  The barrier is a maximum
- * by Brent's method around the best of a few samples, r_max a root by Brent's method, the duration an
- * adaptive quadrature.  No care is taken of second maxima, kinks or a near-stop.
+ * A method to compare with: the same energies, given to solvers of GSL in the usual way. The barrier is a
+ * maximum by Brent's method around the best of a few samples, r_max a root by Brent's method, the duration an
+ * adaptive quadrature. Second maxima, kinks and near-stops get no special care.
  */
 #include "numerics/quiet.h"
 #include "precision/kernel.inc"
@@ -20,7 +20,7 @@ struct gsl_context {
     enum dom_status status;
 };
 
-/* H(0) - H(theta): GSL minimizes. */
+/* Returns H(0) - H(theta), since GSL minimizes. */
 static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;
@@ -29,7 +29,7 @@ static double gsl_depth(double theta, void *context)
     return -at.dH;
 }
 
-/* From the samples around the highest one. */
+/* Finds the maximum near the highest sample. */
 static enum dom_status gsl_polish(struct gsl_context *c, double left, double middle, double right,
                                   struct barrier *b)
 {
@@ -40,7 +40,7 @@ static enum dom_status gsl_polish(struct gsl_context *c, double left, double mid
     int code = gsl_min_fminimizer_set(solver, &f, middle, left, right), done = GSL_CONTINUE;
     for (int i = 0; code == GSL_SUCCESS && done == GSL_CONTINUE && c->status == DOM_OK; i++) {
         code = i < GSL_ITERATIONS ? gsl_min_fminimizer_iterate(solver) : GSL_EMAXITER;
-        /* The height is right to the square of what theta_m is. */
+        /* The error of the height is the square of the error of theta_m. */
         done = gsl_min_test_interval(gsl_min_fminimizer_x_lower(solver), gsl_min_fminimizer_x_upper(solver),
                                      0, sqrt((double)c->train->tol));
     }
@@ -65,7 +65,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     }
     if (c->status != DOM_OK || top == GSL_SAMPLES)
         return c->status;
-    double middle = top > 0 ? top * step : step / 2; /* it may stand before the first sample */
+    double middle = top > 0 ? top * step : step / 2; /* theta_m may be before the first sample */
     while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0)
         middle /= 2;
     if (top == 0 && -gsl_depth(middle, c) <= 0)
@@ -73,7 +73,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     return gsl_polish(c, fmax(0, (top - 1) * step), middle, (top + 1) * step, b);
 }
 
-/* Launch and barrier at the growth r. */
+/* Finds launch and barrier at the growth r. */
 static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier *b)
 {
     struct launch launch = {0};

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * To compare with: the recipe of the paper (end of the section 'A general domino train'), in its angles
- * and plain sums.  theta is raised in steps until H decreases; r is raised in steps until the train
- * stops, and then interpolated.  Steps of half sqrt(tol) make errors of about tol.  Its slip is mended: a
- * follower is gone when its leader has come to theta_leave.
+ * A method to compare with: the recipe of the paper (end of the section 'A general domino train'), in its
+ * angles and plain sums. theta is raised in steps until H decreases; r is raised in steps until the train
+ * stops, and then interpolated. Steps of sqrt(tol) / 2 give errors of about tol. One slip of the paper is
+ * corrected: a follower is detached when its leader has reached theta_leave.
  */
 #include "precision/kernel.h"
 #include <math.h>
@@ -19,7 +19,7 @@ struct paper {
 };
 
 struct paper_sums {
-    double H, J; /* (c1), (c2) */
+    double H, J; /* (19; c1), (20; c2) */
 };
 
 static struct paper_sums paper_chain(struct paper *p, double theta)
@@ -35,11 +35,11 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
         weight *= pow(p->r, -p->q);
         inertia *= pow(p->r, -p->q - 1);
         if (theta >= p->theta_leave && theta > 0) {
-            /* What left keeps theta_f, and what it led has done so before. */
+            /* A domino that has detached keeps theta_f; its own followers have detached before. */
             sums.H += weight * (cos(p->theta_f) + p->d * sin(p->theta_f)) / (1 - pow(p->r, -p->q));
             break;
         }
-        double X = p->r * (p->L * cos(theta) - p->d); /* (b8) */
+        double X = p->r * (p->L * cos(theta) - p->d); /* (12; b8) */
         slope *= 1 - p->r * p->L * sin(theta) / sqrt(1 - X * X);
         theta += asin(X);
     }
@@ -61,20 +61,21 @@ static enum dom_status paper_begin(const struct request *t, double r, struct pap
         return DOM_OUT_OF_REACH;
     if (r <= 1)
         return DOM_TOO_LONG;
-    p->theta_c = asin(r * s);                 /* (a2) */
-    bool falls = 1 / (r * r) < L * L - d * d; /* (A17) */
+    p->theta_c = asin(r * s);                 /* (2; a2) */
+    bool falls = 1 / (r * r) < L * L - d * d; /* (41; A17) */
     p->theta_leave = falls ? acos((L * L + d * d - 1 / (r * r)) / (2 * d * L)) : 4;
-    p->theta_f = falls ? asin((1 + r * r * (L * L - d * d)) / (2 * r * L)) /* (A18) */
-                       : acos(d / L);                                      /* (A16) */
+    p->theta_f = falls ? asin((1 + r * r * (L * L - d * d)) / (2 * r * L)) /* (42; A18) */
+                       : acos(d / L);                                      /* (40; A16) */
     struct paper_sums at_0 = paper_chain(p, 0), at_c = paper_chain(p, p->theta_c);
     double J0 = at_0.J;
-    p->P = t->fuel == DOM_FUEL_PAPER ? 1 - cos(p->theta_f) - d * sin(p->theta_f) : at_0.H - at_c.H; /* (c7) */
+    p->P = t->fuel == DOM_FUEL_PAPER ? 1 - cos(p->theta_f) - d * sin(p->theta_f)
+                                     : at_0.H - at_c.H; /* (25; c7) */
     p->J0 = J0;
-    p->kinetic = p->P * (J0 - 1) / (pow(r, q) * J0 - J0 + 1); /* J(0) omega(0)^2, (c6) */
+    p->kinetic = p->P * (J0 - 1) / (pow(r, q) * J0 - J0 + 1); /* J(0) omega(0)^2, (24; c6) */
     return p->status != DOM_OK ? p->status : isfinite(p->kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-/* theta raised step by step until H decreases. */
+/* Raises theta step by step until H decreases. */
 static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *height)
 {
     double step = p->theta_c * sqrt(p->tol) / 2, H0 = paper_chain(p, 0).H, H = H0;
@@ -143,7 +144,7 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
         if (status != DOM_OK)
             return status;
         double margin = p.kinetic - height;
-        if (margin < 0) { /* interpolate between this r and the one before */
+        if (margin < 0) { /* interpolates between this r and the one before */
             if (!(before > 0))
                 return DOM_NOT_CONVERGED;
             *limit =
@@ -156,7 +157,7 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
     return DOM_OK;
 }
 
-/* The paper has no recipe for t_f; in its spirit, a sum over steps of theta. */
+/* Adds up steps of theta. The paper has no recipe for t_f; this one has the same spirit. */
 static enum dom_status paper_cycle_duration(const struct request *train, struct dom_value *duration)
 {
     struct paper p;
@@ -167,7 +168,7 @@ static enum dom_status paper_cycle_duration(const struct request *train, struct 
     double H0 = paper_chain(&p, 0).H, sum = 0;
     for (size_t k = 0; k <= steps && p.status == DOM_OK; k++) {
         struct paper_sums at = paper_chain(&p, p.theta_c * (double)k / (double)steps);
-        double omegasq = (p.kinetic - (at.H - H0)) / at.J; /* (c3) */
+        double omegasq = (p.kinetic - (at.H - H0)) / at.J; /* (21; c3) */
         if (!(omegasq > 0))
             return DOM_STOPS;
         sum += (k == 0 || k == steps ? 0.5 : 1) / sqrt(omegasq);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of the effects that change how a train moves, and the law of motion without any. */
+/* Chooses the law of motion from the list of effects. */
 #include "dynamics/choose.h"
 
-/* Each effect of the list turns itself on, in a file of its own. */
+/* Each effect of the list has its own file, with a function that turns the effect on. */
 #define DYNAMICS_DECLARE(effect, member, status)                                                             \
     KERNEL enum dom_status effect##_apply(struct geometry *geometry, real value);
 DOM_DYNAMICS(DYNAMICS_DECLARE)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How a train moves: the law of motion, as a table of functions.  energy_balance.c and friction.c each have
- * one; README.md in this folder says how to add an effect.
+ * How a train moves: the law of motion, as a table of functions. energy_balance.c and friction.c each have
+ * such a table; README.md in this folder says how to add an effect.
  */
 #ifndef DOM_DYNAMICS_H
 #define DOM_DYNAMICS_H
@@ -9,103 +9,105 @@
 #include "geometry/chain.h"
 
 /*
- * The collision (c4): the struck domino, upright, and the chain that hits it move on as one.  With the
- * inertia ratio T = r^-(q+1) J(theta_c), J the inertia of the chain (with friction S_1 A in its place), the
- * angular momentum that all the contacts pass on is kept:
+ * The collision (22; c4), derived as (59; e8): the struck domino, upright, and the chain that hits it move on
+ * together. T = r^-(q+1) J(theta_c) is the inertia ratio, J the inertia of the chain; with friction S_1 A
+ * replaces J. The collision conserves the angular momentum that all contacts pass on:
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
  */
-/* Returns omega(0) / omega_1(theta_c), what a collision keeps of the angular velocity. */
+/* Returns omega(0) / omega_1(theta_c), the part of the angular velocity that is left after a collision. */
 KERNEL real collision_velocity_ratio(real inertia_ratio)
 {
     return inertia_ratio / (1 + inertia_ratio);
 }
 
-/* How a cycle begins, in units of the head. */
+/* The beginning of a cycle, in units of the head. */
 struct launch {
-    real fuel;           /* P, the one in use */
+    real fuel;           /* P, the fuel that the train uses */
     real J0;             /* J(0) */
     real inertia_ratio;  /* T of the collision */
     real velocity_ratio; /* omega(0) / omega_1(theta_c) */
     real omegasq;        /* tau^2 omega(0)^2 */
     real kinetic;        /* J(0) tau^2 omega(0)^2 */
-    real arrives;        /* kinetic energy at theta_c, of a train that gets there */
+    real arrives;        /* kinetic energy at theta_c, of a train that reaches theta_c */
 };
 
-/* What a motion begins with, at the tilt `from` of the head. */
+/* The beginning of a motion, at the tilt `from` of the head. */
 struct start {
     struct tilt from;
-    real J;             /* inertia of all that move (c2) */
+    real J;             /* inertia of all moving dominoes (20; c2) */
     real omegasq;       /* tau^2 omega^2 */
     real kinetic;       /* J omegasq */
-    real kinetic_error; /* bound of its error */
+    real kinetic_error; /* bound of the error of `kinetic` */
 };
 
 /* A contact between a domino and its follower (table 1). */
 struct arms {
-    real ratio; /* a / b: the share of a torque on the follower that the contact passes on to the leader */
+    real ratio; /* a / b: the part of a torque on the follower that the contact passes on to the leader */
     real b;     /* r times the arm on the follower */
 };
 
 struct dynamics {
     const struct dom_effect *text; /* name, equations, source */
     /*
-     * True where the energy H of position decides: the barrier is the maximum of H, found by Newton's method,
-     * error bounds are known, and bounds between samples lead the searches for limits.  Where it is false,
+     * True if the energy H of position decides: then the barrier is the maximum of H, found by Newton's
+     * method, error bounds are known, and bounds between samples guide the searches for limits. If false,
      * error bounds are NaN and searches use samples alone.
      */
     bool conservative;
 
-    /* Optional: takes memory for the law, and gives it back.  DOM_NO_MEMORY where there is none. */
+    /* Optional: take and free memory for the law. DOM_NO_MEMORY: there is not enough. */
     enum dom_status (*begin)(struct geometry *geometry);
     void (*end)(struct geometry *geometry);
 
-    /* Optional: solves the motion over a whole cycle, unless it is solved already. */
+    /* Optional: solves the motion over a whole cycle, unless an earlier call has solved it. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
-     * Optional: solves the motion over [lo, *hi] alone, where J is the inertia at lo.  DOM_LOCKS: no motion
-     * comes farther than *hi, which becomes that tilt.
+     * Optional: solves the motion over [lo, *hi] alone; J is the inertia at lo. DOM_LOCKS: no motion gets
+     * beyond a tilt, which is written to *hi.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * Optional: finds where to look for the end of a motion that is used up before *hi; *hi becomes a tilt
-     * soon after it.  edge: the piece of the motion that start is in.
+     * Optional: narrows the search for the end of a motion that uses up its energy before *hi: sets *hi to a
+     * tilt soon after that end. edge: the piece of the motion that contains start.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
-    /* Optional: where the motion locks, finds whether it is braked there, rather than driven. */
+    /* Optional: finds whether a motion that locks is braked there (true) or driven (false). */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
-    /* The cycle of a train that repeats itself (c6); unless error is NULL, with bounds. */
+    /* Finds the cycle of a train that repeats itself (24; c6), with bounds unless error is NULL. */
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
-     * Inertia ratio of a collision: `hitting` leans at `at`, where its inertia is J, and hits the upright
-     * domino of `next`.  DOM_UNDERFLOW, DOM_LOCKS: the ratio is not positive.
+     * Finds the inertia ratio of a collision: `hitting` leans at `at`, where its inertia is J, and hits the
+     * upright domino of `next`. DOM_UNDERFLOW, DOM_LOCKS: the ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Slope of the required energy at a tilt, dH/dtheta or what is in its place; rough: its sign alone. */
+    /* Finds the slope of the required energy at a tilt: dH/dtheta, or what replaces H. rough: only the sign
+     * of the slope is right. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
-    /* Kinetic energy that it takes at the tilt `from` to come to the tilt 2 atan p. */
+    /* Finds the kinetic energy at the tilt `from` that is just enough to reach the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
-    /* tau^2 omega^2 at a tilt; unless error is NULL, with its bound. */
+    /* Finds tau^2 omega^2 at a tilt, with its bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
-    /* 1 / (tau^2 omega^2) at the tilt `by` before `end`, where the motion is used up; NaN where there is
-     * none. */
+    /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up;
+     * NaN if there is none. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
-    /* tau^2 times the acceleration of the head where tau^2 omega^2 is w; unless NULL, *n gets the number of
-     * dominoes that matter. */
+    /* Finds tau^2 times the acceleration of the head where tau^2 omega^2 is w. *n, unless n is NULL, gets the
+     * number of dominoes that matter. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
-    /* d omegasq / d omegasq at the launch, at a tilt where the inertia is J_at; gain: the same at the start.
-     */
+    /* Returns d omegasq / d omegasq(launch) at a tilt where the inertia is J_at; gain: this derivative at the
+     * start. */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
-    /* Optional: the contact of a domino with its follower; without it the paper's, which has no friction. */
+    /* Optional: finds the arms of the contact of a domino with its follower. Without this function they are
+     * the arms of the paper, without friction. */
     struct arms (*arms)(const struct link *link);
 };
 

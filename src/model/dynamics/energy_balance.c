@@ -5,11 +5,11 @@
 const struct dom_effect dom_energy_balance = {
     .name = "energy balance",
     .adds = "no effect: contacts without friction take no energy",
-    .help =
-        "Kinetic energy and height are kept through a cycle (c3), and the collision keeps angular momentum "
-        "(c4), so a train that repeats itself has its kinetic energy in closed form (c6).",
+    .help = "Kinetic energy and height are kept through a cycle (21; c3), and the collision keeps "
+            "angular momentum (22; c4), so a train that repeats itself has its kinetic energy in closed form "
+            "(24; c6).",
     .source = "J. M. J. van Leeuwen, Domino Magnification",
-    .plan = "(c3) (c4) (c6) in closed form, not integrated",
+    .plan = "(21; c3) (22; c4) (24; c6) in closed form, not integrated",
 };
 #endif
 
@@ -21,13 +21,14 @@ KERNEL real energy_fuel_paper(const struct geometry *geometry)
     /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
     if (geometry->detaches)
         return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
-    /* h(0) - h(theta_inf), rationalized: it keeps its digits near P = 0, on level floor s = 2 d^3 / (1 -
-     * d^2). */
+    /* h(0) - h(theta_inf), rationalized, so that no digits cancel near P = 0; on a level floor P = 0 at s = 2
+     * d^3 / (1 - d^2). */
     return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
            (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
 }
 
-/* Of the above: the roundings of the two terms whose difference it is, and the error of theta_f. */
+/* Returns the error bound of energy_fuel_paper: the rounding errors of two terms that are subtracted, and the
+ * error of theta_f. */
 static real fuel_paper_error(const struct geometry *geometry)
 {
     real s = geometry->s, x = geometry->h.x, y = geometry->h.y;
@@ -66,7 +67,7 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f)
 {
     real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = 1 + f->inertia_ratio;
-    /* (c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): terms of one sign. */
+    /* (24; c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): all terms have one sign. */
     real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
     return (struct launch){.fuel = P,
                            .J0 = J0,
@@ -90,7 +91,7 @@ static enum dom_status energy_collide(const struct geometry *geometry, enum dom_
     real J0 = launch->J0, kinetic = launch->kinetic;
     if (error) {
         real size = fabs(kinetic), P_error = fuel == DOM_FUEL_PAPER ? e.paper : e.exact;
-        real powers = 12 * UNIT; /* of the denominator, and of what is left to do */
+        real powers = 12 * UNIT; /* rounding errors of the denominator, and of the operations that follow */
         real of_kinetic = P_error * f.inertia_ratio / (geometry->rq + f.inertia_ratio * geometry->rq_1) +
                           size * (e.inertia_ratio / f.inertia_ratio + powers);
         real of_J0 = e.inertia_ratio + UNIT * J0;
@@ -138,7 +139,7 @@ static enum dom_status energy_required(const struct geometry *geometry, struct t
     return status;
 }
 
-/* (c3), solved for tau^2 omega(theta)^2. */
+/* Solves (21; c3) for tau^2 omega(theta)^2. */
 static enum dom_status energy_speed(const struct geometry *geometry, const struct start *start, real theta,
                                     real *omegasq, real *error)
 {
@@ -170,13 +171,13 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
     return status;
 }
 
-/* The rest of J, H1 and J'/2 from this domino on, where it is near enough to theta_inf (far_near). */
+/* Adds the rest of J, H1 and J'/2 from this domino on, if its tilt is near enough to theta_inf (far_near). */
 static bool acceleration_closes(const struct link *k, real second_derivative, struct sum_state *a,
                                 real *half_J1)
 {
     const struct geometry *geometry = k->geometry;
     const struct far *far = &geometry->far;
-    if (geometry->n != CHAIN_ENDLESS || geometry->detaches || geometry->behind)
+    if (geometry->n != CHAIN_ENDLESS || geometry->detaches || geometry->follower)
         return false;
     real e = far_off(geometry, k->tilt), H1 = k->weight * k->slope, J = k->inertia * k->slope * k->slope;
     if (e > geometry->inf.x / 16 || !far_done(&a->H1, H1 * far->H1, H1 * far->H3 * e * e, geometry->tol) ||

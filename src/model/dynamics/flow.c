@@ -9,45 +9,45 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* Of all passes of a flow, some hundred: in double they take half a second. */
+/* The most dominoes in all passes of a flow, which are about a hundred: in double they take half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
     const struct geometry *geometry;
     enum dom_status status;
-    real locked;     /* the last tilt that was found locked */
-    size_t dominoes; /* so far */
+    real locked;     /* the last tilt at which friction locked */
+    size_t dominoes; /* dominoes visited up to now */
 };
 
-/* dw/dtheta = -2 B / A w + 2 C / A. */
+/* Computes dw/dtheta = -2 B / A w + 2 C / A. */
 static bool flow_rate(real theta, void *context, struct num_rate *rate)
 {
     struct flow_context *f = context;
     struct tilt head;
-    struct equation_of_motion law = {.n = 0};
+    struct equation_of_motion equation = {.n = 0};
     f->status = geometry_tilt(f->geometry, theta, &head);
     if (f->status == DOM_OK)
-        f->status = f->geometry->flow->equation(f->geometry, head, &law);
-    f->dominoes += f->status == DOM_OK ? law.n : 0;
+        f->status = f->geometry->flow->equation(f->geometry, head, &equation);
+    f->dominoes += f->status == DOM_OK ? equation.n : 0;
     if (f->dominoes > FLOW_DOMINOES)
         f->status = DOM_TOO_LONG;
-    if (f->status == DOM_OK && law.locks) {
+    if (f->status == DOM_OK && equation.locks) {
         f->status = DOM_LOCKS;
         f->locked = theta;
     }
     if (f->status != DOM_OK)
         return false;
-    const real units = 32 * UNIT / law.A, of_A = law.A_size / law.A;
-    *rate = (struct num_rate){.p = -2 * law.B / law.A,
-                              .c = 2 * law.C / law.A,
-                              .p_noise = units * (law.B_size + fabs(law.B) * of_A),
-                              .c_noise = units * (law.C_size + fabs(law.C) * of_A)};
+    const real units = 32 * UNIT / equation.A, of_A = equation.A_size / equation.A;
+    *rate = (struct num_rate){.p = -2 * equation.B / equation.A,
+                              .c = 2 * equation.C / equation.A,
+                              .p_noise = units * (equation.B_size + fabs(equation.B) * of_A),
+                              .c_noise = units * (equation.C_size + fabs(equation.C) * of_A)};
     return true;
 }
 
 /*
- * Solves the stretch from upright to theta ~ d, in which u changes by d^2 only and by much more after it, on
- * panels of its own, and so the stretch near the tilt sqrt(1 - r s), where followers come down.
+ * Solves two regions on panels of their own. From upright to theta ~ d, u changes by only d^2, and by much
+ * more after it. Near the tilt sqrt(1 - r s), followers come down.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
@@ -63,7 +63,7 @@ static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, r
     return DOM_OK;
 }
 
-/* Over the smooth parts between the edges. */
+/* Solves the smooth pieces between the edges. */
 static enum dom_status flow_over(struct flow_context *c, real tol, const real *edge, int edges)
 {
     for (int i = 1; i < edges; i++) {
@@ -79,7 +79,8 @@ static enum dom_status flow_over(struct flow_context *c, real tol, const real *e
     return DOM_OK;
 }
 
-/* To a series a sum that ends elsewhere is a jump: it must stay below what the series resolves. */
+/* Returns the geometry with a finer tolerance: a sum that ends elsewhere is a jump for a series, and must
+ * stay below what the series resolves. */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
     struct geometry fine = *geometry;
@@ -89,7 +90,7 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* The hitting train has all but the head, which stands upright. */
+/* Finds the collision. The hitting train has all dominoes but the head, which is upright. */
 static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
 {
     struct sums sums;
@@ -122,15 +123,15 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     return status == DOM_OK ? flow_over(&c, geometry->tol, edge, edges) : status;
 }
 
-/* How far the flow has come. */
+/* Returns the tilt up to which the flow is solved. */
 static real flow_end(const struct flow *flow, real lo)
 {
     return flow->solution.panels > 0 ? flow->solution.panel[flow->solution.panels - 1].hi : lo;
 }
 
 /*
- * Comes to where A vanishes as near as the tolerance asks, by halving the way to a tilt that is locked; the
- * panels become as short as what is left, since 2 B / A has a pole there.
+ * Solves up to the tilt where A vanishes, as near as the tolerance asks, by halving the distance to a tilt
+ * that is locked. The panels become as short as the remaining distance, since 2 B / A has a pole there.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {
@@ -150,16 +151,17 @@ static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real 
     return DOM_LOCKS;
 }
 
-/* Where panels became too short before a pole: a locked tilt close behind; NaN where there is none. */
+/* Returns a locked tilt soon after `from`, where panels became too short before a pole; NaN if there is
+ * none. */
 static real flow_locked_near(const struct geometry *geometry, real from, real hi)
 {
     for (real step = 4 * REAL_EPSILON * hi; from + step < hi; step *= 2) {
         struct tilt head;
-        struct equation_of_motion law;
+        struct equation_of_motion equation;
         if (geometry_tilt(geometry, from + step, &head) != DOM_OK ||
-            geometry->flow->equation(geometry, head, &law) != DOM_OK)
+            geometry->flow->equation(geometry, head, &equation) != DOM_OK)
             break;
-        if (law.locks)
+        if (equation.locks)
             return from + step;
     }
     return REAL_NAN;
@@ -177,25 +179,25 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0
     return locks ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
 }
 
-/* ln G and u at a tilt of the head. */
+/* Finds ln G and u at a tilt of the head. */
 static void flow_at(const struct geometry *geometry, real theta, real *ln_G, real *u)
 {
     num_linear_at(&geometry->flow->solution, theta, ln_G, u);
     *u = -*u;
 }
 
-/* du/dtheta at a tilt. */
+/* Finds du/dtheta at a tilt. */
 static enum dom_status flow_slope(const struct geometry *geometry, struct tilt head, real theta, real *slope)
 {
-    struct equation_of_motion law;
+    struct equation_of_motion equation;
     real ln_G, u;
-    enum dom_status status = geometry->flow->equation(geometry, head, &law);
+    enum dom_status status = geometry->flow->equation(geometry, head, &equation);
     flow_at(geometry, theta, &ln_G, &u);
-    *slope = -2 * law.C / (law.A * exp(ln_G));
+    *slope = -2 * equation.C / (equation.A * exp(ln_G));
     return status;
 }
 
-/* A motion that is used up before *hi in a smooth piece from lo on: solves it again over its first part. */
+/* Solves the first part of a smooth piece again: the motion uses up its energy between lo and *hi. */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {
@@ -215,7 +217,7 @@ static enum dom_status flow_spent_in(const struct geometry *geometry, const stru
             return DOM_OK;
         }
     }
-    /* It goes on for long enough to be seen in the whole. */
+    /* The motion goes on for long enough to be seen in the solution of the whole piece. */
     return cut ? flow_solve_piece(geometry, J0, lo, hi) : DOM_OK;
 }
 
@@ -228,15 +230,16 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
         *hi = spent;
         return status;
     }
-    geometry->flow->solution.panels = 0; /* it goes on over the edge: the whole flow is needed again */
+    /* the motion continues beyond the edge: the whole flow is needed again */
+    geometry->flow->solution.panels = 0;
     return flow_solve(geometry);
 }
 
 /* ---- Functions of a law of motion ---- */
 
 /*
- * A cycle that begins with w(0) ends with w(theta_c) = G (w(0) - u), of which the collision makes kappa = r
- * (T / (1 + T))^2, w(0) again.
+ * Finds the cycle of a train that repeats itself. A cycle that begins with w(0) ends with w(theta_c) = G
+ * (w(0) - u). The collision multiplies w(theta_c) by kappa = r (T / (1 + T))^2, which is w(0) again.
  */
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
                                     struct launch *launch, struct launch *error)
@@ -275,7 +278,7 @@ KERNEL enum dom_status flow_required(const struct geometry *geometry, struct til
     return DOM_OK;
 }
 
-/* w = G (w(0) - u). */
+/* Finds w = G (w(0) - u). */
 KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct start *start, real theta,
                                   real *omegasq, real *error)
 {
@@ -295,7 +298,7 @@ KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real en
 {
     real ln_G, u;
     flow_at(geometry, end - by, &ln_G, &u);
-    /* G (u(end) - u), where nothing cancels. */
+    /* G (u(end) - u), without cancellation. */
     real left = -exp(ln_G) * num_linear_moved(&geometry->flow->solution, end, by);
     *slowness = left > 0 ? 1 / left : REAL_NAN;
     return DOM_OK;
@@ -310,11 +313,11 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
     return gain * exp(ln_G);
 }
 
-/* With A -> 0 it is the sign of C that is left: w' = 2 (C - B w) / A. */
+/* Finds whether the motion is braked. For A -> 0 the sign of C decides: w' = 2 (C - B w) / A. */
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
 {
-    struct equation_of_motion law = {.C = 0};
-    enum dom_status status = geometry->flow->equation(geometry, head, &law);
-    *braked = law.C < 0;
+    struct equation_of_motion equation = {.C = 0};
+    enum dom_status status = geometry->flow->equation(geometry, head, &equation);
+    *braked = equation.C < 0;
     return status;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The solution of an equation of motion (A/2) dw/dtheta + B w = C, for every beginning at once: w = G (w(0) -
- * u).  u is what tau^2 omega(0)^2 must be to come to theta; where it is highest is the barrier, in energy
- * J(0) u.  Without friction u = [H(theta) - H(0)] / J(0).
+ * The solution of an equation of motion (A/2) dw/dtheta + B w = C for every initial value: w = G (w(0) - u).
+ * u is the smallest tau^2 omega(0)^2 that reaches theta. Its maximum is the barrier, in energy J(0) u.
+ * Without friction u = [H(theta) - H(0)] / J(0).
  */
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H
@@ -10,28 +10,29 @@
 #include "dynamics/dynamics.h"
 #include "numerics/numerics.h"
 
-/* At one tilt of the head. */
+/* The equation of motion at one tilt of the head. */
 struct equation_of_motion {
     real A, B, C;
-    /* Of all terms, whatever their signs, and more where an arm b cancels: what roundings are relative to. */
+    /* Sums of the absolute values of all terms, larger where an arm b cancels: the scale of the rounding
+     * errors. */
     real A_size, B_size, C_size;
-    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or an arm b of a follower is */
+    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or the arm b of a follower is <= 0 */
     size_t n;   /* dominoes followed */
 };
 
 struct flow {
     struct num_linear solution;
-    real tol; /* that it keeps */
+    real tol; /* tolerance of the solution */
     enum dom_status (*equation)(const struct geometry *geometry, struct tilt head,
                                 struct equation_of_motion *equation);
     real inertia_ratio; /* A(0) - 1 = r^-(q+1) S_1(0) A(theta_c), of the collision */
     real J0, J_c;       /* J(0), and J(theta_c) of the hitting train */
 };
 
-/* Gives back a flow, which malloc made, and what it holds; NULL is none. */
+/* Frees a flow, allocated by malloc, and its members. NULL is allowed. */
 KERNEL void flow_free(struct flow *flow);
 
-/* As solve, solve_piece, spent and so on in struct dynamics. */
+/* Functions of struct dynamics: solve, solve_piece, spent and so on. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);
 KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Friction between dominoes (van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)): the tip of a
- * follower slides down its leader's face, and Coulomb's force mu N along the face turns against both.  The
- * arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1).
+ * Friction between dominoes (van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)). The tip of a
+ * follower slides down the face of its leader, and Coulomb's force mu N along the face brakes both. The arms
+ * of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1). Energy is not conserved, so the
+ * equation of motion replaces (21; c3). S_0 = 1 and S_{i+1} = S_i a_i / b_i (55; e4) are the factors with
+ * which the torques of all dominoes add up without their contact forces. w = tau^2 omega^2 obeys
  *
- * Energy is no longer kept, so (c3) gives way to the equation of motion.  With S_0 = 1, S_{i+1} = S_i a_i /
- * b_i, by which the torques of all dominoes add up without their contact forces, w = tau^2 omega^2 obeys
+ *     (A/2) dw/dtheta + B w = C,
+ *     A = sum r^-(q+1)i S_i theta_i',   B = sum r^-(q+1)i S_i theta_i'',
+ *     C = sum r^-qi S_i (x_i - d y_i) / 2,
  *
- *     (A/2) dw/dtheta + B w = C,     A = sum r^-(q+1)i S_i theta_i',   B = sum r^-(q+1)i S_i theta_i'',
- *                                    C = sum r^-qi S_i (x_i - d y_i) / 2,
- *
- * which is linear in w (flow.h).  Without friction S_i = theta_i', A = J and C = -H'/2.
+ * which is linear in w (flow.h). Without friction S_i = theta_i', A = J and C = -H'/2.
  */
 #include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"
@@ -46,30 +46,30 @@ const struct dom_effect dom_effect_friction = {
 /* ---- The equation of motion ---- */
 
 /*
- * A, B and C of a train whose head leans at theta_inf - e, a far follower, as A[0] - A[1] e + A[2] e^2 / 2;
- * of B the part that comes from theta_i'^2 of that head, since its theta_i'' counts as theta_i' does in A.
+ * A, B and C of a train whose head leans at theta_inf - e, a far follower, as A[0] - A[1] e + A[2] e^2 / 2. B
+ * holds only the part from theta_i'^2 of that head: its theta_i'' has the same factor as theta_i' has in A.
  */
-struct far_rubbing {
+struct far_friction {
     real A[3], B[3], C[3];
     bool known;
 };
 
-/* What a train with friction needs in memory. */
-struct rubbing_room {
+/* The memory that a train with friction needs. */
+struct friction_room {
     struct flow flow;
-    struct far_rubbing far;
+    struct far_friction far;
 };
 
-static const struct far_rubbing *far_rubbing_of(const struct geometry *geometry)
+static const struct far_friction *far_friction_of(const struct geometry *geometry)
 {
-    return &((const struct rubbing_room *)geometry->flow)->far;
+    return &((const struct friction_room *)geometry->flow)->far;
 }
 
 /*
- * From A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and its kind, derived twice at theta_1 = theta =
- * theta_inf, where X = 0 and Y = 1.
+ * Returns the series from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and the equations like it for B and
+ * C, differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1.
  */
-static struct far_rubbing far_rubbing_make(const struct geometry *geometry)
+static struct far_friction far_friction_make(const struct geometry *geometry)
 {
     real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
     real o = geometry->r * geometry->L * x, p = geometry->r * d; /* -X' and -X'' */
@@ -80,14 +80,15 @@ static struct far_rubbing far_rubbing_make(const struct geometry *geometry)
     const real S1 = above[1] - above[0] * below1,
                S[] = {above[0], S1, above[2] - 2 * S1 * below1 - above[0] * below2};
     const real k = step[0], k1 = step[1];
-    /* Of the products S theta_1', S theta_1'^2 and S theta_1''. */
+    /* Derivatives of the products S theta_1', S theta_1'^2 and S theta_1''. */
     const real a[] = {S[0] * k, S[1] * k + S[0] * k1, S[2] * k + 2 * S[1] * k1 + S[0] * step[2]};
     const real b[] = {a[0] * k, a[1] * k + a[0] * k1, a[2] * k + 2 * a[1] * k1 + a[0] * step[2]};
     const real c[] = {S[0] * contact[0], S[1] * contact[0] + S[0] * contact[1],
                       S[2] * contact[0] + 2 * S[1] * contact[1] + S[0] * contact[2]};
-    const real rise = geometry_rise(geometry, geometry->inf),
-               height = geometry_height(geometry, geometry->inf), h[] = {-rise / 2, height / 2, rise / 2};
-    struct far_rubbing f = {.known = fabs(above[0]) < 1};
+    const real height_slope = geometry_height_slope(geometry, geometry->inf),
+               height = geometry_height(geometry, geometry->inf),
+               h[] = {-height_slope / 2, height / 2, height_slope / 2};
+    struct far_friction f = {.known = fabs(above[0]) < 1};
     /* 1 - r^-q S_1, from r^q - 1. */
     f.C[0] = h[0] / (w * (geometry->rq_1 + o + mu * p));
     f.C[1] = (h[1] + w * S[1] * f.C[0]) / (1 - w * S[0] * k);
@@ -112,18 +113,19 @@ static void friction_count(const struct geometry *geometry, size_t n)
 }
 
 /* One domino, its S_i, and theta_i''. */
-struct rubbing {
+struct friction_link {
     struct link link;
     real S, second_derivative;
-    real noise;  /* of S, in roundings: more than 1 where b = Y + mu X cancels, since X < 0 */
-    bool behind; /* a force passes behind the hinge of a follower, which lies too flat: b <= 0 */
+    real noise; /* rounding error of S, in units; more than 1 where b = Y + mu X cancels, since X < 0 */
+    /* the contact force on a follower that lies too flat passes on the wrong side of its hinge: b <= 0 */
+    bool wrong_side;
 };
 
-static void rubbing_next(struct rubbing *k)
+static void friction_next(struct friction_link *k)
 {
     struct link leader = k->link;
     real b = contact_arm_b(&leader);
-    k->behind = k->behind || b <= 0;
+    k->wrong_side = k->wrong_side || b <= 0;
     k->noise +=
         leader.contact.X < 0 ? (leader.contact.Y - leader.geometry->mu * leader.contact.X) / fabs(b) - 1 : 0;
     k->S *= torque_ratio(&k->link);
@@ -131,24 +133,24 @@ static void rubbing_next(struct rubbing *k)
     k->second_derivative = link_second_derivative(&leader, k->second_derivative, &k->link);
 }
 
-static void drive_add(const struct rubbing *k, struct series *C)
+static void drive_add(const struct friction_link *k, struct series *C)
 {
     const struct link *link = &k->link;
-    series_add(C, -link->weight * k->S * geometry_rise(link->geometry, link->tilt) / 2);
+    series_add(C, -link->weight * k->S * geometry_height_slope(link->geometry, link->tilt) / 2);
 }
 
 /*
- * Is C known to a tolerance, and are all three sums?  Far down, dominoes pass on no more than near the end of
- * an endless train.
+ * Returns true when the tail of C can be left out at a tolerance. friction_done finds the same for all three
+ * sums. Far down the train, dominoes pass on no more than near the end of an endless train.
  */
-static bool drive_done(const struct rubbing *k, struct series *C, real tol)
+static bool drive_done(const struct friction_link *k, struct series *C, real tol)
 {
     const struct geometry *geometry = k->link.geometry;
     real ratio = fmax(geometry->weight * fabs(torque_ratio(&k->link)), geometry->decay);
     return series_done(C, k->link.weight * fabs(k->S) * geometry->reach, ratio, tol);
 }
 
-static bool rubbing_done(const struct rubbing *k, struct series *A, struct series *B, struct series *C)
+static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
@@ -166,14 +168,15 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* The rest of C from this domino on, where it is so near to theta_inf that the last term does not matter. */
-static bool drive_closes(const struct rubbing *k, struct series *C, real tol)
+/* Adds the rest of C from this domino on, if it is so near to theta_inf that the last term does not
+ * matter. */
+static bool drive_closes(const struct friction_link *k, struct series *C, real tol)
 {
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
-    if (geometry->n != CHAIN_ENDLESS || geometry->behind || !far_rubbing_of(geometry)->known)
+    if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far_friction_of(geometry)->known)
         return false;
-    const struct far_rubbing *far = far_rubbing_of(geometry);
+    const struct far_friction *far = far_friction_of(geometry);
     real e = far_off(geometry, link->tilt), part = link->weight * k->S;
     if (e > geometry->inf.x / 16 || !far_done(C, part * far->C[0], part * far->C[2] * e * e, tol))
         return false;
@@ -181,14 +184,15 @@ static bool drive_closes(const struct rubbing *k, struct series *C, real tol)
     return true;
 }
 
-/* The same of all three. */
-static bool rubbing_closes(const struct rubbing *k, struct series *A, struct series *B, struct series *C)
+/* Adds the rest of all three sums, under this condition for each. */
+static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
+                            struct series *C)
 {
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
-    const struct far_rubbing *far = far_rubbing_of(geometry);
+    const struct far_friction *far = far_friction_of(geometry);
     real e = far_off(geometry, link->tilt), part = link->inertia * k->S, slope = link->slope;
-    if (geometry->n != CHAIN_ENDLESS || geometry->behind || !far->known ||
+    if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far->known ||
         !far_done(A, part * slope * far->A[0], part * slope * far->A[2] * e * e, geometry->tol))
         return false;
     real rest = part * (k->second_derivative * far->A[0] + slope * slope * far->B[0]),
@@ -205,20 +209,20 @@ static enum dom_status friction_equation_of_motion(const struct geometry *geomet
                                                    struct equation_of_motion *equation_of_motion)
 {
     struct series A = {0}, B = {0}, C = {0};
-    struct rubbing k = {.link = link_head(geometry, head), .S = 1, .noise = 1};
+    struct friction_link k = {.link = link_head(geometry, head), .S = 1, .noise = 1};
     for (;;) {
         const struct link *link = &k.link;
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        if (rubbing_closes(&k, &A, &B, &C))
+        if (friction_closes(&k, &A, &B, &C))
             break;
         series_add(&A, link->inertia * k.S * link->slope);
         series_add(&B, link->inertia * k.S * k.second_derivative);
         drive_add(&k, &C);
-        if (link->i + 1 >= geometry->n || !link->leads || rubbing_done(&k, &A, &B, &C))
+        if (link->i + 1 >= geometry->n || !link->leads || friction_done(&k, &A, &B, &C))
             break;
-        rubbing_next(&k);
+        friction_next(&k);
     }
     friction_count(geometry, k.link.i + 1);
     *equation_of_motion = (struct equation_of_motion){.A = A.sum + A.lost,
@@ -228,19 +232,20 @@ static enum dom_status friction_equation_of_motion(const struct geometry *geomet
                                                       .B_size = B.size * k.noise,
                                                       .C_size = C.size * k.noise,
                                                       .n = k.link.i + 1};
-    equation_of_motion->locks = k.behind || equation_of_motion->A <= 0;
+    equation_of_motion->locks = k.wrong_side || equation_of_motion->A <= 0;
     return isfinite(equation_of_motion->A) && isfinite(equation_of_motion->B) &&
                    isfinite(equation_of_motion->C)
                ? DOM_OK
                : DOM_NOT_FINITE;
 }
 
-/* C alone, which vanishes at the top of a barrier; at tol = 1 its sign is right, from few dominoes. */
+/* Finds C alone, which is 0 at the top of a barrier. With tol = 1 only its sign is right, and few dominoes
+ * are enough. */
 static enum dom_status friction_drive(const struct geometry *geometry, struct tilt head, real tol,
                                       real *drive)
 {
     struct series C = {0};
-    struct rubbing k = {.link = link_head(geometry, head), .S = 1};
+    struct friction_link k = {.link = link_head(geometry, head), .S = 1};
     for (;;) {
         enum dom_status status = chain_watch(geometry, k.link.i);
         if (status != DOM_OK)
@@ -277,7 +282,7 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* ---- The law ---- */
 
-/* It is u that rises and falls: C in the place of -H'/2. */
+/* Finds the slope of u: C replaces -H'/2. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {
@@ -289,13 +294,13 @@ static enum dom_status friction_slope(const struct geometry *geometry, struct ti
 static enum dom_status friction_acceleration(const struct geometry *geometry, struct tilt head, real w,
                                              real *acceleration, size_t *n)
 {
-    struct equation_of_motion law;
-    /* The forces follow as many dominoes as matter to the energies. */
+    struct equation_of_motion equation;
+    /* The forces need as many dominoes as the energies. */
     enum dom_status status = n ? energy_acceleration(geometry, head, w, acceleration, n) : DOM_OK;
     if (status == DOM_OK)
-        status = friction_equation_of_motion(geometry, head, &law);
+        status = friction_equation_of_motion(geometry, head, &equation);
     if (status == DOM_OK)
-        *acceleration = (law.C - law.B * w) / law.A;
+        *acceleration = (equation.C - equation.B * w) / equation.A;
     return status;
 }
 
@@ -306,12 +311,12 @@ static struct arms friction_arms(const struct link *link)
 
 static enum dom_status friction_begin(struct geometry *geometry)
 {
-    struct rubbing_room *room = calloc(1, sizeof *room);
+    struct friction_room *room = calloc(1, sizeof *room);
     if (!room)
         return DOM_NO_MEMORY;
     room->flow.equation = friction_equation_of_motion;
-    if (!geometry->detaches && !geometry->behind && geometry->n == CHAIN_ENDLESS)
-        room->far = far_rubbing_make(geometry);
+    if (!geometry->detaches && !geometry->follower && geometry->n == CHAIN_ENDLESS)
+        room->far = far_friction_make(geometry);
     geometry->flow = &room->flow;
     return DOM_OK;
 }

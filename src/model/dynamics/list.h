@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects of DOM_DYNAMICS by number: struct request and struct row_request hold their values in this
+/* The effects of DOM_DYNAMICS by number. struct request and struct row_request hold their values in this
  * order. */
 #ifndef DOM_LIST_H
 #define DOM_LIST_H
 
 #include "geometry/request.h"
 
-/* Returns true if an effect of this value is on; every effect is off at 0. */
+/* Returns true if an effect with this value is on; 0 turns every effect off. */
 static inline bool dynamics_on(dom_real value)
 {
     return value != 0;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Slope: the floor falls by the angle alpha in the direction of the train, alpha > 0 downhill.  Tilts are
- * measured from the normal of the floor, so contacts and inertia are as on a level floor, and gravity alone
- * turns: the potential energy of a domino is
+ * Slope: the floor falls by the angle alpha in the direction of the train, alpha > 0 downhill. Tilts are
+ * measured from the normal of the floor. Contacts and inertia are as on a level floor; only gravity turns.
+ * The potential energy of a domino is
  *
  *     h(theta) = cos(theta + alpha) + d sin(theta + alpha) = h.y cos theta + h.x sin theta,
- *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha,
+ *     h.y = cos alpha + d sin alpha,   h.x = d cos alpha - sin alpha.
  *
- * so a domino tips over at tan theta_u = h.x / h.y, alpha earlier than on a level floor.  An upright domino
- * stands only where |alpha| is below its theta_u on a level floor, tan theta_u = d.
+ * A domino tips over at tan theta_u = h.x / h.y, alpha earlier than on a level floor. Upright dominoes are
+ * stable only if |alpha| is less than theta_u of a level floor, tan theta_u = d.
  */
 #include "geometry/geometry.h"
 

@@ -11,7 +11,7 @@ const struct dom_effect dom_effect_push = {
             "and the clock starts with the push. A standard domino needs about 2.5 rad/s to tip over; with a "
             "weaker push the verdict is that the row stops at domino 1. A row whose first domino touches the "
             "second before it tips over needs a push.",
-    .source = "energy of a single domino, (b2) and (b5)",
+    .source = "energy of a single domino, (6; b2) and (9; b5)",
     .plan = "omega^2 of the first domino",
     .argument = {{.name = "OMEGA",
                   .unit = "rad/s",

@@ -15,7 +15,7 @@ const struct dom_effect dom_effect_row = {
         "The energy is H = sum m g (h cos theta + d sin theta)/2, the inertia is sum I theta'^2, and the "
         "collision is that of the train with these sums. The model ends, and the answer says so, where an "
         "upper edge would pass above the next domino and where a contact would have to pull.",
-    .source = "energy balance and collision of the paper, (c1) to (c4), with sizes for each domino",
+    .source = "energy balance and collision of the paper, (19; c1) to (22; c4), with sizes for each domino",
     .plan = "for each head: kinetic energy against the top of H",
     .argument = {{.name = "N",
                   .unit = "",

@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The barrier is a global maximum: H may fall first and rise later, when a pushing follower has left.
- * H and H' are continuous, H'' jumps where a domino falls off; so each smooth piece of the cycle is
- * scanned for sign changes of H', and every maximum found is compared.
+ * The barrier is a global maximum: H may decrease first and increase later, when a pushing follower has
+ * detached. H and H' are continuous, H'' jumps where a domino detaches. Each smooth piece of the cycle is
+ * searched for sign changes of H', and all maxima are compared.
  */
 #include "energy/barrier.h"
 
 /*
- * Over 1,000,000 random trains 8 samples a piece, dense up to theta_u, missed none of what 150 tilts a piece
- * found; tests/unit/test_barrier.c repeats the comparison on fewer.
+ * 8 samples a piece, dense up to theta_u: for 1,000,000 random trains they missed no maximum that 150 tilts a
+ * piece found. tests/unit/test_barrier.c repeats the comparison with fewer trains.
  */
 #define BARRIER_SAMPLES 8
 
-/* sin^2(pi k / 16): where they are, of the width of a piece. */
+/* sin^2(pi k / 16): the places of the samples, over the width of a piece. */
 static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30866f, 0.50000f,
                                                         0.69134f, 0.85355f, 0.96194f};
 
 struct slope_context {
     const struct geometry *geometry;
-    struct tilt from; /* heights are over that of the train there */
-    real known;       /* a top that is not climbed again, tan(theta / 2); negative for none */
+    struct tilt from; /* heights are relative to H at this tilt */
+    real known;       /* tan(theta / 2) of a top that need not be searched again; negative: none */
     enum dom_status status;
 };
 
-/* The slope of the required energy at p = tan(theta / 2): searches move in p. */
+/* Returns the slope of the required energy at p = tan(theta / 2), the variable of the searches. */
 static real slope_of_H(real p, void *context)
 {
     struct slope_context *c = context;
@@ -32,7 +32,7 @@ static real slope_of_H(real p, void *context)
     return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
-/* Its sign, from as short a train as shows it. */
+/* Returns a number with the sign of the slope, from a train as short as the sign allows. */
 static real rises(real p, struct slope_context *c)
 {
     real slope = 0;
@@ -40,7 +40,7 @@ static real rises(real p, struct slope_context *c)
     return slope;
 }
 
-/* Keeps p as the top if it is higher. */
+/* Stores p as the top if H is higher there. */
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
     real height = 0;
@@ -52,17 +52,17 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
     return status;
 }
 
-/* Where a top is looked for. */
+/* The bracket in which a top is searched. */
 struct top {
     real lo, hi;
-    bool rises, falls; /* H does, at lo and hi: else the top may be at an end */
-    real p;            /* where to look next */
-    real height;       /* of the top, right to the third order of the step to it */
-    real moved;        /* by the last step, relative */
+    bool rises, falls; /* H increases at lo, decreases at hi; if not, the top may be at that end */
+    real p;            /* the next place to try */
+    real height;       /* of the top; its error is of the third order in the step to the top */
+    real moved;        /* relative change of p in the last step */
 };
 
-/* One step of Newton's method to H1 = 0, from the sums at p: where that leads out of the bracket, or not to a
- * top, to an end, or half of it. */
+/* Makes one step of Newton's method to H1 = 0, from the sums at p. If that leads out of the bracket, or not
+ * to a top, goes to an end, or half of the way. */
 static void top_step(struct top *top, struct sums at)
 {
     real p = top->p;
@@ -70,7 +70,7 @@ static void top_step(struct top *top, struct sums at)
     top->rises = top->rises || up;
     top->falls = top->falls || !up;
     real contact = -at.H1 / at.H2, next = p + contact * (1 + p * p) / 2;
-    if (p == (up ? top->hi : top->lo)) { /* the end is the top */
+    if (p == (up ? top->hi : top->lo)) { /* the top is at the end */
         next = p;
         contact = 0;
     }
@@ -85,7 +85,7 @@ static void top_step(struct top *top, struct sums at)
 
 #define TOP_STEPS 200
 
-/* From top->p, where `at` are the sums, if it is not NULL. */
+/* Climbs from top->p, where the sums are `at` unless that is NULL. */
 static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
                                      real tol)
 {
@@ -105,14 +105,15 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         bool closed = top->rises && top->falls;
         if (top->moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi))
             return DOM_OK;
-        if (closed && i > 2 && top->moved > before / 2) /* a kink throws Newton to and fro */
+        if (closed && i > 2 && top->moved > before / 2) /* at a kink Newton's method jumps to and fro */
             top->p = (top->lo + top->hi) / 2;
         before = top->moved;
     }
     return DOM_NOT_CONVERGED;
 }
 
-/* From sample to sample: a maximum of H lies between two where it rises and falls. */
+/* Searches from sample to sample: a maximum of H is between two samples if H increases at the first and
+ * decreases at the second. */
 struct sample {
     real p, slope;
 };
@@ -139,41 +140,44 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Behind theta_u the head falls, and all of its followers are behind it: H falls as well. */
-static bool falls_behind(const struct geometry *geometry)
+/* Returns true if H decreases at all tilts above theta_u: there the head falls, and all its followers lean
+ * more, so they fall too. */
+static bool falls_above_u(const struct geometry *geometry)
 {
-    return geometry->dynamics->conservative && !geometry->behind && geometry_rise(geometry, geometry->c) < 0;
+    return geometry->dynamics->conservative && !geometry->follower &&
+           geometry_height_slope(geometry, geometry->c) < 0;
 }
 
-/* tan(theta_u / 2), tan theta_u = h.x / h.y (b2). */
+/* Returns tan(theta_u / 2), tan theta_u = h.x / h.y (6; b2). */
 static real half_of_u(const struct geometry *geometry)
 {
     return geometry->h.x / (geometry->h.y + geometry->reach);
 }
 
 /*
- * Is H concave up to theta_u, so that it has one top?  There the head's h'' is at most -h.y, and no
- * follower's -h' more than h.y.  By (b8) and (b10) theta_{i+1}'' is theta_1' theta_i'' less at most r L y_i /
- * Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2 s^2): no theta_i'' is below -i r L / sqrt(1 - r^2 s^2).
- * Followers, all of them falling, take no more from the concavity than the sum of r^(-q i) times that, where
- * the sum of i w^i is w / (1 - w)^2.  One that leaves only takes less.
+ * Returns true if H is concave up to theta_u, and so has one top. There h'' of the head is at most -h.y, and
+ * -h' of a follower at most h.y. By (12; b8) and (14; b10) theta_{i+1}'' is theta_1' theta_i'' less at most r
+ * L y_i / Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2 s^2): no theta_i'' is below -i r L / sqrt(1 - r^2
+ * s^2). Followers, all of them falling, reduce the concavity by at most the sum of r^(-q i) times that bound;
+ * the sum of i w^i is w / (1 - w)^2. A follower that detaches reduces it less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
     real apart = 1 - geometry->weight;
-    return falls_behind(geometry) &&
+    return falls_above_u(geometry) &&
            geometry->rL * geometry->weight < apart * apart * sqrt(geometry->leave_at);
 }
 
 /*
- * All maxima of H inside one smooth piece.  Chebyshev spacing: the structure sits near the ends, where
- * dominoes leave; from upright on also at the tilts d and sqrt(1 - r s), however small they are.
+ * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, dense near the ends,
+ * where dominoes detach. From upright on, there are samples also at the tilts d and sqrt(1 - r s), however
+ * small they are.
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool upright, real tol,
                                     struct barrier *b)
 {
     const struct geometry *geometry = c->geometry;
-    if (c->from.x == 0 && falls_behind(geometry))
+    if (c->from.x == 0 && falls_above_u(geometry))
         hi = fmin(hi, half_of_u(geometry));
     if (hi <= lo)
         return DOM_OK;
@@ -186,11 +190,11 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
         barrier_sample(c, lo + (real)sample_place[k] * (hi - lo), tol, &last, b);
     barrier_sample(c, hi, tol, &last, b);
     if (c->status == DOM_OK && last.slope > 0)
-        c->status = barrier_try(c, hi, b); /* H still rises at the end of the piece */
+        c->status = barrier_try(c, hi, b); /* H still increases at the end of the piece */
     return c->status;
 }
 
-/* The only top before the tilt hi. */
+/* Finds the only top before the tilt hi. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
@@ -198,8 +202,8 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
     return status == DOM_OK ? barrier_try(c, top.p, b) : status;
 }
 
-/* Over all smooth pieces between the edges of b, relative to H at the tilt `from` of the first; known: a top
- * that b has already, as tan(theta / 2), or -1. */
+/* Searches all smooth pieces between the edges of b, relative to H at the tilt `from` of the first. known:
+ * tan(theta / 2) of a top that b has already, or -1. */
 static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
                                       struct barrier *b)
 {
@@ -251,7 +255,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b)
 {
     struct barrier tops = *b;
-    if (tops.height <= 0) /* upright it stands higher */
+    if (tops.height <= 0) /* the upright train is higher */
         tops.height = tops.half = tops.theta_m = 0;
     if (barrier_single(geometry)) {
         *b = tops;
@@ -265,10 +269,10 @@ KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barr
     return status;
 }
 
-/* tan(theta / 2) of the last tilt at which H may rise. */
+/* Returns tan(theta / 2) of the last tilt at which H may increase. */
 static real half_of_highest(const struct geometry *geometry)
 {
-    return falls_behind(geometry) ? half_of_u(geometry) : half_of_tilt(geometry->c);
+    return falls_above_u(geometry) ? half_of_u(geometry) : half_of_tilt(geometry->c);
 }
 
 static real half_near(const struct geometry *geometry, const struct barrier *b)
@@ -295,8 +299,9 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 
 KERNEL real barrier_most(const struct geometry *geometry)
 {
-    /* Every domino moves no farther than to where its follower was at first, and weighs no less: all together
-     * they rise by less than one from upright to theta_u would, h(theta_u) - h(0). */
+    /* No domino moves farther than to where its follower was at first, and it weighs no less than that
+     * follower. So all dominoes together rise by less than one domino from upright to theta_u, h(theta_u) -
+     * h(0). */
     return geometry->h.x * half_of_u(geometry);
 }
 
@@ -337,7 +342,7 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
-/* H' at a tilt: its sign, 0 where rounding hides it, and its size. */
+/* Finds the sign of H' at a tilt, 0 where rounding hides it, and the size of H'. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
     struct sums at, e;
@@ -350,9 +355,10 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * How far theta may be from the top, over [first, last]: H rises for sure this far before it, and falls for
- * sure this far behind, or there the cycle begins or ends.  By H'' that is where H' has changed by twice what
- * may be wrong with it; where H'' jumps or vanishes, the distance is doubled until it is.
+ * Finds how far theta may be from the top, over [first, last]. At this distance before theta H surely
+ * increases and at this distance after theta H surely decreases, unless the cycle begins or ends before. H''
+ * gives the distance at which H' has changed by twice its possible error. Where H'' jumps or is 0, the
+ * distance is doubled until the signs are sure.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)
@@ -375,16 +381,16 @@ static enum dom_status top_error(const struct geometry *geometry, real theta, re
     real off = fmax(fmin(2 * *steepest / fabs(at.H2), last), fmax(least, REAL_MIN));
     for (bool sure = false; !sure; off *= 2) {
         real lo = theta - off, hi = theta + off;
-        int before = 1, behind = -1;
+        int before = 1, after = -1;
         if (lo > first)
             status = sure_slope(geometry, lo, &before, &size);
         *steepest = fmax(*steepest, size);
         if (status == DOM_OK && hi < last)
-            status = sure_slope(geometry, hi, &behind, &size);
+            status = sure_slope(geometry, hi, &after, &size);
         if (status != DOM_OK)
             return status;
         *steepest = fmax(*steepest, size);
-        sure = before > 0 && behind < 0;
+        sure = before > 0 && after < 0;
         *error = off + least;
     }
     return DOM_OK;

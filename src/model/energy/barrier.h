@@ -6,9 +6,9 @@
 #include "numerics/numerics.h"
 
 /*
- * theta_m and the barrier over the tilts [0, end] of a train of at most n dominoes, and the tilts
- * between which H is smooth: edge[0] = 0, ..., edge[edges - 1] = end, with the falling off of a domino
- * between them, if any.
+ * theta_m and the barrier over the tilts [0, end] of a train of at most n dominoes; and the tilts between
+ * which H is smooth: edge[0] = 0, ..., edge[edges - 1] = end, with the tilt at which a domino detaches in
+ * between, if there is one.
  */
 struct barrier {
     real theta_m, height;
@@ -17,64 +17,66 @@ struct barrier {
     int edges;
 };
 
-/* Of a tilt: the height there, to the third order of a step to the top, has the tolerance of the sums. */
+/* Tolerance of a tilt at which the height has the tolerance of the sums, since its error is of the third
+ * order in the step to the top. */
 #define TOP_TOL(geometry) (cbrt((geometry)->tol) / 4)
 
-/* To the relative tolerance tol of theta_m; TOP_TOL where only the height is wanted. */
+/* Finds the barrier. tol is the relative tolerance of theta_m: TOP_TOL if only the height is needed. */
 KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
                                       struct barrier *barrier);
 
 /*
- * One top alone, by Newton's method from barrier_near on: a guess, and where b has the top of a neighbouring
- * train a good one.  at: the sums there (chain_second_derivative_from), or NULL.  False where it comes to no
- * top; whether it is the highest barrier_tops knows.
+ * Finds one top alone, by Newton's method. barrier_near guesses where: a good guess if b has the top of a
+ * neighbouring train. at: the sums at that tilt (chain_second_derivative_from), or NULL. barrier_follow
+ * returns false if there is no top; only barrier_tops finds whether the top is the highest.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);
 KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, struct barrier *b);
 
-/* Looks for higher tops than that of b, over [0, theta_c], and if there are, puts the highest in its place.
- */
+/* Searches [0, theta_c] for tops higher than that of b, and stores the highest in b. */
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b);
 
-/* Has H one top for sure? */
+/* Returns true if H surely has only one top. */
 KERNEL bool barrier_single(const struct geometry *geometry);
 
-/* No barrier of an endless train is higher, nor of one that ends, where r >= 1. */
+/* Returns the highest barrier that a train can have, endless or not, for r >= 1. */
 KERNEL real barrier_most(const struct geometry *geometry);
 
-/* The same over [lo, hi], where H is smooth, and relative to H at lo, the tilt `from`. */
+/* Finds the barrier over [lo, hi], where H is smooth, relative to H at lo, the tilt `from`. */
 KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
                                      struct barrier *barrier);
 
-/* The same over the tilts from the first edge of `whole` to `end`, with the edges of whole between. */
+/* Finds the barrier over the tilts from the first edge of `whole` to `end`, with the edges of `whole` in
+ * between. */
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
                                      const struct barrier *whole, real end, struct barrier *barrier);
 
 /*
- * Launch of an endless train and its barrier over [0, end]; unless NULL, error gets the bounds of the
- * launch.  Where the two nearly balance their difference is not known as well as they are: then both come
- * at a tolerance at which it is, if the arithmetic can give it, and geometry->tol is that one.
+ * Finds the launch of an endless train and its barrier over [0, end], and the bounds of the launch unless
+ * error is NULL. If the two nearly balance, their difference is known less well than they are. Then both are
+ * computed with a finer tolerance, if the arithmetic allows, and geometry->tol is set to that tolerance.
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct launch *error, struct barrier *barrier);
 
 /*
- * Returns whether a train goes on (c8): DOM_OK, DOM_STOPS, or DOM_NO_FUEL.  From what barrier_balance found
- * over the whole cycle; every answer about a train takes its verdict from here.
+ * Returns whether a train goes on (26; c8): DOM_OK, DOM_STOPS, or DOM_NO_FUEL, from the results of
+ * barrier_balance over the whole cycle. Every answer about a train takes its verdict from here.
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 
-/* The tolerance at which what is left of a whole is known as well as tol says. */
+/* Returns the tolerance at which a difference `left` of terms of size `whole` is known to the tolerance
+ * tol. */
 KERNEL real balance_tol(real tol, real left, real whole);
 
 /*
- * Near a top inside a cycle the energy left is (width^2 + (theta - theta_m)^2) |H2| / 2; NaN where the top is
- * at an end, or unknown.  from: as for barrier_piece.
+ * Returns the width in: energy left = (width^2 + (theta - theta_m)^2) |H2| / 2, near a top inside a cycle;
+ * NaN if the top is at an end, or unknown. from: as for barrier_piece.
  */
 KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
                           real margin);
 
-/* Bounds of the errors of theta_m and height. */
+/* Finds bounds of the errors of theta_m and height. */
 KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *barrier,
                                      struct barrier *error);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/bound.h"
 
-/* Of Y, the arm and the step of the lean on this domino. */
+/* Finds the bounds of Y, of the arm and of the step from this domino to its follower. */
 static void bound_geometry(const struct geometry *geometry, const struct link *k, struct bound *b)
 {
     b->Y = b->arm = b->step = 0;
@@ -15,7 +15,8 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    if (2 * rLx <= Y) { /* as in geometry_contact: the slope is 1 - r L x / Y, in which little of Y counts */
+    if (2 * rLx <=
+        Y) { /* as in geometry_contact: the slope is 1 - r L x / Y, where errors of Y count little */
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
         return;
@@ -36,7 +37,7 @@ KERNEL struct bound bound_head(const struct geometry *geometry, const struct lin
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *b)
 {
-    /* X and Y each carry 4 units of the positive terms that they are made of. */
+    /* X and Y each have an error of 4 units of the positive terms in them. */
     real made_of = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
     real contact = 4 * UNIT * leader->contact.Y * (made_of + fabs(leader->contact.X));
     b->angle = leader->step * b->angle + contact + 5 * UNIT * follower->tilt.x;
@@ -54,7 +55,7 @@ KERNEL real bound_J(const struct link *k, const struct bound *b)
 
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *k, const struct bound *b)
 {
-    real lift = geometry_rise(geometry, k->tilt),
+    real lift = geometry_height_slope(geometry, k->tilt),
          made_of = geometry->h.x * k->tilt.y + geometry->h.y * k->tilt.x;
     real lift_error = geometry_height(geometry, k->tilt) * b->angle + 3 * UNIT * made_of;
     return k->weight *

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Running error bounds: how far rounding may have carried the quantities of one domino from their exact
- * values, to first order in the unit roundoff, from the head down the train.  An error of an angle shrinks
- * with the slope from leader to follower, and each lean adds its own few roundings.
+ * Running error bounds: how far rounding can move the quantities of one domino from their exact values, to
+ * first order in the unit roundoff, from the head down the train. From a leader to its follower an error of
+ * an angle shrinks by the slope, and each contact adds a few rounding errors of its own.
  */
 #ifndef DOM_BOUND_H
 #define DOM_BOUND_H
@@ -11,7 +11,7 @@
 
 struct bound {
     real angle;        /* of theta_i */
-    real Y, arm, step; /* of the turn and the slope of the lean to the follower */
+    real Y, arm, step; /* of the angle and the slope between leader and follower */
     real slope;        /* of theta_i' */
     real weight;       /* of r^(-q i), r^(-(q+1) i): relative */
     real inertia;
@@ -19,23 +19,24 @@ struct bound {
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
 
-/* From domino i, as it was before link_next, to domino i + 1, as it is now. */
+/* Updates the bounds of domino i, from before link_next, to those of domino i + 1, from after link_next. */
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
 
-/* Of the terms of J and of dH/dtheta. */
+/* Return bounds of the terms of J and of dH/dtheta. */
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 
-/* Of h(A) - h(B) of one domino at the tilts a and b, from t = tan((A - B)/2), with the error of t. */
+/* Returns a bound of h(A) - h(B) of one domino at the tilts a and b, from t = tan((A - B)/2) and the error of
+ * t. */
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Of the t of the followers of a and b (chain_energy_change). */
+/* Returns a bound of t for the followers of a and b (chain_energy_change). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 
-/* Of the half turn t_f of a follower that leaves its leader (chain_energy_change). */
+/* Returns a bound of the half angle t_f of a follower that detaches from its leader (chain_energy_change). */
 KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader,
                           const struct bound *bound, real t_f);
 

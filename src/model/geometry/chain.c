@@ -44,18 +44,18 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     if (!geometry->detaches)
         return DOM_OK;
     struct link b = link_head(geometry, standing);
-    real passed = 1; /* share of a torque that comes up to the head: with friction not the slope */
+    real passed = 1; /* part of a torque that reaches the head: with friction not the slope */
     while (b.leads) {
         enum dom_status status = chain_watch(geometry, b.i);
         if (status != DOM_OK)
             return status;
-        /* Whether a domino falls off that carries less than rounding changes nothing. */
+        /* A domino that carries less than rounding errors changes nothing when it detaches. */
         if (b.i + 1 >= geometry->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         passed *= fabs(torque_ratio(&b));
         link_next(&b);
     }
-    /* Domino b.i has no follower at 0: it falls off when domino b.i - 1 comes to theta_leave. */
+    /* Domino b.i has no follower at 0: it detaches when domino b.i - 1 reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b.i; i > 1; i--)
         *head = geometry_leader(geometry, *head);
@@ -73,7 +73,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
     if (status != DOM_OK)
         return status;
-    /* At r s = 1 the follower is gone for every theta > 0: H' jumps at 0, and its right limit counts. */
+    /* At r s = 1 the follower has detached for every theta > 0: H' jumps at 0, and its right limit counts. */
     edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
     *edges = 1;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
@@ -85,7 +85,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 
 /* ---- Public ---- */
 
-/* A checked train and theta in [0, theta_c] as the tilt of its head. */
+/* Returns a checked train, with theta in [0, theta_c] as the tilt of its head. */
 static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
                                     struct tilt *head)
 {
@@ -94,7 +94,7 @@ static enum dom_status train_tilted(const struct request *train, dom_real theta,
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
 }
 
-/* e: the bounds of the domino. */
+/* Returns the public description of a domino, with its bounds e. */
 static struct dom_link link_public(const struct geometry *geometry, const struct link *k,
                                    const struct bound *e)
 {
@@ -131,7 +131,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     struct link k = link_head(&geometry, head);
     struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
     for (;;) {
-        if (dom_raised(geometry.interrupt)) /* rows may be slower to write than to compute */
+        if (dom_raised(geometry.interrupt)) /* writing a row may take longer than computing it */
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&geometry, &k, &e);
         if (!train->errors)
@@ -154,19 +154,19 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
         return status;
     struct link k = link_head(&geometry, head), leader = k;
     struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
-    struct dom_link link = link_public(&geometry, &k, &e), behind = {.theta = tilt_angle(geometry.f)};
-    behind.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
+    struct dom_link link = link_public(&geometry, &k, &e), follower = {.theta = tilt_angle(geometry.f)};
+    follower.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
     if (k.leads) {
         link_next(&k);
         bound_next(&geometry, &leader, &k, &e);
-        behind = link_public(&geometry, &k, &e);
+        follower = link_public(&geometry, &k, &e);
     }
     *contact = (struct dom_contact){
-        .theta_1 = behind.theta,
-        .slope = behind.slope,
+        .theta_1 = follower.theta,
+        .slope = follower.slope,
         .arm_a = link.arm_a,
         .arm_b = link.arm_b,
-        .error = {behind.error.theta, behind.error.slope, link.error.arm_a, link.error.arm_b},
+        .error = {follower.error.theta, follower.error.slope, link.error.arm_a, link.error.arm_b},
     };
     return DOM_OK;
 }

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Differences of H: two chains side by side, and the far end of both in closed form. */
+/* Differences of H: two chains together, and the far end of both in closed form. */
 #include "geometry/bound.h"
 #include "geometry/chain.h"
 
 /*
- * h(A) - h(B) of one domino at the tilts a and b, h = h.y cos + h.x sin, from t = tan((A - B)/2): the product
- * form of 2 sin((A-B)/2) (h.x cos((A+B)/2) - h.y sin((A+B)/2)), free of cancellation.
+ * Returns h(A) - h(B) of one domino at the tilts a and b, h = h.y cos + h.x sin, from t = tan((A - B)/2). The
+ * product form of 2 sin((A-B)/2) (h.x cos((A+B)/2) - h.y sin((A+B)/2)) has no cancellation.
  */
 KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
 {
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* The errors of chain_energy_change, where they are asked for. */
+/* The error bounds of chain_energy_change. */
 struct energy_change_bound {
     struct bound a, b;
     real t;
@@ -42,38 +42,38 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * tan((theta_f - theta_1) / 2) for the follower that leaves at theta_f and stood at theta_1 when its leader
- * was upright's: the step of chain_energy_change from theta_leave, where a = 0, so Y = r L x, and
- * cos - cos theta_leave = (leave_at - leave_by v) / leave_by is what the leader's arm is made of.
+ * Returns tan((theta_f - theta_1) / 2) for a follower that detaches at theta_f and had the tilt theta_1 when
+ * its leader had that of `leader`. This is the step of chain_energy_change from theta_leave, where a = 0, so
+ * Y = r L x. The arm of the leader contains cos - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
 static real leaving_half_turn(const struct geometry *geometry, const struct link *leader)
 {
     real rL = geometry->r * geometry->L, x = leader->tilt.x, sines = geometry->leave.x + x,
          Y = leader->contact.Y;
-    if (sines == 0) /* r s = 1: it lies at theta_f from the first */
+    if (sines == 0) /* r s = 1: the follower has theta_f from the start */
         return 0;
     real t = leader->contact.arm * (Y + rL * x) / (geometry->leave_by * sines);
     real whole = rL * geometry->leave.x + Y, F = leader->contact.arm / whole, G = rL * sines / whole;
     return t * F / (1 + t * t * G);
 }
 
-/* How far a tilt is from theta_inf, to the second order. */
+/* Returns the distance of a tilt from theta_inf, to the second order. */
 KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt tilt)
 {
     real part = (geometry->inf.v - tilt.v) * geometry->far.per_sine;
     return part + part * part * geometry->far.half_cot;
 }
 
-/* Is the last term of a tail below the tolerance of the sum with it?  rest is the first, which may cancel the
- * sum. */
+/* Returns true if the last term of a tail is below the tolerance of the sum with the tail. rest is the first
+ * term, which may cancel the sum. */
 KERNEL_LOOP bool far_done(const struct series *s, real rest, real last, real tol)
 {
     return fabs(last) <= TAIL_SHARE * fmax(tol * fabs(s->sum + rest), UNIT * s->size);
 }
 
 /*
- * The rest of a pass from a and b on: are both so near to theta_inf that the last term of the series there
- * does not matter?
+ * Returns true if both a and b are so near to theta_inf that the last term of the far series does not matter.
+ * Then the series gives the rest of the pass.
  */
 KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
                           const struct link *a, const struct link *b, real t)
@@ -93,7 +93,7 @@ static void far_add(const struct geometry *geometry, struct sum_state *state, co
 {
     const struct far *far = &geometry->far;
     real off = far_off(geometry, b->tilt),
-         e = far_off(geometry, a->tilt); /* before theta_inf: they deviate by -off and -e */
+         e = far_off(geometry, a->tilt); /* distances below theta_inf: the tilts deviate by -off and -e */
     series_add(&state->dH,
                a->weight * 2 * t * (1 - t * t / 3) *
                    (far->H1 - far->H2 * (e + off) / 2 + far->H3 * (e * e + e * off + off * off) / 6));
@@ -101,10 +101,10 @@ static void far_add(const struct geometry *geometry, struct sum_state *state, co
     series_add(&state->J, a->inertia * a->slope * a->slope * (far->J0 - far->J1 * e + far->J2 * e * e / 2));
 }
 
-/* H2 of one domino, whose theta'' is bend, and of all from there on. */
+/* Return H2 of one domino, whose theta'' is second_derivative, and H2 of all dominoes from there on. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
-    return k->weight * (second_derivative * geometry_rise(k->geometry, k->tilt) -
+    return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
                         k->slope * k->slope * geometry_height(k->geometry, k->tilt));
 }
 
@@ -113,7 +113,7 @@ static real far_H2(const struct link *k, real second_derivative)
     return k->weight * (second_derivative * k->geometry->far.H1 + k->slope * k->slope * k->geometry->far.H2);
 }
 
-/* One pair of dominoes into the sums. */
+/* Adds one pair of dominoes to the sums. */
 KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const struct link *b, real t)
 {
     add_J(state, a);
@@ -121,14 +121,14 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* By what t shrinks from a pair to the next: the arms keep the digits of 1 - G. */
+/* Returns the factor by which t shrinks from a pair to the next. The arms keep the digits of 1 - G. */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
 }
 
-/* Does the tail behind this pair matter? */
+/* Returns true when the tail after this pair can be left out. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
@@ -136,18 +136,18 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
            done_H1(state, a, tol);
 }
 
-/* What a pass is asked for: a constant of each caller, so that the others do not pay for it. */
+/* What a pass computes: a constant of each caller, so that the compiler removes the rest. */
 enum {
-    PASS_ERROR = 1, /* bounds */
-    PASS_SHIFT = 2, /* a is the endless train at theta_c: b, from its second domino on */
-    PASS_BEND = 4,  /* H2 */
+    PASS_ERROR = 1,             /* bounds */
+    PASS_SHIFT = 2,             /* a is the endless train at theta_c; b is a from its second domino on */
+    PASS_SECOND_DERIVATIVE = 4, /* H2 */
 };
 
 /*
- * Two chains run side by side: a from the head's tilt, b from upright.  With t = tan((theta_a - theta_b)/2)
- * of one domino, its follower has, exactly, t (1 - G) / (1 + t^2 G), G = r L (x_a + x_b) / (Y_a + Y_b),
- * because X_a - X_b = r L (y_a - y_b).  G is the slope's r L x / Y (b10) between the two tilts; so the
- * smallest differences keep their digits.
+ * Finds differences between two chains: a from the head's tilt, b from upright. With t = tan((theta_a -
+ * theta_b)/2) of one domino, the t of its follower is exactly t (1 - G) / (1 + t^2 G), G = r L (x_a + x_b) /
+ * (Y_a + Y_b), because X_a - X_b = r L (y_a - y_b). G is r L x / Y of the slope (14; b10) between the two
+ * tilts; so the smallest differences keep their digits.
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
                                                   struct tilt head, real t, const int pass, struct sums *sums,
@@ -157,7 +157,7 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     struct link a = link_head(geometry, head), b = link_head(geometry, from);
     struct energy_change_bound e;
     real H2 = 0, second_derivative = 0;
-    bool ended = true, closes = !(pass & PASS_ERROR) && !geometry->detaches && !geometry->behind &&
+    bool ended = true, closes = !(pass & PASS_ERROR) && !geometry->detaches && !geometry->follower &&
                                 geometry->n == CHAIN_ENDLESS;
     if (pass & PASS_ERROR)
         e = error_head(geometry, &a, &b, t);
@@ -167,19 +167,19 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
             return status;
         if (closes && far_near(geometry, &state, &a, &b, t)) {
             far_add(geometry, &state, &a, &b, t);
-            if (pass & PASS_BEND)
+            if (pass & PASS_SECOND_DERIVATIVE)
                 H2 += far_H2(&a, second_derivative);
             break;
         }
         pair_add(&state, &a, &b, t);
-        if (pass & PASS_BEND)
+        if (pass & PASS_SECOND_DERIVATIVE)
             H2 += second_derivative_H2(&a, second_derivative);
         if (pass & PASS_ERROR)
             error_add(geometry, &e, &a, &b, t);
         if (a.i + 1 >= geometry->n || !b.leads)
             break;
         if (!a.leads) {
-            /* The follower has left during this cycle: it keeps the energy of theta_f. */
+            /* The follower has detached during this cycle: it keeps the energy of theta_f. */
             struct link leader = b;
             if (pass & PASS_SHIFT) {
                 b.tilt = a.tilt;
@@ -217,7 +217,7 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         } else {
             link_next(&b);
         }
-        if (pass & PASS_BEND)
+        if (pass & PASS_SECOND_DERIVATIVE)
             second_derivative = link_second_derivative(&leader_a, second_derivative, &a);
         if (pass & PASS_ERROR) {
             bound_next(geometry, &leader_a, &a, &e.a);
@@ -231,15 +231,15 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return sum_result(geometry, &state, H2, a.i + 1, sums);
 }
 
-/* tan of half the difference; exact where it is the whole tilt. */
+/* Returns tan of half the difference of two tilts; exact if the difference is the whole tilt. */
 static real half_turn(struct tilt from, struct tilt head)
 {
     real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
     return sine / (1 + cosine);
 }
 
-/* Bounds of what another pass gave for the same: those of one that follows every domino, and the difference.
- */
+/* Finds bounds for the results of another pass: the bounds of a pass that follows every domino, plus the
+ * difference of the two passes. */
 static enum dom_status energy_change_error(const struct geometry *geometry, struct tilt head,
                                            const struct sums *sums, struct sums *error)
 {
@@ -292,7 +292,8 @@ KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, s
 KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geometry, struct tilt from,
                                                     struct tilt head, struct sums *sums)
 {
-    return energy_change_between(geometry, from, head, half_turn(from, head), PASS_BEND, sums, NULL);
+    return energy_change_between(geometry, from, head, half_turn(from, head), PASS_SECOND_DERIVATIVE, sums,
+                                 NULL);
 }
 
 KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt head, struct sums *sums,

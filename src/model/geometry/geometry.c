@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/geometry.h"
 
-/* r^q, and r^q - 1 free of cancellation. */
+/* Finds r^q, and r^q - 1 without cancellation. */
 static void geometry_powers(real r, real q, real *rq, real *rq_1)
 {
     const int whole = (int)q;
-    if (q == (real)whole && whole <= 8) { /* hollow and massive: r^q - 1 = (r - 1) (1 + r + ...) */
+    if (q == (real)whole && whole <= 8) { /* hollow and solid: r^q - 1 = (r - 1) (1 + r + ...) */
         real power = r, sum = 1;
         for (int k = 1; k < whole; k++) {
             sum += power;
@@ -16,7 +16,7 @@ static void geometry_powers(real r, real q, real *rq, real *rq_1)
         return;
     }
     *rq = pow(r, q);
-    /* The logarithm would cost digits where r^q is large, the difference where it is near 1. */
+    /* The logarithm would lose digits where r^q is large, the difference where r^q is near 1. */
     *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
 }
 
@@ -47,11 +47,11 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down)
 static struct far far_make(const struct geometry *geometry)
 {
     real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, y = geometry->inf.y;
-    /* theta_1 and its derivatives: of its slope 1 - r L x / Y, since Y' = 0 and Y'' = -(r L x)^2. */
+    /* Derivatives of theta_1: of its slope 1 - r L x / Y, with Y' = 0 and Y'' = -(r L x)^2. */
     real off = geometry->r * geometry->L * x, slope = 1 - off, second_derivative = -geometry->r * geometry->d,
          twist = off * (1 - off * off);
     real slope2 = slope * slope, slope3 = slope2 * slope;
-    real h1 = geometry_rise(geometry, geometry->inf), h2 = -geometry_height(geometry, geometry->inf),
+    real h1 = geometry_height_slope(geometry, geometry->inf), h2 = -geometry_height(geometry, geometry->inf),
          h3 = -h1;
     struct far f = {.per_sine = 1 / x};
     f.half_cot = y * f.per_sine / 2;
@@ -79,12 +79,12 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     geometry->rL = r * L;
     /* The fma gives 1 - r s with one rounding. */
     real short_of = fma(-r, s, 1);
-    /* A unit in the last place of 1: no more than r s gains where s and r = 1/s are both rounded. */
+    /* A unit in the last place of 1: r s can exceed 1 by no more where s and r = 1/s are both rounded. */
     if (short_of < -REAL_EPSILON)
         return DOM_OUT_OF_REACH;
     geometry->short_of = fmax(short_of, 0);
     geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
-    /* The kinetic energy (c6) is as small as r^-(2q+1); below this it would lose its digits. */
+    /* The kinetic energy (24; c6) is as small as r^-(2q+1); below this limit it would lose its digits. */
     if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;
     geometry->weight = 1 / geometry->rq;
@@ -95,7 +95,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     geometry->inf = (struct tilt){x_inf, d / L, s / L};
     geometry->decay = geometry->weight * fmax(0, 1 - r * L * x_inf);
 
-    /* (A17): theta_leave < theta_inf.  1 - cos theta_leave = (1/r^2 - s^2) / (2 d L). */
+    /* (41; A17): theta_leave < theta_inf.  1 - cos theta_leave = (1/r^2 - s^2) / (2 d L). */
     geometry->leave_at = geometry->short_of * (1 + r * s);
     geometry->leave_by = 2 * d * L * r * r;
     real v_leave = geometry->leave_at / geometry->leave_by;
@@ -103,7 +103,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     geometry->f = geometry->inf;
     if (geometry->detaches) {
         geometry->leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
-        /* (A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
+        /* (42; A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
         real one_minus_x = (2 * r * d - geometry->short_of) * geometry->short_of / (2 * r * L);
         real x_f =
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
@@ -125,7 +125,8 @@ KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta
 
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower)
 {
-    /* (b8) with the follower given: A cos theta + B sin theta = d, of whose two roots the smaller. */
+    /* (12; b8) for a given follower: A cos theta + B sin theta = d, of whose two roots this is the
+     * smaller. */
     real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;
     real R = hypot(A, B), root = sqrt(fmax((R - geometry->d) * (R + geometry->d), 0));
     return tilt_make(fmax((B * geometry->d - A * root) / (R * R), 0), (A * geometry->d + B * root) / (R * R));

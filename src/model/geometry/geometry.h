@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One domino leaning on the next: the geometry of section 2 and appendix A, in Cartesian form.
- *
- * An angle theta travels as struct tilt, so that the loops down the train need no trigonometry and
- * nothing cancels: v = 1 - cos theta keeps its relative accuracy where cos theta is nearly 1.
+ * One domino that leans on the next: the geometry of section 2 and appendix A, in Cartesian form. An angle
+ * theta is stored as struct tilt, so that the loops down the train need no trigonometry and nothing cancels:
+ * v = 1 - cos theta keeps its relative accuracy where cos theta is nearly 1.
  */
 #ifndef DOM_GEOMETRY_H
 #define DOM_GEOMETRY_H
@@ -12,20 +11,20 @@
 #include "numerics/real.h"
 
 struct tilt {
-    real x, y; /* sin theta, cos theta (A4) */
+    real x, y; /* sin theta, cos theta (29; A4) */
     real v;    /* 1 - cos theta */
 };
 
-/* An upright domino, before it is hit. */
+/* The tilt of an upright domino, before it is hit. */
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
 struct dynamics; /* dynamics.h */
 struct flow;     /* flow.h */
 
 /*
- * H, and J, of a train whose head leans at theta_inf - e, a far follower: H1 is dH/dtheta there, J0 is J, and
- * so on.  From H(theta) = h(theta) + r^-q H(theta_1) and J(theta) = 1 + r^-(q+1) theta_1'^2 J(theta_1),
- * derived again and again at theta_1 = theta = theta_inf, where X = 0.
+ * H and J of a train whose head leans at theta_inf - e, a far follower: H1 is dH/dtheta there, J0 is J, and
+ * so on. They follow from H(theta) = h(theta) + r^-q H(theta_1) and J(theta) = 1 + r^-(q+1) theta_1'^2
+ * J(theta_1), differentiated repeatedly at theta_1 = theta = theta_inf, where X = 0.
  */
 struct far {
     real H1, H2, H3;
@@ -33,23 +32,23 @@ struct far {
     real per_sine, half_cot; /* 1 / sin theta_inf, and half of its cotangent */
 };
 
-/* A checked train with the quantities that its whole cycle shares. */
+/* A checked train, with the quantities that are constant in its whole cycle. */
 struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
-    struct flow *flow;               /* solution of an equation of motion; NULL where the law needs none */
+    struct flow *flow;               /* solution of an equation of motion; NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    size_t *effort; /* of a search so far, in dominoes of a plain pass; NULL: without a limit */
+    size_t *effort; /* work of a search up to now, in dominoes of a plain pass; NULL: no limit */
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
-    real short_of; /* 1 - r s >= 0: by how much the head reaches the next domino */
-    real leave_at; /* 1 - r^2 s^2, which is leave_by v where a follower leaves */
+    real short_of; /* 1 - r s >= 0: how far the head reaches beyond the next domino */
+    real leave_at; /* 1 - r^2 s^2; equal to leave_by v where a follower detaches */
     real leave_by; /* 2 r^2 L d */
-    real weight;   /* r^-q, share of a follower in H over that of its leader (c1) */
-    real inertia;  /* r^-(q+1), the same for J (c2) */
+    real weight;   /* r^-q, the weight of a follower in H over that of its leader (19; c1) */
+    real inertia;  /* r^-(q+1), the factor from one domino to the next in J (20; c2) */
     real rq, rq_1; /* r^q and r^q - 1 */
     real reach;    /* sqrt(1 + d^2), the largest |dh/dtheta| */
     struct {
@@ -58,63 +57,63 @@ struct geometry {
     struct {
         real x, y; /* h(theta) = h.y cos theta + h.x sin theta: d and 1, unless the floor slopes */
     } h;
-    real decay;        /* largest ratio of two far terms of H': r^-q theta_1'(theta_inf) */
-    real decay_J;      /* the same of J, where it is not that of the next two */
-    struct tilt c;     /* theta_c (a2) */
-    struct tilt inf;   /* theta_inf (A16) */
-    struct tilt f;     /* theta_f (A18) if followers fall off, else theta_inf */
-    struct tilt leave; /* theta_leave, only where detaches */
-    bool detaches;     /* (A17) */
-    struct far far;    /* unless detaches */
-    size_t n;          /* dominoes from here on: a chain ends with them */
-    /* The same for the follower and its own; NULL: as for this one, the train is self-similar. */
-    const struct geometry *behind;
+    real decay;        /* largest ratio of successive far terms of H': r^-q theta_1'(theta_inf) */
+    real decay_J;      /* the same ratio for J, if it differs from that of the next two terms */
+    struct tilt c;     /* theta_c (2; a2) */
+    struct tilt inf;   /* theta_inf (40; A16) */
+    struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */
+    struct tilt leave; /* theta_leave, only if detaches */
+    bool detaches;     /* (41; A17) */
+    struct far far;    /* only if not detaches */
+    size_t n;          /* number of dominoes from here to the end of the chain */
+    /* Geometry of the follower, and so on; NULL: the train is self-similar, so this geometry serves for
+     * all. */
+    const struct geometry *follower;
 };
 
 #define CHAIN_ENDLESS SIZE_MAX
 
 /*
- * The shape of a train in two steps: the train as it stands, and then, checked and as often as wanted, its
- * separation and growth.  dynamics_make takes both, and adds how it moves.
+ * Make the shape of a train in two steps: all but separation and growth; then, checked and as often as
+ * needed, separation and growth. dynamics_make does both, and adds the law of motion.
  */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
 /*
- * Sets gravity, and so the energy of position of a domino: the one place where it enters.  The geometry has
- * its d.
+ * Sets gravity, and so the energy of position of a domino; no other function sets it. Needs geometry->d.
  */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
-/* Returns whether the floor is level: only then does the paper's closed form of the fuel hold. */
+/* Returns true if the floor is level: only then does the paper's closed form of the fuel hold. */
 KERNEL bool geometry_level(const struct geometry *geometry)
 {
     return geometry->g.along == 0;
 }
 
-/* Slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. */
-KERNEL_LOOP real geometry_rise(const struct geometry *geometry, struct tilt t)
+/* Returns the slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. */
+KERNEL_LOOP real geometry_height_slope(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.x * t.y - geometry->h.y * t.x;
 }
 
-/* Energy of position of one domino, h(theta). */
+/* Returns the energy of position of one domino, h(theta). */
 KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
 
-/* theta in [0, theta_c] as a tilt; theta_c rounded to a real is taken as theta_c. */
+/* Converts theta in [0, theta_c] to a tilt. A theta equal to theta_c rounded to a real gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/* Bounds of the error, as an angle: of a tilt rounded at most `units` times in each coordinate, of a head's
- * tilt, of theta_f and of theta_leave. */
+/* Return bounds of the error, as an angle: of a tilt with at most `units` rounding errors in each coordinate,
+ * of a head's tilt, of theta_f and of theta_leave. */
 KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_f(const struct geometry *geometry);
 KERNEL real geometry_error_leave(const struct geometry *geometry);
 
-/* The leader's tilt at which its follower has this one: theta_1 inverted, follower >= theta_c. */
+/* Returns the leader's tilt for a follower's tilt >= theta_c: the inverse of theta_1. */
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);
 
 KERNEL struct tilt tilt_make(real x, real y)
@@ -127,7 +126,8 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
-/* By p = tan(theta / 2), in which searches move: no trigonometry, and small tilts keep their digits. */
+/* Returns the tilt with p = tan(theta / 2), the variable of searches: no trigonometry, and small tilts keep
+ * their digits. */
 KERNEL struct tilt tilt_half(real p)
 {
     real pp = p * p, share = 2 / (1 + pp);
@@ -140,30 +140,30 @@ KERNEL real half_of_tilt(struct tilt t)
 }
 
 /*
- * The turn from a leader to its follower, with the arm of the contact force on the leader (table 1).
- * Neither X near 0 nor X near 1 cancels.  Where Y - r L x would, the arm comes from
- * Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower is about to leave.
+ * The angle from a leader to its follower, with the arm of the contact force on the leader (table 1) and the
+ * slope (34; A10). Nothing cancels, neither for X near 0 nor for X near 1. Where Y - r L x would cancel, the
+ * arm comes from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower is
+ * about to detach.
  */
 struct contact {
-    real X, Y; /* sine and cosine of theta_1 - theta (A5) */
+    real X, Y; /* sine and cosine of theta_1 - theta (30; A5) */
     real arm;  /* r a = Y - r L x */
-    real step; /* d theta_1 / d theta (b10); 1 where the leader is upright, also in the limit Y = 0 (r s = 1)
-                */
+    real step; /* d theta_1 / d theta (14; b10); 1 if the leader is upright, even at Y = 0 */
 };
 
 KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, struct tilt leader)
 {
     real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
     real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    if (2 * rLx <= Y) /* the slope in one rounding near 1, since many are multiplied */
+    if (2 * rLx <= Y) /* one rounding for a slope near 1, since many slopes are multiplied */
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};
 }
 
 /*
- * The follower's tilt (A6, corrected: y' = Y y - X x), as its v' = 1 - y' alone: terms of one sign, of which
- * x' and y' follow, so that neither drifts along a long train.
+ * Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). Computes v' = 1 - y' alone, from terms of
+ * one sign; x' and y' follow from v', so that neither drifts along a long train.
  */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a train one after the other, from the head down; and the contact of each with its follower.
- */
+/* The dominoes of a train in order, from the head down, and the contact of each with its follower. */
 #ifndef DOM_LINK_H
 #define DOM_LINK_H
 
@@ -10,9 +9,9 @@ struct link {
     const struct geometry *geometry; /* of this domino and its follower */
     size_t i;
     struct tilt tilt;
-    struct contact contact; /* to the follower, where it leads one */
-    real step;              /* slope of the lean to the follower, theta_{i+1}' / theta_i' */
-    real slope;             /* theta_i' (A9) */
+    struct contact contact; /* with the follower, if one leans on it */
+    real step;              /* slope between domino and follower, theta_{i+1}' / theta_i' */
+    real slope;             /* theta_i' (33; A9), (35; A11) */
     real weight;            /* r^-(q i) */
     real inertia;           /* r^-((q+1) i) */
     bool leads;             /* a follower leans on it */
@@ -21,7 +20,8 @@ struct link {
 KERNEL_LOOP void link_geometry(struct link *k)
 {
     const struct geometry *geometry = k->geometry;
-    /* Upright is leaned on in any case: it has just been hit, even in the limit theta_leave = 0. */
+    /* A follower always leans on an upright domino: it has just hit that domino, even in the limit
+     * theta_leave = 0. */
     k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->contact = geometry_contact(geometry, k->tilt);
@@ -44,12 +44,12 @@ KERNEL_LOOP void link_next(struct link *k)
     k->slope *= k->step;
     k->weight *= geometry->weight;
     k->inertia *= geometry->inertia;
-    if (geometry->behind)
-        k->geometry = geometry->behind;
+    if (geometry->follower)
+        k->geometry = geometry->follower;
     link_geometry(k);
 }
 
-/* theta'' of a follower from that of its leader: d/dtheta of (b10) along the chain. */
+/* Returns theta'' of a follower from that of its leader: d/dtheta of (14; b10) along the chain. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative,
                                         const struct link *follower)
 {
@@ -61,7 +61,8 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
-/* The arms of the contact of a domino with its follower (table 1), with friction, times r of that domino. */
+/* Return the arms of the contact of a domino with its follower (table 1), with friction, times r of the
+ * domino. */
 KERNEL real contact_arm_a(const struct link *k)
 {
     return k->contact.arm - k->geometry->mu * k->geometry->r * k->geometry->d;
@@ -72,7 +73,8 @@ KERNEL real contact_arm_b(const struct link *k)
     return k->contact.Y + k->geometry->mu * k->contact.X;
 }
 
-/* a / b: the share of a torque that the contact passes on to the leader; without friction the slope (b10). */
+/* Returns a / b: the part of a torque that the contact passes on to the leader; without friction the slope
+ * (14; b10). */
 KERNEL real torque_ratio(const struct link *k)
 {
     return contact_arm_a(k) / contact_arm_b(k);

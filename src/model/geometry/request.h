@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Questions with all that their answers depend on: what is asked about, and how to compute. */
+/* Questions with everything that their answers depend on: the train or row, and how to compute. */
 #ifndef DOM_REQUEST_H
 #define DOM_REQUEST_H
 

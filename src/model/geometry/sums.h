@@ -1,35 +1,37 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sums over a chain, in the loops that follow it: compensated, each with a bound of its tail. */
+/* The sums over a chain, in the loops along the chain: compensated, each with a bound of its tail. */
 #ifndef DOM_SUMS_H
 #define DOM_SUMS_H
 
 #include "geometry/link.h"
 
 struct sums {
-    real J;  /* (c2) */
+    real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    real H2; /* d2H/dtheta2, to rounding and the part of a tail of H1; only from chain_second_derivative_from
-              */
-    real dH; /* H(theta) - H(0), or from another tilt; only from chain_energy_change */
-    real left; /* the part of it in a follower that has left during the cycle */
+    /* d2H/dtheta2, with rounding errors and a part of the tail of H1; only from
+     * chain_second_derivative_from */
+    real H2;
+    real dH;   /* H(theta) - H(0), or from another tilt; only from chain_energy_change */
+    real left; /* the part of dH in a follower that has detached during the cycle */
     size_t n;  /* dominoes followed */
 };
 
-/* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 has more.
- */
+/* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 needs
+ * more. */
 #define LINKS_MAX ((size_t)2000000)
 
-/* The tail of a sum may be this part of the tolerance, so that a result of several sums keeps it. */
+/* The tail of a sum may be this part of the tolerance, so that a result of several sums stays within it. */
 #define TAIL_SHARE ((real)0.125)
 
-/* A sum with a bound on the terms that have not been added yet. */
+/* A sum with a bound of the terms that are not yet added. */
 struct series {
     real sum, size;   /* of the terms, and of their absolute values */
-    real lost;        /* what rounding took from the sum so far */
-    real next, ratio; /* at most: the first of the terms to come, and each to the one before */
+    real lost;        /* the part of the sum that rounding has removed up to now */
+    real next, ratio; /* upper bounds: of the next term, and of the ratio of each to the one before */
 };
 
-/* Compensated (Fast2Sum; a follower never counts for more than all before it, but in roundings). */
+/* Adds a term, compensated (Fast2Sum: but for rounding errors, a term is never larger than the sum of all
+ * before it). */
 KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;
@@ -39,8 +41,8 @@ KERNEL_LOOP void series_add(struct series *s, real term)
 }
 
 /*
- * Does the tail matter?  The next terms are at most `term` times ratio, ratio^2, ...; below the unit
- * roundoff of what was added no tolerance needs them.
+ * Returns true when the tail can be left out. The next terms are at most `term` times ratio, ratio^2, ...;
+ * terms below the unit roundoff of the sum never matter.
  */
 KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
@@ -49,7 +51,7 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
-/* Rounding of the sum, and its tail: 0 where the train has ended. */
+/* Returns the rounding error of the sum, and its tail: 0 if the train has ended. */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
@@ -78,7 +80,7 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
         return DOM_TOO_LONG;
     if (i < LINKS_MAX)
         return DOM_OK;
-    chain_count(geometry, i); /* a pass without a result costs as much */
+    chain_count(geometry, i); /* a pass without a result costs as much as one with a result */
     return DOM_TOO_LONG;
 }
 
@@ -94,7 +96,7 @@ KERNEL_LOOP void add_J(struct sum_state *a, const struct link *k)
 
 KERNEL_LOOP void add_H1(struct sum_state *a, const struct link *k)
 {
-    series_add(&a->H1, k->weight * k->slope * geometry_rise(k->geometry, k->tilt));
+    series_add(&a->H1, k->weight * k->slope * geometry_height_slope(k->geometry, k->tilt));
 }
 
 KERNEL_LOOP bool done_J(struct sum_state *a, const struct link *k)

@@ -1,34 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The best separation.  Samples give a growth R that some separation allows; then intervals of s are dropped
- * for which no separation allows more: none has s R > 1, and a bound shows that at R, or at another growth
- * below which a train of the interval has stopped, no train of the interval goes on (strip.h).  What remains
- * is halved.
- *
- * Resolved are tops of r_max(s) that are wider than BEST_FINEST of s: of an interval so narrow only the
- * middle is looked at.  With friction there is no bound, and all that is known are the samples.
+ * The best separation. Samples give a growth R that some separation allows. Then intervals of s are dropped
+ * in which no separation allows more: either no s in the interval has s R > 1, or a bound shows that at R, or
+ * at another growth below which a train of the interval has stopped, no train of the interval goes on
+ * (strip.h). What remains is halved. Tops of r_max(s) that are wider than BEST_FINEST of s are resolved: of a
+ * narrower interval only the middle is computed. With friction there is no bound, and only the samples are
+ * known.
  */
 #include "growth/limit.h"
 
-#define BEST_RATIO    ((real)0.9) /* of successive samples */
-#define BEST_PATIENCE 8           /* as many lower ones in a row end them */
+#define BEST_RATIO    ((real)0.9) /* ratio of successive samples */
+#define BEST_PATIENCE 8           /* the search ends after this many lower samples in a row */
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-#define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* where nothing has been found yet */
+#define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* smallest s until a growth is found */
 
 struct search {
     struct margin_context *c;
-    real s, r_max; /* the best so far */
-    real finest;   /* the narrowest interval, over s */
-    real finer;    /* share of slope_step that is used */
+    real s, r_max; /* the best separation up to now */
+    real finest;   /* width of the narrowest interval, over s */
+    real finer;    /* part of slope_step that is used */
 };
 
-/* 0 where not even r = 1 goes on. */
+/* Returns r_max at s; 0 if even r = 1 does not go on. */
 static real rmax_at(real s, void *context)
 {
     struct margin_context *c = context;
     struct limit limit;
-    if (c->status != DOM_OK) /* the reason of the first failure */
+    if (c->status != DOM_OK) /* keeps the reason of the first failure */
         return REAL_NAN;
     c->s = s;
     if (limit_find(c, &limit) != DOM_OK)
@@ -36,7 +35,8 @@ static real rmax_at(real s, void *context)
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/* Coarsely, unless it seems to be better: a dip that a coarse scan misses makes r_max larger. */
+/* Returns r_max at s. A coarse scan is enough unless s seems to be better: a dip that the scan misses makes
+ * r_max larger, never smaller. */
 static real search_at(struct search *b, real s)
 {
     b->c->coarse = (real)1e-3;
@@ -51,7 +51,7 @@ static real search_at(struct search *b, real s)
     return r_max;
 }
 
-/* The margin at one growth, as a function of s; without fuel it is negative. */
+/* Finds the margin at one growth, as a function of s; without fuel it is negative. */
 static enum dom_status margin_of_s(struct margin_context *c, real s, real r, struct margin *m)
 {
     c->s = s;
@@ -63,7 +63,7 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Does no train between lo and hi go on at the growth r, of which m is the margin at lo? */
+/* Sets *stops if no train between lo and hi goes on at the growth r. m: the margin at lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
@@ -90,8 +90,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
 }
 
 /*
- * Of the separation s, where the margin at R is not negative, but r_max is lower since it is at a lower
- * growth: that growth, or a better witness a little above it.
+ * Finds a growth at which a train stops, for a separation s where the margin at R is not negative but r_max
+ * is lower than R: r_max, or a better witness a little above r_max.
  */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
@@ -112,8 +112,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* The narrowest interval: wider where much of the work that an answer may take is done, so that it comes to
- * an end. */
+/* Returns the width of the narrowest interval. The width grows when an answer has done much of its allowed
+ * work, so that the search ends. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -121,7 +121,7 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Looks for a larger growth between lo and hi; witness: a growth at which the trains there may stop. */
+/* Searches for a larger growth between lo and hi. witness: a growth at which the trains there may stop. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -161,7 +161,7 @@ static enum dom_status search_between(struct search *b, real lo, real hi, real w
     return status == DOM_OK ? search_between(b, lo, middle, witness) : status;
 }
 
-/* From s = 1 downwards. */
+/* Samples from s = 1 downwards. */
 static enum dom_status search_samples(struct search *b)
 {
     int lower = 0;
@@ -176,8 +176,8 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* With friction: the cells around the best, and all above it where the reach allows more, in smaller steps.
- */
+/* Searches with friction: near the best sample, and at all larger s that the reach allows, in smaller
+ * steps. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -194,8 +194,9 @@ static enum dom_status search_finely(struct search *b)
 /* ---- The top ---- */
 
 /*
- * d margin / ds at a fixed growth by the nine-point rule.  Its error is (h / scale)^8, where the scale is a
- * few percent of s, or the distance to the reach, and roundoff / h: least near this h.
+ * Returns the step h for d margin / ds at a fixed growth by the nine-point rule. The error of the rule is (h
+ * / scale)^8, plus the rounding error over h: it is smallest near this h. The scale is a few percent of s, or
+ * the distance to the reach.
  */
 static real slope_step(real s, real r)
 {
@@ -215,7 +216,8 @@ static real margin_slope_by(struct margin_context *c, real s, real r, real h)
     return c->status == DOM_OK ? sum / (840 * h) : REAL_NAN;
 }
 
-/* d margin / ds where r is r_max(s): of the sign of d r_max / ds.  At the reach r_max = 1/s decreases. */
+/* Returns d margin / ds at r = r_max(s): it has the sign of d r_max / ds. At the reach r_max = 1/s
+ * decreases. */
 static real top_slope(real s, void *context)
 {
     struct search *b = context;
@@ -227,9 +229,9 @@ static real top_slope(real s, void *context)
 }
 
 /*
- * The share of slope_step at which the rule errs least: a second derivative that jumps, where a follower's
- * detaching begins, may be within its nodes.  What two steps differ by shows that, and roundoff / h bounds it
- * below.
+ * Finds the part of slope_step at which the error of the rule is smallest. Its nodes may contain a jump of
+ * the second derivative, where a follower begins to detach. The difference of two steps shows such a jump;
+ * the rounding error over h bounds the step below.
  */
 static void search_step(struct search *b)
 {
@@ -249,14 +251,14 @@ static void search_step(struct search *b)
     }
 }
 
-/* The top near b->s: smooth, where the slope changes its sign, or a kink or a jump, to which golden section
- * leads. */
+/* Finds the top near b->s. If it is smooth, the slope changes its sign there; at a kink or a jump golden
+ * section finds it. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* As far away as it takes to be lower on both sides. */
+    /* Widens the interval until r_max is lower on both sides. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= 1 ? rmax_at(s * (1 + width), c) : 0;
@@ -278,16 +280,18 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     if (model_status(c->status, solver) != DOM_OK && solver != NUM_NOT_BRACKETED)
         return model_status(c->status, solver);
     search_at(b, top);
-    /* The slope of the margin is a difference: it needs all digits. */
+    /* The slope of the margin is a difference, and needs all digits. */
     c->geometry.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
     search_step(b);
-    /* Values alone fix a smooth top to the root of their noise; a bracket of its slope begins beyond that. */
+    /* Values alone fix a smooth top only to the square root of their noise; a bracket for the slope begins
+     * outside of that distance. */
     for (width = 16 * sqrt(fmax(tol, REAL_EPSILON)); c->status == DOM_OK && width < (real)0.02; width *= 4) {
         real lo = b->s * (1 - width), up = b->s * (1 + width), zero;
         real before = top_slope(lo, b), after = up <= 1 ? top_slope(up, b) : -1;
         if (c->status != DOM_OK || !(before > 0 && after < 0))
             continue;
-        /* At a smooth top the slope shrinks with the distance; at a kink, or a jump, one of them does not. */
+        /* At a smooth top the slope decreases with the distance; at a kink or a jump the slope of one side
+         * does not. */
         real near_lo = top_slope(b->s * (1 - width / 8), b), near_up = top_slope(b->s * (1 + width / 8), b);
         if (c->status != DOM_OK || near_lo > before / 4 || near_up < after / 4)
             break;
@@ -304,7 +308,8 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return c->status;
 }
 
-/* How much lower r_max is at s + step than the top; 0 behind a jump, whose lower side is not the top's. */
+/* Returns how much lower than the top r_max is at s + step; 0 after a jump, whose lower side does not belong
+ * to the top. */
 static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
@@ -312,10 +317,9 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
 }
 
 /*
- * No bound is known where the law of motion is not conservative: then both are NaN.
- * Near a smooth top the slope vanishes: what rounding, tol and the rule leave of it bounds s, over its own
- * slope; at a kink or a jump s is bracketed to tol itself.  r_max may be off by as much as it changes over
- * that.
+ * Finds the error bounds. If the law of motion is not conservative, no bound is known: both are NaN. Near a
+ * smooth top the slope is 0: what rounding, tol and the rule leave of the slope, over its derivative, bounds
+ * s. At a kink or a jump s is bracketed to tol itself. r_max may be wrong by its change over the error of s.
  */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {
@@ -329,8 +333,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    /* A jump of r_max(s) is where a dip of the margin begins, of which the shallowest are not resolved
-     * (scan.c). */
+    /* r_max(s) jumps where a dip of the margin begins; the shallowest dips are not resolved (scan.c). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(s, r) * b->finer, width = 4 * h;
@@ -340,9 +343,10 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* Twice the step has 256 times the error of the rule, whose weights add up to 1750 / 840 / h. */
+        /* Twice the step has 256 times the error of the rule. The weights of the rule add up to 1750 / 840 /
+         * h. */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
-        /* An r that is wrong moves the slope, too. */
+        /* An error of r changes the slope, too. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
         s_error +=
@@ -366,7 +370,7 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
         return c->status = status;
     if (!(b.r_max > 1))
         return c->status = DOM_NO_GROWTH;
-    /* Next to a jump there may be several tops: once more around the best, in narrower intervals. */
+    /* Next to a jump there may be several tops: searches once more near the best, in narrower intervals. */
     real before = 0;
     status = search_top(&b, (real)1e-6, &smooth);
     for (int k = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/real.h"
 
-/* r^n for a whole n >= 0, in the widest arithmetic, of which it loses some n roundings. */
+/* Returns r^n for a whole n >= 0, in the widest arithmetic, with about n rounding errors. */
 static dom_real power_of(dom_real r, dom_real n)
 {
     dom_real power = 1;
@@ -11,9 +11,9 @@ static dom_real power_of(dom_real r, dom_real n)
 }
 
 /*
- * Does the n-th reach the height?  The heights and r are decimals that were rounded, half a unit each, and
- * typed with no more digits than they have, which moves a power that meets the height by some 4 + n such
- * halves. No more than a millionth of a domino is forgiven.
+ * Returns true if domino n reaches the height. The heights and r are decimals that were rounded to the
+ * precision, by half a unit each. This moves a power that meets the height exactly by about 4 + n half units,
+ * which count as no difference. No more than a millionth of a domino is allowed for.
  */
 static bool count_reaches(real first, real height, real r, real ln_r, real n)
 {
@@ -36,10 +36,10 @@ KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_
         *count = (struct dom_count){.dominoes = n, .exact = n, .last = there ? (dom_real)first : DOM_NAN};
         return DOM_OK;
     }
-    /* Beyond 2^(REAL_BITS) neighbouring integers are one number. */
+    /* Beyond 2^(REAL_BITS) neighbouring integers have the same value. */
     if (!(ratio >= REAL_MIN && isfinite(ratio) && exact < 2 / REAL_EPSILON))
         return DOM_BAD_HEIGHT;
-    real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* a division and a logarithm each */
+    real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* one division and two logarithms */
     real nearest = fmax(round(exact), 0), n = fmax(ceil(exact), 0);
     if (fabs(exact - nearest) <= error_of_exact + UNIT * (4 + nearest) / ln_r)
         n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;

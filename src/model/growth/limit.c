@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The largest growth: the first root of the margin as a function of r, looked for upwards from r = 1 to the
- * reach r = 1/s.  The margin need not be monotone (thin dominoes: it falls, rises again and drops near 1/s),
- * so the scan goes on only over intervals that a bound covers (scan.c); with friction over samples and their
- * slopes (probe.c).
+ * The largest growth: the first root of the margin as a function of r, searched upwards from r = 1 to the
+ * reach r = 1/s. The margin need not be monotone: for thin dominoes it decreases, increases again and drops
+ * near 1/s. So the scan continues only over intervals that a bound covers (scan.c); with friction, over
+ * samples and their slopes (probe.c).
  */
 #include "growth/limit.h"
 
 /*
- * Of a root of the margin: what is left of the margin and what may be wrong with it, over its slope in r.
- * The slope is that of a difference wide enough to stand out from what may be wrong with both margins,
- * on this side of the reach.
+ * Finds the error bound of a root of the margin: the rest of the margin there, plus its error, over its slope
+ * in r. The slope is a difference over an interval that ends at the reach or before, and wide enough to
+ * exceed the errors of both margins.
  */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
@@ -29,10 +29,10 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
         if (fabs(above - below) > 8 * wrong || h >= widest)
             slope = fabs(above - below) > 2 * wrong ? fabs(above - below) / (r + h - lo) : REAL_MIN;
     }
-    /* Where even the widest shows no slope, all that is known is that r lies between 1 and the reach. */
+    /* If even the widest difference shows no slope, it is only known that r is between 1 and the reach. */
     *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
-    /* Near the reach the margin bends: the bound holds if the margins at its ends have their signs for sure.
-     */
+    /* Near the reach the margin is curved: the bound holds if the margins at both its ends surely have their
+     * signs. */
     for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
         real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
         sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
@@ -40,7 +40,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     return c->status;
 }
 
-/* As the caller wants it. */
+/* Converts a limit to the structure of the caller. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
                                     struct dom_limit *wide)
 {
@@ -54,12 +54,13 @@ static enum dom_status limit_public(struct margin_context *c, const struct limit
 
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 
-/* First r > from->r at which the margin, >= 0 there, is negative. */
-static enum dom_status limit_fall(struct margin_context *c, const struct edge *from, struct limit *limit)
+/* Finds the first r > from->r at which the margin, >= 0 at from->r, is negative. */
+static enum dom_status limit_to_negative(struct margin_context *c, const struct edge *from,
+                                         struct limit *limit)
 {
     *limit = (struct limit){.r_max = 1 / c->s, .ends = DOM_END_REACH};
     if (c->geometry.dynamics->conservative)
-        return scan_fall(c, from, &limit->r_max, &limit->ends);
+        return scan_to_negative(c, from, &limit->r_max, &limit->ends);
     struct edge before, after;
     bool found = false;
     enum dom_status status = probe_change(c, from, &before, &after, &found);
@@ -69,12 +70,11 @@ static enum dom_status limit_fall(struct margin_context *c, const struct edge *f
     return scan_root(c, &before, &after, &limit->r_max);
 }
 
-/* First r >= from at which the margin is not negative, if there is one. */
-static enum dom_status limit_energy_change(struct margin_context *c, real from, struct edge *edge,
-                                           bool *found)
+/* Finds the first r >= from at which the margin is not negative, if there is one. */
+static enum dom_status limit_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found)
 {
     if (c->geometry.dynamics->conservative)
-        return scan_energy_change(c, from, edge, found);
+        return scan_to_positive(c, from, edge, found);
     struct edge before;
     *edge = (struct edge){from, margin_sign(c, from)};
     *found = c->status == DOM_OK && margin_value(&edge->margin) >= 0;
@@ -91,7 +91,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     enum dom_status status = c->status != DOM_OK ? c->status : geometry_set(&geometry, c->s, 1);
     if (status != DOM_OK)
         return c->status = status;
-    /* There P has a closed form, and K = P T, T >= 1. */
+    /* At r = 1 P has a closed form, and K = P T, T >= 1. */
     first.margin = (struct margin){
         .kinetic = energy_fuel_paper(&geometry), .barrier = barrier_most(&geometry), .most = true};
     if (!geometry.dynamics->conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
@@ -102,14 +102,13 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
         return c->status = DOM_OK;
     }
     if (c->status == DOM_OK)
-        c->status = limit_fall(c, &first, limit);
+        c->status = limit_to_negative(c, &first, limit);
     return c->status;
 }
 
 /*
- * All passes of an answer together follow no more dominoes than this, which takes a second or two in double;
- * beyond it the answer is out of reach (DOM_TOO_LONG).  In an equation of motion a domino takes some four
- * times as long.
+ * The most dominoes in all passes of an answer together, which take a second or two in double. If an answer
+ * needs more, the status is DOM_TOO_LONG. With an equation of motion a domino takes about four times as long.
  */
 #define WORK_MOST      ((size_t)60000000)
 #define WORK_MOST_FLOW ((size_t)15000000)
@@ -134,12 +133,12 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     struct edge edge;
     bool any;
     *found = no_limit;
-    /* (b0): below that growth domino 1 has not tipped over when it hits. */
+    /* (5; b0): below this growth domino 1 has not tipped over when it hits. */
     real tips = fmax(c->geometry.h.x / c->geometry.reach / c->s, 1);
     if (tips > 1 / c->s)
         return DOM_OK;
-    enum dom_status status = limit_energy_change(c, tips, &edge, &any);
-    return status == DOM_OK && any ? limit_fall(c, &edge, found) : status;
+    enum dom_status status = limit_to_positive(c, tips, &edge, &any);
+    return status == DOM_OK && any ? limit_to_negative(c, &edge, found) : status;
 }
 
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)

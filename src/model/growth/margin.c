@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
 
-/* The barrier that the kinetic energy is held against, as the context wants it; near: of barrier_near, or
- * NULL. */
+/* Finds the barrier to compare with the kinetic energy, as the context asks. near: the tilt from
+ * barrier_near, or NULL. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
@@ -13,7 +13,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         m->most = true;
         return DOM_OK;
     }
-    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* whatever the barrier is */
+    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* for every barrier */
         m->barrier = 0;
         return DOM_OK;
     }
@@ -27,7 +27,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* Without Newton's method the height is right to the second order of the tilt alone. */
+        /* Without Newton's method the error of the height is of the second order in the tilt. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -38,7 +38,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     return status;
 }
 
-/* Of the endless train (c8, corrected). */
+/* Finds the margin of the endless train (26; c8, corrected). */
 static enum dom_status train_margin(const struct geometry *geometry, struct margin_context *c,
                                     struct margin *m)
 {
@@ -47,7 +47,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     enum dom_fuel fuel = c->train->fuel;
     enum dom_status status;
     bool both = c->how == MARGIN_FOLLOW && !geometry->detaches;
-    /* At r = 1 the fuels agree, and the closed one needs no train. */
+    /* At r = 1 the fuels agree, and the closed form needs no train. */
     if (geometry->r == 1 && geometry->dynamics->conservative && energy_fuel_paper(geometry) <= 0)
         return DOM_NO_FUEL;
     if (both) {
@@ -67,8 +67,8 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
 
 KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
 {
-    real u = geometry->reach; /* h(theta_u) (b2) */
-    *sine = -geometry_rise(geometry, geometry->c) / u;
+    real u = geometry->reach; /* h(theta_u) (6; b2) */
+    *sine = -geometry_height_slope(geometry, geometry->c) / u;
     *cosine = geometry_height(geometry, geometry->c) / u;
 }
 
@@ -79,20 +79,20 @@ KERNEL real pair_push(const struct geometry *geometry)
     return sine > 0 ? geometry->reach * sine * sine / (1 + cosine) : 0;
 }
 
-/* Of the pair after the collision (b13). */
+/* Finds the margin of the pair after the collision (17; b13). */
 static enum dom_status pair_margin(const struct geometry *geometry, struct margin_context *c,
                                    struct margin *m)
 {
     struct geometry two = *geometry;
     real u = geometry->reach, sine, cosine;
     pair_tips(geometry, &sine, &cosine);
-    two.n = 1; /* the hitting one */
+    two.n = 1; /* the geometry of the domino that hits */
     real k = geometry->inertia, inertia_ratio = 0;
     enum dom_status status =
         geometry->dynamics->inertia_ratio(geometry, &two, geometry->c, 1, &inertia_ratio);
     if (status != DOM_OK)
         return status;
-    real share = collision_velocity_ratio(inertia_ratio); /* (b11) */
+    real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
     real kinetic = (1 + k) * geometry->r * pair_push(geometry) * share * share;
     real sine_error = UNIT * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
          powers = 24 * UNIT;
@@ -121,7 +121,7 @@ KERNEL struct margin_context margin_of_pair(const struct request *train)
     return c;
 }
 
-/* At the relative tolerance tol. */
+/* Finds the margin at the relative tolerance tol. */
 static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
 {
     struct geometry geometry = c->geometry;
@@ -133,7 +133,7 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    if (c->locked) { /* no margin, but a verdict; before that it stops, since the energy tends to 0 */
+    if (c->locked) { /* no margin, but a verdict: a locked train stops before, since its energy tends to 0 */
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
     }
@@ -167,8 +167,9 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r)
     if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
         return m;
     c->how = MARGIN_SURE;
-    /* As for barrier_verdict: what the two leave is known as well as they are, so no tolerance turns the
-     * verdict.  Where the arithmetic gives nothing finer, what is known already counts. */
+    /* The tolerance is refined as in barrier_verdict: a difference of two nearly equal numbers must be known
+     * as well as they are, so that no tolerance changes the verdict. If the arithmetic has no finer
+     * tolerance, the present value counts. */
     real asked = c->geometry.tol, fine;
     if (margin_to(c, r, asked, &m) != DOM_OK)
         return m;
@@ -197,7 +198,8 @@ KERNEL real margin_follow(real r, void *context)
     struct margin m = {0};
     real tol = c->geometry.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
     struct followed *last = c->last;
-    if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r) /* as the last two tops say */
+    /* extrapolates from the last two tops */
+    if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r)
         c->barrier.half =
             last[1].half + (last[1].half - last[0].half) / (last[1].r - last[0].r) * (r - last[1].r);
     do {
@@ -207,7 +209,7 @@ KERNEL real margin_follow(real r, void *context)
         share = margin_share(&m);
         next = fmax(tol, ROUGH * share * share);
     } while (rough > tol && fabs(share) < 8 * rough);
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* the sums know no more of it */
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* finer sums would not change the margin */
         share = 0;
     last[0] = last[1];
     last[1] = (struct followed){r, c->barrier.half};

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* Samples a factor e of r, far from the reach; then a decade of 1 - r s each. */
+/* Samples for a factor e of r, far from the reach; then for each decade of 1 - r s. */
 #define PROBE_PER_E   8
 #define PROBE_DECADES 8
 
-/* The k-th sample of r between 1 and the reach; the last is 1/s itself, and larger k give it again. */
+/* Returns sample k of r between 1 and the reach. The last sample is 1/s itself, which larger k give again. */
 static real probe_place(real s, int k)
 {
     const real near = (real)0.1;
@@ -17,18 +17,18 @@ static real probe_place(real s, int k)
     return k - far > PROBE_DECADES ? 1 / s : fmax((1 - short_of) / s, 1);
 }
 
-/* How many times halves are looked into: a probe a factor e^(1/8) wide is then 1e-3 of r. */
+/* The most times that an interval is halved: an interval a factor e^(1/8) wide then has 1e-3 of r. */
 #define PROBE_HALVES 7
 
 /*
- * The margin over three times what it bends away from the straight line must be left of it; the bend of a
- * parabola between two samples is a quarter of that seen over twice the distance.
+ * The margin keeps its sign if it is more than this number times its deviation from a straight line. The
+ * deviation of a parabola between two samples is a quarter of that over twice the distance.
  */
 #define PROBE_SAFETY 3
 
 struct probe {
     struct margin_context *c;
-    bool positive; /* the sign that is followed */
+    bool positive; /* the sign that is followed: >= 0 */
     struct edge *before, *after;
     bool found;
 };
@@ -45,15 +45,15 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 }
 
 /*
- * Between two samples, of which the first has the sign: whether the margin keeps it, by the sample between
- * them; the half in doubt first where it comes first.
+ * Finds whether the margin keeps its sign between two samples, of which the first has the sign, by a sample
+ * between them. Searches the lower half first.
  */
 static enum dom_status probe_between(struct probe *p, const struct edge *lo, const struct edge *hi,
-                                     real second_derivative, int halves)
+                                     real deviation, int halves)
 {
     real at_lo = margin_share(&lo->margin), at_hi = margin_share(&hi->margin);
     bool kept = probe_kept(p, hi);
-    if (kept && fmin(fabs(at_lo), fabs(at_hi)) > PROBE_SAFETY * second_derivative)
+    if (kept && fmin(fabs(at_lo), fabs(at_hi)) > PROBE_SAFETY * deviation)
         return DOM_OK;
     if (halves == 0 || hi->r - lo->r <= 64 * REAL_EPSILON * hi->r) {
         if (!kept) {
@@ -79,7 +79,7 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
     const real reach = 1 / c->s;
     struct probe p = {.c = c, .positive = margin_value(&from->margin) >= 0, .before = before, .after = after};
     struct edge lo = *from, hi = *from;
-    real second_derivative = 0;
+    real deviation = 0;
     enum dom_status status = DOM_OK;
     for (int k = 0; status == DOM_OK && !p.found && hi.r < reach; k++) {
         real r = probe_place(c->s, k);
@@ -90,12 +90,12 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
         status = probe_sample(&p, r, &hi);
         if (status != DOM_OK)
             break;
-        /* What the sample before is off the line through its neighbours; nothing is known of the first. */
+        /* Deviation of the sample before from the line through its neighbours; unknown for the first one. */
         real across = hi.r - last.r, part = across > 0 ? (lo.r - last.r) / across : 0;
         real line = margin_share(&last.margin) * (1 - part) + margin_share(&hi.margin) * part;
-        second_derivative =
+        deviation =
             part > 0 ? fabs(margin_share(&lo.margin) - line) : fabs(margin_share(&hi.margin) - line) / 4;
-        status = probe_between(&p, &lo, &hi, second_derivative, PROBE_HALVES);
+        status = probe_between(&p, &lo, &hi, deviation, PROBE_HALVES);
     }
     *found = p.found;
     return status;

@@ -2,15 +2,14 @@
 #include "growth/limit.h"
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
-/* The share of the barrier that margin_sign may be wrong by. */
+/* The error of margin_sign that a scan accepts, over the barrier. */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
 /*
- * The root of the margin between lo and hi, for which the top of the barrier at hi is followed.  That it is
- * the highest also at the root is seen there by one more search; where it is not, all tops are searched at
- * every r.
+ * Finds the root of the margin between lo and hi by following the top of the barrier at hi. One more search
+ * at the root checks that this top is the highest there; if not, all tops are searched at every r.
  */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
@@ -31,16 +30,18 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
 }
 
 /* What is known of the margin between two samples, the first of which is not negative. */
-enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL /* through 0 once, if at all */ };
+enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL /* decreasing through 0 at most once */ };
 
-/* The margin with its barrier to a relative tolerance, where margin_sign may know only one of its tops. */
+/* Finds the margin with its barrier to a relative tolerance, where margin_sign may know only one of the
+ * tops. */
 static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
 {
     edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->geometry.tol));
     return c->status;
 }
 
-/* (1 + k) r [k / (1 + k)]^2, which decreases with r: the kinetic energy of the pair over its push (b11). */
+/* Returns (1 + k) r [k / (1 + k)]^2, which decreases with r: the kinetic energy of the pair over its push
+ * (15; b11). */
 static real pair_velocity_ratio(const struct geometry *geometry)
 {
     real k = geometry->inertia;
@@ -48,8 +49,9 @@ static real pair_velocity_ratio(const struct geometry *geometry)
 }
 
 /*
- * K of the pair over a strip.  Its push grows with r, d ln push / d ln r = cot((theta_c - theta_u) / 2) tan
- * theta_c, and what is kept of it shrinks, by 2 q + 1 - (q + 1) k / (1 + k).
+ * Finds bounds of K of the pair over a strip. The push increases with r, d ln push / d ln r = cot((theta_c -
+ * theta_u) / 2) tan theta_c. The part of it that the collision leaves decreases, by 2 q + 1 - (q + 1) k / (1
+ * + k).
  */
 static void pair_strip(const struct geometry *lo, const struct geometry *hi, struct strip *s)
 {
@@ -64,7 +66,7 @@ static void pair_strip(const struct geometry *lo, const struct geometry *hi, str
         s->margin_slope = (real)INFINITY;
 }
 
-/* Bounds between two growths. */
+/* Finds the bounds between two growths. */
 static enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip)
 {
     struct geometry at_lo = c->geometry, at_hi = c->geometry;
@@ -85,7 +87,7 @@ static enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, s
     return DOM_OK;
 }
 
-/* Between lo and hi; hi->margin is found unless its kinetic energy is known. */
+/* Finds what is known between lo and hi. hi->margin is computed unless its kinetic energy is known. */
 static enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
                                   enum known *known)
 {
@@ -111,7 +113,7 @@ static enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     }
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
-        /* It has risen to its end by no more than strip.bends. */
+        /* The margin has increased towards hi by no more than strip.margin_slope allows. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
         if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)
@@ -126,8 +128,8 @@ static enum dom_status scan_strip(struct margin_context *c, const struct edge *l
 }
 
 /*
- * A guess how far the margin stays positive after `from`: the kinetic energy falls as r^-(2q+1) (c6), and the
- * fuel as the weights of the dominoes that matter.
+ * Estimates how far the margin stays positive after `from`: the kinetic energy decreases as r^-(2q+1)
+ * (24; c6), and the fuel as the weights of the dominoes that matter.
  */
 static real scan_ahead(const struct margin_context *c, const struct edge *from)
 {
@@ -137,7 +139,7 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / falls;
 }
 
-/* A guess where the margin is 0 between lo and below, as a share of the way. */
+/* Estimates where the margin is 0 between lo and below, as a part of the distance. */
 static real scan_share(const struct edge *lo, const struct edge *below, real pull)
 {
     real up = margin_value(&lo->margin), down = -margin_value(&below->margin) * pull,
@@ -148,27 +150,27 @@ static real scan_share(const struct edge *lo, const struct edge *below, real pul
     return fmin(fmax(K_below > 0 ? share : (real)0.5, (real)0.1), (real)0.9);
 }
 
-/* All that the search knows: the margin is positive up to lo, and negative at below, if that is known. */
+/* State of a search: the margin is positive up to lo, and negative at below, if that is known. */
 struct scan {
     struct edge lo, below;
-    real step;  /* to try next, in ln r */
-    int strips; /* tried so far */
+    real step;  /* the next step to try, in ln r */
+    int strips; /* number of strips tried up to now */
 };
 
-/* SCAN_FINEST, and twice as much for each 100 strips after the first 1500: no search takes more than some
- * 3,000. */
+/* Returns the narrowest step: SCAN_FINEST, and twice as much for each 100 strips after the first 1500. No
+ * search takes more than about 3,000 strips. */
 static real scan_finest(const struct margin_context *c, const struct scan *scan)
 {
     return fmax(SCAN_FINEST, c->coarse) *
            exp((real)0.7 * (real)(scan->strips > 1500 ? (scan->strips - 1500) / 100 : 0));
 }
 
-/* Comes closer to the root between lo and below until it can only be the first one. */
+/* Narrows the interval between lo and below until the root in it can only be the first one. */
 static enum dom_status scan_close(struct margin_context *c, struct scan *scan, real *r)
 {
     struct edge *lo = &scan->lo, *below = &scan->below, next;
     enum known known = KNOWN_NOTHING;
-    real pull = 1; /* of the side that stays, which the straight line is drawn to less and less */
+    real pull = 1; /* weight of the end that stays, less and less, in the straight line through both */
     while (known != KNOWN_TO_FALL && below->r - lo->r > SCAN_CLOSE * lo->r) {
         real width = scan_share(lo, below, pull) * (below->r - lo->r);
         for (;; width /= 2) {
@@ -189,8 +191,9 @@ static enum dom_status scan_close(struct margin_context *c, struct scan *scan, r
 }
 
 /*
- * Is the margin negative over a strip, at whose lower end it is?  Where domino 1 has not tipped over at hi it
- * is; else K at most must stay below the barrier at least, or the margin must not have the time to rise to 0.
+ * Sets *below if the margin is negative over a strip whose lower end has a negative margin. That is so if
+ * domino 1 has not tipped over at hi. Otherwise the upper bound of K must be below the lower bound of the
+ * barrier, or the strip must be too short for the margin to reach 0.
  */
 static enum dom_status scan_below(struct margin_context *c, const struct edge *lo, real hi, bool *below)
 {
@@ -205,7 +208,7 @@ static enum dom_status scan_below(struct margin_context *c, const struct edge *l
     return DOM_OK;
 }
 
-KERNEL enum dom_status scan_energy_change(struct margin_context *c, real from, struct edge *edge, bool *found)
+KERNEL enum dom_status scan_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found)
 {
     const real reach = 1 / c->s;
     struct edge lo = {.r = from}, hi;
@@ -230,8 +233,8 @@ KERNEL enum dom_status scan_energy_change(struct margin_context *c, real from, s
     return status;
 }
 
-KERNEL enum dom_status scan_fall(struct margin_context *c, const struct edge *from, real *r,
-                                 enum dom_end *ends)
+KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
+                                        enum dom_end *ends)
 {
     const real reach = 1 / c->s;
     struct scan scan = {.lo = *from};
@@ -245,7 +248,7 @@ KERNEL enum dom_status scan_fall(struct margin_context *c, const struct edge *fr
         enum dom_status status = scan_strip(c, &scan.lo, &hi, &known);
         bool finest = step <= scan_finest(c, &scan);
         scan.strips++;
-        if (status == DOM_UNDERFLOW && !finest) { /* what comes before may still be within range */
+        if (status == DOM_UNDERFLOW && !finest) { /* a shorter strip may still be within range */
             scan.step = step / 2;
             continue;
         }

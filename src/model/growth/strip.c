@@ -2,22 +2,22 @@
 #include "growth/strip.h"
 #include "geometry/sums.h"
 
-/* Relative room for rounding in sums over a chain; their terms carry a few units each. */
+/* Relative room for the rounding errors of sums over a chain, whose terms have a few units each. */
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
-/* h(0) - h(theta). */
+/* Returns h(0) - h(theta). */
 static real strip_fall(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.y * t.v - geometry->h.x * t.x;
 }
 
-/* -dh/dtheta: negative before theta_u. */
+/* Returns -dh/dtheta, which is negative before theta_u. */
 static real strip_sink(const struct geometry *geometry, struct tilt t)
 {
-    return -geometry_rise(geometry, t);
+    return -geometry_height_slope(geometry, t);
 }
 
-/* A follower between its tilts at the two ends. */
+/* A follower between its tilts at the two ends of the strip. */
 struct between {
     struct tilt lo, hi;
     real fall_least, fall_most; /* h(0) - h */
@@ -27,15 +27,15 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
 {
     real at_lo = strip_fall(geometry, lo), at_hi = strip_fall(geometry, hi);
     bool before = strip_sink(geometry, hi) <= 0, after = strip_sink(geometry, lo) >= 0;
-    /* h is highest at theta_u, where it is sqrt(1 + d^2). */
+    /* h is largest at theta_u, where it is sqrt(1 + d^2). */
     real least = after ? at_lo : before ? at_hi : -barrier_most(geometry);
     return (struct between){lo, hi, least, fmax(at_lo, at_hi)};
 }
 
-/* A chain of upright dominoes, which goes on with theta_f where one has detached. */
+/* A chain with an upright head, continued with theta_f after a domino has detached. */
 struct upright {
     struct link link;
-    bool ended; /* this domino and all after it are at theta_f */
+    bool ended; /* this domino and all after it have theta_f */
     real weight, inertia, slope, step, inertia_ratio, next;
 };
 
@@ -52,27 +52,28 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
         u->link.slope = 0;
     }
     u->slope = u->link.slope;
-    /* T = sum of r^-(q+1)i theta_i'^2 along the train whose head leans at theta_c: upright, from domino 1 on.
-     */
+    /* T = sum of r^-(q+1)i theta_i'^2 along the train whose head leans at theta_c: of the upright chain, from
+     * domino 1 on. */
     u->inertia_ratio += u->inertia * u->slope * u->slope;
     u->step = u->ended || !u->link.leads ? 0 : u->link.step;
     real ratio = geometry->inertia * u->step * u->step;
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
-/* What a strip adds up; of one in s, d / ds is in the place of d / d ln r. */
+/* The sums over a strip. In a strip of separations, d / ds replaces d / d ln r. */
 struct strip_sums {
-    real least, most;              /* of the fuel */
-    real advance;                  /* of d theta_i(0) / d ln r, at most */
-    real drops, rests;             /* of strip->drops, and of sum w^i g d theta_i / d ln r */
-    real far_rests;                /* of the tail of the latter, times 1 - w */
-    real least_advance;            /* of d theta_i(theta) / d ln r, at the largest tilt, at least */
-    real first_drops, first_rests; /* of domino 1, which the sums leave out */
-    real ages;                     /* sum i w^i (h_i(0) - h_{i+1}(0)), at least */
-    real tilt;                     /* of the head at the top of a barrier, at most */
+    real least, most;              /* bounds of the fuel */
+    real advance;                  /* d theta_i(0) / d ln r, upper bound */
+    real drops, rests;             /* strip->drops, and sum w^i g d theta_i / d ln r */
+    real far_rests;                /* the tail of `rests`, times 1 - w */
+    real least_advance;            /* d theta_i(theta) / d ln r at the largest tilt, lower bound */
+    real first_drops, first_rests; /* the terms of domino 1, which drops and rests leave out */
+    real ages;                     /* sum i w^i (h_i(0) - h_{i+1}(0)), lower bound */
+    real tilt;                     /* tilt of the head at the top of a barrier, upper bound */
 };
 
-/* d theta_1 / d ln r, or d theta_1 / ds, at the leader's least tilt and hi: at most over the strip. */
+/* Returns an upper bound over the strip of d theta_1 / d ln r, or d theta_1 / ds: its value at the leader's
+ * smallest tilt and hi. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
     real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
@@ -80,7 +81,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* The same at the leader's largest tilt and lo: at least over the strip. */
+/* Returns a lower bound over the strip of the same derivative: its value at the leader's largest tilt and
+ * lo. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -89,12 +91,15 @@ static real strip_least_advance(const struct geometry *lo, bool in_r, struct til
 }
 
 /*
- * Of follower i.  With u_i = d theta_i / d ln r, D_i = theta_i(theta) - theta_i(0), c = (1 - w) T / (1 + (1 -
- * w) T) and w = r^-q, the envelope theorem gives, at the top theta of the barrier, d margin / d ln r = -K d
- * ln D / d ln r - (q / D) sum i w^i (h_i - h_{i+1})
- *                         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) -
- * h_i(theta))], D = r^q / T + r^q - 1, K = P / D.  Behind theta_u, g_i(theta) - g_i(0) <= h_i(0) D_i,
- * u_i(theta) <= u_i(0) and h_i(0) - h_i(theta) >= g_i(0) D_i; before it, each part counts with its size.
+ * Adds follower i to the sums. Let u_i = d theta_i / d ln r, D_i = theta_i(theta) - theta_i(0), c = (1 - w) T
+ * / (1 + (1 - w) T) and w = r^-q. The envelope theorem gives, at the top theta of the barrier,
+ *
+ *     d margin / d ln r = -K d ln D / d ln r - (q / D) sum i w^i (h_i - h_{i+1})
+ *         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) - h_i(theta))],
+ *     D = r^q / T + r^q - 1,   K = P / D.
+ *
+ * Above theta_u, g_i(theta) - g_i(0) <= h_i(0) D_i, u_i(theta) <= u_i(0) and h_i(0) - h_i(theta) >= g_i(0)
+ * D_i; below theta_u, the absolute value of each part counts.
  */
 static void strip_follower(const struct geometry *lo, const struct geometry *hi, bool in_r, size_t i,
                            const struct between *at, real weight, real slope, real least_weight,
@@ -106,7 +111,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h falls by the integral of g, over the turn from this domino to the next, asin X >= X. */
+        /* h decreases by the integral of g, over the angle from this domino to the next, asin X >= X. */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -118,9 +123,10 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 }
 
 /*
- * The first follower once more, whose turn may be without bound at the reach.  A head that leans less than K
- * / h.x has not risen by K: at the tops that count it leans more, and there the turn is less than upright,
- * and takes from the margin less than that adds to it.
+ * Returns the terms of the first follower in another form, since its angle may change without bound at the
+ * reach. A head that leans less than K / h.x has not risen by K. At the tops that count the head leans more,
+ * and there the change of the angle is smaller than upright; that difference lowers the margin by less than
+ * it raises it.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, real least_tilt, real c)
@@ -134,7 +140,7 @@ static real strip_first(const struct geometry *lo, const struct geometry *hi, co
            (more > 0 ? lo->weight * g_hi : hi->weight * g_lo) * more;
 }
 
-/* The same of all that have not been added, of which i is the first. */
+/* Adds bounds for all followers from number i on, which are not yet in the sums. */
 static void strip_tail(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                        real weight, real slope, real step, struct strip_sums *s)
 {
@@ -155,16 +161,17 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
     s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
     s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
     s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
-    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases: monotone in T. */
+    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases; this is monotone in
+     * T. */
     real q = lo->q, ages = fmin((2 * q + 1 + q * inertia_ratio_least) / (1 + fallen * inertia_ratio_least),
                                 (2 * q + 1 + q * inertia_ratio_most) / (1 + fallen * inertia_ratio_most));
     real c = fallen * inertia_ratio_most / (1 + fallen * inertia_ratio_most);
     real kinetic = fmax(s->kinetic_least, 0), rests, head;
-    if (fuel == DOM_FUEL_PAPER) { /* its P = 1 - h(theta_f) moves with theta_f alone */
+    if (fuel == DOM_FUEL_PAPER) { /* P = 1 - h(theta_f) changes with theta_f alone */
         rests = hi->detaches ? strip_sink(hi, hi->f) * strip_advance(lo, hi, hi->leave) / D_least : 0;
         head = sums->first_drops;
         c = 0;
-    } else { /* of the tail c / (1 - w) is needed, which is at most T */
+    } else { /* c / (1 - w) of the tail is needed, and is at most T */
         rests = c * sums->rests + inertia_ratio_most * sums->far_rests - q * sums->ages / D_most;
         head = sums->first_drops + c * sums->first_rests;
     }
@@ -177,10 +184,10 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * The tilt of the head at the top of any barrier of the strip, at most: theta_u, less where the first
- * follower pulls.  There d cos - sin = sum r^-qi theta_i' g(theta_i), of whose terms, none of them negative,
- * the first is at least what it is with each factor at its own end of the strip, theta_1' at the largest
- * tilt.
+ * Returns an upper bound of the head's tilt at the top of any barrier of the strip: theta_u, or less where
+ * the first follower pulls. At the top d cos - sin = sum r^-qi theta_i' g(theta_i). None of these terms is
+ * negative. The first is at least the product of each of its factors at its own end of the strip, with
+ * theta_1' at the largest tilt.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
@@ -196,7 +203,7 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
     return top;
 }
 
-/* Counts a pass down both corners; a domino there takes as long as some ten of a plain pass. */
+/* Counts a pass along both chains, in which a domino takes as long as about ten of a plain pass. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);
@@ -219,7 +226,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     struct between at = between_of(lo, a.link.tilt, b.link.tilt);
     sums.tilt = strip_top(lo, hi, at.lo);
     const struct between first = at;
-    /* A chain that does not pass theta_u has no fuel. */
+    /* A chain that does not get beyond theta_u has no fuel. */
     bool never = strip_sink(lo, lo->f) <= 0;
     if (strip_sink(lo, hi->f) <= 0) {
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,
@@ -250,7 +257,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* What the rest can lose over the way that is left to it, at either end; it gains nothing. */
+        /* The most that the rest of the chain can lose on its remaining way, at either end; it gains
+         * nothing. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
@@ -262,7 +270,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             return DOM_OK;
         }
         bool ends = a.ended && b.ended;
-        /* Below the last a rounded chain comes to rest before its end. */
+        /* Below the last number a rounded chain comes to rest before its end. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
                     (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
@@ -273,7 +281,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             } else if (settled) {
                 sums.most += rest_hi;
             }
-            if (!after) /* of lo, no more is known */
+            if (!after) /* nothing more is known about lo */
                 sums.least = -(sums.drops = (real)INFINITY);
             s.cut = ends || lo->n != CHAIN_ENDLESS ? 0 : a.weight * (strip_fall(lo, hi->f) - at.fall_least);
             if (lo->n == CHAIN_ENDLESS)
@@ -305,11 +313,11 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 }
 
 /*
- * Behind theta_u the drop of follower i is the integral of w^i theta_i' g(theta_i) over theta; at any train
- * of the strip it is at least that at hi over `grows`, since theta_i' and w^i are not smaller, and g(theta_i)
- * shrinks by no more than upright: h/g and d theta_i / dr decrease with theta.  What the followers do not
- * take of the head's own rise is at most `most`.  Where a follower stands before theta_u, the slope of the
- * barrier bounds it.
+ * Above theta_u the drop of follower i is the integral of w^i theta_i' g(theta_i) over theta. At any train of
+ * the strip it is at least the drop at hi over `grows`, since theta_i' and w^i are not smaller, and
+ * g(theta_i) decreases by no more than upright: h/g and d theta_i / dr decrease with theta. The part of the
+ * head's own rise that the followers do not take is at most `most`. Where a follower is before theta_u, the
+ * slope of the barrier bounds it.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {
@@ -318,7 +326,7 @@ KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most
     return fmin(most, fmin(by_grows, isfinite(by_slope) ? by_slope : most)) * (1 + STRIP_SLACK);
 }
 
-/* The same from below: a drop is at most `grows` times that at lo. */
+/* A drop is at most `grows` times the drop at lo. */
 KERNEL real strip_barrier_least(const struct strip *s, real lo_barrier, real most, real width)
 {
     real by_grows = s->grows * lo_barrier - (s->grows - 1) * most - s->cut,

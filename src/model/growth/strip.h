@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Bounds that hold for every train between two: a strip of growths at one separation, or of separations at
- * one growth.
+ * Bounds for every train between two: a strip of growths at one separation, or of separations at one growth.
+ * If a domino that has detached counts with theta_f, every tilt theta_i(theta) increases with r and with s,
+ * every slope theta_i' decreases with both, and so does d theta_i / dr (or ds) with theta:
  *
- * With a domino that has detached held at theta_f, every tilt theta_i(theta) increases with r and with s,
- * every slope theta_i' decreases with both, and so does d theta_i / dr (or ds) with theta: d theta_1 / d ln r
- * = X / Y,   d theta_1 / ds = r cos theta / Y,   theta_1' = 1 - r L sin theta / Y, all of which X = r (L cos
- * theta - d) makes monotone, and a chain multiplies and adds only terms that are not negative.  So the two
- * chains at the ends of a strip enclose the chains of all trains in it.
+ *     d theta_1 / d ln r = X / Y,   d theta_1 / ds = r cos theta / Y,   theta_1' = 1 - r L sin theta / Y.
  *
- * The bounds are computed with ordinary rounding: STRIP_SLACK keeps them on the safe side of it, but they are
- * no proof for intervals of numbers.
+ * X = r (L cos theta - d) makes all of these monotone, and a chain multiplies and adds only terms that are
+ * not negative. So the two chains at the ends of a strip enclose the chains of all trains in it. The bounds
+ * are computed with ordinary rounding: STRIP_SLACK keeps them on the safe side of rounding errors, but they
+ * are no proof in interval arithmetic.
  */
 #ifndef DOM_STRIP_H
 #define DOM_STRIP_H
@@ -18,29 +17,31 @@
 #include "energy/barrier.h"
 
 struct strip {
-    real kinetic_least, kinetic_most; /* K over the strip; kinetic_most is infinite where unknown */
+    real kinetic_least, kinetic_most; /* K over the strip; kinetic_most is infinite if unknown */
     /*
-     * Largest factor by which g(theta_i(0)), g = sin - d cos, of a follower grows over the strip; infinite
-     * where one stands before theta_u.
+     * Largest factor by which g(theta_i(0)), g = sin - d cos, of a follower increases over the strip;
+     * infinite if a follower is before theta_u.
      */
     real grows;
-    real cut;          /* what the followers beyond those of `grows` can still lose */
-    real drops;        /* bound of -d barrier / d ln r, or of -d barrier / ds, over the strip, >= 0 */
-    real margin_slope; /* bound of d margin / d ln r from above, over the strip; of a strip in r */
-    bool clear; /* K exceeds `enough` over the strip: the walk ended there, and only kinetic_least is set */
+    real cut;          /* the most that the followers beyond those of `grows` can still lose */
+    real drops;        /* upper bound of -d barrier / d ln r, or of -d barrier / ds, over the strip, >= 0 */
+    real margin_slope; /* upper bound of d margin / d ln r over a strip in r */
+    /* true: K exceeds `enough` over the strip; the walk ended there, and only kinetic_least is set */
+    bool clear;
 };
 
 /*
- * Fills strip for the trains between lo and hi: hi has the larger r, or the larger s.  The walk ends as soon
- * as K > enough is known for all of them; tol: what the tails of the chains may take from K. DOM_INTERRUPTED,
- * DOM_TOO_LONG as every walk.  Without friction.
+ * Computes the bounds for the trains between lo and hi: hi has the larger r, or the larger s, and there is no
+ * friction. The walk ends as soon as K > enough is known for all of them. tol: the tolerance of K for the
+ * tails of the chains. DOM_INTERRUPTED, DOM_TOO_LONG: as for every walk.
  */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
 
 /*
- * Bounds of the barriers of all trains in the strip: from above, given that of hi, and from below, given that
- * of lo.  most: of every barrier; width: ln r, or s, of hi less that of lo.
+ * Return bounds of the barriers of all trains in the strip: an upper bound from the barrier of hi, and a
+ * lower bound from that of lo. most: an upper bound of every barrier. width: ln r, or s, of hi minus that of
+ * lo.
  */
 KERNEL real strip_barrier_most(const struct strip *strip, real hi_barrier, real most, real width);
 KERNEL real strip_barrier_least(const struct strip *strip, real lo_barrier, real most, real width);

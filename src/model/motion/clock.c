@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The clock of a cycle: times and tilts in both directions, and the cycle as a table. */
+/* The clock of a cycle: times from tilts and tilts from times, and the cycle as a table. */
 #include "motion/motion.h"
 
 /*
- * The time as a Chebyshev series on each smooth piece.  What a few times cost from integrals of their own,
- * all times cost together, since between its nodes a series knows them as well.
+ * The time as a Chebyshev series on each smooth piece. All times together cost as much as a few times from
+ * integrals of their own, since a series gives every time between its nodes.
  */
 struct clock {
     int pieces;
     struct tick {
         struct num_series series;
         real begins; /* the time at lo */
-        bool before; /* a stop: the series is of x in slowness_before, from the stop back */
-        real lo, hi; /* tilts */
+        bool before; /* true: a stop; the series is of x in slowness_before, from the stop back */
+        real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];
     real whole;
 };
 
-/* How wide the slowness is peaked before a stop, in u: there w is H' delta - H'' delta^2 / 2. */
+/* Returns the width of the peak of the slowness before a stop, in u: there w is H' delta - H'' delta^2 /
+ * 2. */
 static real stop_width(const struct motion *m)
 {
     struct tilt rest;
@@ -48,7 +49,7 @@ static enum dom_status tick_make(struct motion *m, struct tick *tick, real *time
     return model_status(st->status, solver);
 }
 
-/* DOM_NOT_CONVERGED where a piece has no series that is short enough. */
+/* Makes the series. DOM_NOT_CONVERGED: a piece has no series that is short enough. */
 static enum dom_status clock_make(struct motion *m, struct clock *clock)
 {
     const struct barrier *b = &m->cycle.segment.barrier;
@@ -94,8 +95,8 @@ static enum dom_status clock_tilt(const struct motion *m, const struct clock *cl
 }
 
 /*
- * The tilt at a time, by Newton, whose derivative is omega, and halving where that leaves the bracket;
- * *at is where it begins and where it ends.
+ * Finds the tilt at a time, by Newton's method with the derivative omega, and by halving where that leaves
+ * the bracket. *at: the first guess, then the result.
  */
 static enum dom_status tilt_search(struct motion *m, real time, real tol, real *at)
 {
@@ -120,12 +121,12 @@ static enum dom_status tilt_search(struct motion *m, real time, real tol, real *
     return DOM_NOT_CONVERGED;
 }
 
-/* The same by the clock, or by integrals where there is none, clock->pieces = 0. */
+/* Finds the tilt at a time by the clock, or by integrals if there is none (clock->pieces = 0). */
 static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, real time, real *at)
 {
     if (clock->pieces > 0)
         return clock_tilt(m, clock, time, at);
-    /* Cheap integrals lead close by; then each step doubles the digits. */
+    /* Integrals of few digits lead near the tilt; then each step doubles the digits. */
     const real tol = m->tol;
     *at = 0;
     enum dom_status status = tilt_search(m, time, fmax(tol, (real)1e-8), at);
@@ -135,7 +136,7 @@ static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, 
     return status;
 }
 
-/* The clock, and the time that the cycle takes. */
+/* Makes the clock, and finds the time that the cycle takes. */
 static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *whole)
 {
     enum dom_status status = clock_make(m, clock);
@@ -175,7 +176,7 @@ struct table {
     bool errors;
     dom_state_visit *visit;
     void *context;
-    bool ended; /* by the visitor */
+    bool ended; /* the visitor has ended the walk */
 };
 
 static enum dom_status table_row(struct table *t, real theta, const struct instant *event)

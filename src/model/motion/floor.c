@@ -3,10 +3,11 @@
 
 enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 
-/* What more a smooth maximum may need is not looked for. */
+/* Searches end when a smooth maximum can be larger by no more than this part. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* Dominoes that move less than this share of the head may need much, and nobody would see them slip. */
+/* Dominoes slower than this part of the head's speed are left out: they may need much friction, but no slip
+ * would be visible. */
 #define FLOOR_SHARE ((real)1e-3)
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
@@ -25,7 +26,7 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Raises need to what this tilt needs; *motion is that of the tilt alone. */
+/* Raises *need to what this tilt needs; *motion is what this tilt alone needs. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {
@@ -50,9 +51,9 @@ static enum dom_status required_at(const struct segment *st, real theta,
 }
 
 /*
- * Halves an interval for as long as a top inside may be higher than what is known: a parabola through its
- * ends and its middle is higher than these by an eighth of their second difference at most, so the whole of
- * that leaves room for the rest.  Of several tops none is given up because another one is seen first.
+ * Halves an interval as long as a maximum inside may be higher than the highest known value. A parabola
+ * through the ends and the middle exceeds these by at most an eighth of their second difference; a whole
+ * second difference leaves room for other shapes. So no maximum is missed because another one is found first.
  */
 static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)

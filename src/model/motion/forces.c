@@ -3,20 +3,20 @@
 #include <stdlib.h>
 
 /*
- * Dominoes beyond those that are shown, so that the last of them has a tail that matters to it: as many
- * again, but of a long train no more than this, since there the tail is taken as near its end (moving_push).
+ * Dominoes after the last one that is shown, since that one needs a tail: as many again. A long train gets at
+ * most this number, since the tail at its end is a series (moving_push).
  */
 #define FORCES_MORE 4096
 
-/* One domino in the moving chain. */
+/* One domino of the moving chain. */
 struct moving {
     struct link link;
     real second_derivative; /* theta_i'' = d^2 theta_i / d theta^2 */
-    real size;              /* height over that of the head */
+    real size;              /* its height over that of the head */
     real force, impulse;    /* of the contact with its follower */
 };
 
-/* The chain, as far as it goes or as room is left. */
+/* Lists the chain, up to its end or as far as there is room. */
 static size_t moving_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
 {
     size_t n = 1;
@@ -36,7 +36,8 @@ static real geometric(real first, real ratio)
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
 }
 
-/* From the tail upwards: torques on the followers, and the contacts that carry what is left of them. */
+/* Finds the contact forces from the tail up to the head: torques on the followers, and the contacts that
+ * carry what remains of these torques. */
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
@@ -45,16 +46,17 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
         real theta_2 = own->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
-        real gravity = -own->weight * geometry_rise(own->geometry, own->tilt) / 2;
+        real gravity = -own->weight * geometry_height_slope(own->geometry, own->tilt) / 2;
         real torque_share = own->leads ? dynamics_arms(geometry->dynamics, own).ratio : 0;
         rest = gravity - own->inertia * theta_2 + torque_share * rest;
         push = own->inertia * own->slope * kinematics->omega_lost + torque_share * push;
-        if (j + 1 == n && endless) { /* what comes behind is alike: its torques are a geometric series */
+        /* the dominoes after the last are alike: their torques are a geometric series */
+        if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
             push = geometric(push, geometry->inertia * own->step * torque_share);
         }
         real arm_b = dynamics_arms(geometry->dynamics, leader).b / leader->geometry->r * k[j - 1].size;
-        /* At r s = 1 the collision is at the hinge itself: no force, however large, turns a domino. */
+        /* At r s = 1 the collision is at the hinge itself: no force turns a domino, however large. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
@@ -62,7 +64,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
     }
 }
 
-/* A push on a domino's back face, with the friction that drags it down. */
+/* A push on the back face of a domino, with the friction that pulls the face down. */
 struct push {
     real x, z;
 };
@@ -75,8 +77,8 @@ static struct push push_on(const struct moving *k, real normal)
 }
 
 /*
- * Newton's law for the middle of the block, which is at (x - d y, y + d x) / 2 from its hinge: what contacts
- * and gravity leave to the floor.
+ * Finds the force of the floor by Newton's law for the centre of the block, at (x - d y, y + d x) / 2 from
+ * its hinge: what contacts and gravity do not supply.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned, real d_head,
                        const struct kinematics *kinematics, struct hinge_load *hinge_load)
@@ -100,11 +102,12 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     onto = leader ? push_on(leader, leader->impulse) : none;
     hinge_load->impulse_x = momentum * up * change - from.x + onto.x;
     hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
-    if (isnan(hinge_load->impulse_x)) /* at r s = 1 no impulse, however large, does: no floor holds that */
+    /* at r s = 1 no impulse turns a domino, however large: no floor supplies that */
+    if (isnan(hinge_load->impulse_x))
         hinge_load->impulse_x = (real)INFINITY;
 }
 
-/* The list with room for n; what was in it is lost. */
+/* Returns the list with room for n dominoes. The old contents are lost. */
 static struct moving *room_for(struct room *room, size_t n)
 {
     if (room->size >= n)
@@ -156,7 +159,8 @@ KERNEL real forces_needed(real x, real z)
 
 /* ---- Of a motion ---- */
 
-/* In the collision the theta_j' omega of the hitting chain falls from 1 + T to T of 1 + T. */
+/* Finds the motion at a tilt. In the collision theta_j' omega of the hitting chain falls from 1 + T to T
+ * parts of 1 + T. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {
@@ -217,11 +221,11 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
 
 /* ---- The smallest contact force ---- */
 
-/* The smallest force so far, the tilt and the domino; and that at the tilt that was asked for last. */
+/* The smallest force up to now, with its tilt and domino; and the smallest force at the last tilt. */
 struct least_context {
     const struct segment *segment;
     real theta, force, least, least_theta, impulse;
-    size_t domino, dominoes; /* the second: in motion */
+    size_t domino, dominoes; /* the second: number of moving dominoes */
     enum dom_status status;
 };
 
@@ -242,7 +246,7 @@ static bool least_seen(const struct hinge_load *hinge_load, void *context)
     return true;
 }
 
-/* Minus the smallest force at a tilt, as a function to be maximized. */
+/* Returns minus the smallest force at a tilt, as a function for a maximum search. */
 static real least_at(real theta, void *context)
 {
     struct least_context *c = context;
@@ -257,12 +261,14 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* A force is smallest where it is between two samples, to a thousandth of their distance. */
+/* A minimum of the force between two samples is found to a thousandth of their distance. */
 #define LEAST_SAMPLES 24
-#define LEAST_LONG    100000 /* dominoes: a train that long, of a tiny s, moves smoothly, and a third serves */
-#define LEAST_TOL     ((real)1e-3 / LEAST_SAMPLES)
+#define LEAST_LONG                                                                                           \
+    100000 /* in dominoes: a train this long, with a tiny s, moves smoothly, and a third of the samples is   \
+              enough */
+#define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
-/* Over [lo, hi], where forces do not jump. */
+/* Finds the smallest force over [lo, hi], where forces do not jump. */
 static enum dom_status least_over(struct least_context *c, real lo, real hi)
 {
     real value[LEAST_SAMPLES + 1], at;
@@ -276,17 +282,17 @@ static enum dom_status least_over(struct least_context *c, real lo, real hi)
     }
     if (c->status != DOM_OK)
         return c->status;
-    real middle = lo + (real)top * step, before = middle - step, behind = middle + step;
-    if (top == 0) { /* at the end itself, unless forces fall from there on */
+    real middle = lo + (real)top * step, before = middle - step, after = middle + step;
+    if (top == 0) { /* at the end itself, unless forces decrease from there on */
         before = lo;
         middle = lo + step * LEAST_TOL;
     } else if (top == samples) {
-        behind = hi;
+        after = hi;
         middle = hi - step * LEAST_TOL;
     }
     real higher = fmax(value[0], value[samples]), noise = FORCES_TOL * fabs(higher);
     if (isfinite(value[top]) && least_at(middle, c) > higher + noise)
-        num_maximum(least_at, c, before, middle, behind, LEAST_TOL, &at);
+        num_maximum(least_at, c, before, middle, after, LEAST_TOL, &at);
     return c->status;
 }
 

@@ -1,72 +1,74 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The forces in a moving chain.  From the tail upwards, what each follower gets from gravity and does not
- * need for its own acceleration is what its contact passes on; what a domino then still lacks, its hinge
- * gives.
+ * The forces in a moving chain, from the tail up to the head. The contact of a follower passes on what the
+ * follower gets from gravity and does not need for its own acceleration. The hinge of a domino supplies what
+ * the contacts do not.
  */
 #ifndef DOM_FORCES_H
 #define DOM_FORCES_H
 
 #include "motion/motion.h"
 
-/* How a chain moves: tau^2 omega^2 and tau^2 times the acceleration of its head; g.n dominoes at most. */
+/* The motion of a chain: tau^2 omega^2, and tau^2 times the acceleration of its head; g.n dominoes at
+ * most. */
 struct kinematics {
     real omegasq, acceleration;
-    size_t n; /* dominoes that matter */
-    /* Of a collision, at theta = 0: tau omega of the head behind it, and what is lost of it by followers. */
+    size_t n; /* number of dominoes that matter */
+    /* For a collision, at theta = 0: tau omega of the head after it, and the part of it that followers
+     * lose. */
     bool hit;
     real omega, omega_lost;
-    bool floor;        /* are the forces of the floor asked for? */
-    struct room *room; /* for the list of dominoes, to be used again; or NULL */
+    bool floor;        /* true: find the forces of the floor */
+    struct room *room; /* for the list of dominoes, reused by later calls; or NULL */
 };
 
-/* Where forces are wanted to a few digits alone, half as many dominoes of a long train serve. */
+/* A tolerance for forces of a few digits: in a long train it needs half as many dominoes. */
 #define FORCES_TOL ((real)1e-6)
 
-/* Forces in m g of the head, impulses in m g tau of it; x forward, z up. */
+/* Forces in m g of the head, impulses in m g tau of the head; x forward, z up. */
 struct hinge_load {
     const struct link *link;
     real size;                 /* height over that of the head */
-    bool leaned;               /* on by a follower, with: */
+    bool leaned;               /* true: a follower leans on it, with */
     real force, impulse;       /* normal to its back face */
     real x, z;                 /* from the floor, at the hinge */
-    real impulse_x, impulse_z; /* the same in the collision */
+    real impulse_x, impulse_z; /* the same for the impulse of the collision */
 };
 
-/* Visits at most `shown` dominoes from the head down; false ends it. */
+/* Visits at most `shown` dominoes from the head down. Returns false to end the walk. */
 typedef bool hinge_load_visit(const struct hinge_load *hinge_load, void *context);
 KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt head,
                                    const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
                                    void *context);
 
-/* How a chain moves at a tilt of its head. */
+/* Finds the motion of a chain at a tilt of its head. */
 KERNEL enum dom_status segment_kinematics(const struct segment *segment, real theta, struct tilt *head,
                                           struct kinematics *kinematics);
 
-/* The part of a cycle between edge i - 1 and edge i of its barrier, just inside: forces jump where a domino
- * detaches.  False where the cycle does not come as far. */
+/* Finds the part of a cycle between edge i - 1 and edge i of its barrier, just inside, since forces jump
+ * where a domino detaches. Returns false if the cycle does not reach that part. */
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
-/* Lowers *least to the smallest contact force at a few tilts up to `to`, in weights of the dominoes that it
- * is on. */
+/* Lowers *least to the smallest contact force at a few tilts up to `to`, in the weight of the domino that the
+ * force pushes. */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
-/* |x| / z of the floor's force: the friction that a hinge needs; infinite where the domino is lifted. */
+/* Returns |x| / z of the floor's force: the friction that a hinge needs; infinite if the domino is lifted. */
 KERNEL real forces_needed(real x, real z);
 
 /*
- * What the floor must hold: no hinge slips as long as |R_x| / R_z stays below the floor's friction, R being
- * the force at the hinge, through the motion and, with impulses, in the collision.
+ * The friction that the floor needs: no hinge slips as long as |R_x| / R_z is below the floor's friction,
+ * with the force R at the hinge in the motion and the impulse in the collision.
  */
 struct required_friction {
-    real motion, theta; /* the most in motion, and the tilt of the head there */
-    size_t domino;      /* whose hinge: behind the head */
-    real hit;           /* the most in the collision */
+    real motion, theta; /* the largest value in motion, and the tilt of the head there */
+    size_t domino;      /* number of the domino of that hinge, 0 = head */
+    real hit;           /* the largest value in the collision */
     size_t hit_domino;
 };
 
-/* Raises *required to what the floor must supply over [lo, hi], where no domino detaches; a smooth maximum is
- * right to a millionth. */
+/* Raises *required to what the floor needs over [lo, hi], where no domino detaches. A smooth maximum is right
+ * to a millionth. */
 KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
                                   struct required_friction *required);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cycle as it runs: events, times, accelerations. */
+/* One cycle in time: events, times, accelerations. */
 #include "motion/motion.h"
 #include <stdlib.h>
 
@@ -16,7 +16,7 @@ KERNEL enum dom_status motion_begin(const struct request *train, struct motion *
     m->stops = cycle_stops(&m->cycle);
     m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
     if (!(m->tol < (real)0.125))
-        return DOM_NO_MARGIN; /* as a duration, a time would grow like ln(1/margin) */
+        return DOM_NO_MARGIN; /* the duration of a cycle and all times in it grow like ln(1/margin) */
     return cycle_end(&m->cycle, &m->end);
 }
 
@@ -27,23 +27,23 @@ KERNEL void motion_end(struct motion *m)
 }
 
 /*
- * The slowness before a stop grows like 1/sqrt(end - theta).  In u, theta = end (1 - u^2), it is smooth:
- * dt/du = 2 end u / (tau omega).  What is left of the energy is H(end) - H(theta), from end - theta itself,
- * and u runs from root over span as x does from 0 to 1: so nothing cancels, neither at the stop nor at the
- * launch.
+ * Returns the slowness before a stop as a function of x. The slowness grows like 1/sqrt(end - theta). In u,
+ * theta = end (1 - u^2), dt/du = 2 end u / (tau omega) is smooth. The remaining energy is H(end) - H(theta),
+ * computed from end - theta, and u runs from root over span as x runs from 0 to 1. So nothing cancels,
+ * neither at the stop nor at the launch.
  */
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* At the stop it is flat, to rounding, where the energy that is left would underflow. */
+    /* Near the stop dt/du is constant to rounding, where the remaining energy would underflow. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
     return st->status == DOM_OK ? 2 * m->end * u * sqrt(slowness_squared) : REAL_NAN;
 }
 
-/* The time from m->smooth to a tilt before the stop. */
+/* Adds the time from m->smooth to a tilt before the stop. */
 static enum dom_status motion_time_before(struct motion *m, real to, real *time)
 {
     real part = 0, far = sqrt((m->end - m->smooth) / m->end);
@@ -61,7 +61,7 @@ KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *t
     *time = 0;
     if (to <= from)
         return DOM_OK;
-    if (m->stops) { /* the last piece before the stop has an end like no other */
+    if (m->stops) { /* the last piece before the stop needs slowness_before */
         m->smooth = from;
         for (int i = 0; i < b->edges; i++)
             m->smooth = b->edge[i] < m->end ? fmax(m->smooth, fmin(b->edge[i], to)) : m->smooth;
@@ -120,10 +120,11 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Of the time up to theta: the integral of the slowness's bound, and what the tolerance leaves.  Towards a
- * stop, where the slowness has no bound, the rounding of the energy counts through m->tol, and through the
- * tilt of the stop.  Off by of_end, this shifts times by of_end / omega, and by no more than the time from
- * there on; early on, by half the share of the energy that it leaves open.
+ * Finds the error bound of the time up to theta: the integral of the slowness's bound, and what the tolerance
+ * leaves. Near a stop, where the slowness has no bound, the rounding of the energy counts through m->tol, and
+ * through the tilt of the stop. An error of_end of that tilt shifts times by of_end / omega. The shift is at
+ * most the time from there on; early in the cycle it is at most half of the part of the energy that of_end
+ * leaves open.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -145,7 +146,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* At the tilt where a follower leaves, which rounding may set before or behind it, it has left. */
+/* Finds the energy of dominoes that have detached. At the tilt where a follower detaches, which rounding may
+ * place before or after it, the follower has detached. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;
@@ -185,7 +187,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The hitting train is this one at theta_c, made smaller: its energy by r^-q. */
+    /* The hitting train is this train at theta_c, made smaller: its energy has the factor r^-q. */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,

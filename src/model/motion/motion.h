@@ -1,68 +1,68 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One cycle of the endless train: from the launch over the barrier to the next hit, or to where it comes to
- * rest; and as it runs in time: events, times, the state at a tilt.
+ * One cycle of the endless train: from the launch over the barrier to the next hit, or to the tilt where it
+ * comes to rest; and its course in time: events, times, the state at a tilt.
  */
 #ifndef DOM_MOTION_H
 #define DOM_MOTION_H
 
 #include "motion/segment.h"
 
-/* A cycle that has begun: its motion from upright to theta_c, and how it begins. */
+/* A cycle: its motion from upright to theta_c, and its beginning. */
 struct cycle {
     struct segment segment;
     struct launch launch, launch_error;
 };
 
 /*
- * Begins the cycle and finds its barrier over [0, theta_c], at a tolerance at which the margin is known;
- * errors: with launch_error.  DOM_NO_FUEL if the cycle does not begin.  cycle_free gives back what it takes,
+ * Begins the cycle and finds its barrier over [0, theta_c], at a tolerance at which the margin is known.
+ * errors: true finds launch_error too. DOM_NO_FUEL: the cycle does not begin. cycle_free frees the memory,
  * also after a failure.
  */
 KERNEL enum dom_status cycle_begin(const struct request *train, struct cycle *cycle, bool errors);
 KERNEL void cycle_free(struct cycle *cycle);
 
-/* Returns true when the train does not get over the barrier: every answer of a cycle takes its verdict here.
- */
+/* Returns true if the train does not get over the barrier. Every answer about a cycle takes its verdict from
+ * here. */
 KERNEL bool cycle_stops(const struct cycle *cycle);
 
 /* Finds the tilt at which the cycle ends: theta_c, or where the train comes to rest. */
 KERNEL enum dom_status cycle_end(struct cycle *cycle, real *end);
 
-/* tau^2 omega^2 of a train that comes as far as theta, else DOM_STOPS; at its end, where it comes to rest, it
- * is 0, which rounding hides. */
+/* Finds tau^2 omega^2 at theta. DOM_STOPS: the train does not reach theta. At the tilt where it comes to rest
+ * the value is 0, which rounding would hide. */
 KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real theta, real *omegasq,
                                    real *error);
 
 /*
- * Bound of the error of the tilt at which a cycle has used up its energy; energy, unless NULL, gets what that
- * tilt leaves open of the energy.  NaN where no bound is known.
+ * Finds the error bound of the tilt where a cycle has used up its energy. *energy, unless energy is NULL,
+ * gets the part of the energy that this error leaves open. NaN: no bound is known.
  */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy);
 
 struct motion {
     struct cycle cycle;
-    real end; /* theta_c, or where the train comes to rest */
-    real tol; /* of times: what a small margin leaves of the one that was asked for */
+    real end; /* theta_c, or the tilt where the train comes to rest */
+    real tol; /* tolerance of times: what a small margin leaves of the tolerance in the request */
     bool stops;
     real smooth, root, span; /* of the integral before a stop: see slowness_before */
     struct room room;        /* for forces */
 };
 
 /*
- * Begins the motion of a train, up to theta_c or to where it comes to rest; motion_end gives back what it
- * takes, also after a failure. DOM_NO_MARGIN where times have no value.
+ * Begins the motion of a train, up to theta_c or to where it comes to rest. DOM_NO_MARGIN: times have no
+ * value. motion_end frees the memory, also after a failure.
  */
 KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion, bool errors);
 KERNEL void motion_end(struct motion *motion);
 
-/* The slowness before a stop, as a smooth function of x; see its definition. */
+/* Returns the slowness before a stop, as a smooth function of x; see its definition. */
 KERNEL real slowness_before(real x, void *context);
 
-/* The time from one tilt to another, in tau. */
+/* Finds the time from one tilt to another, in tau. */
 KERNEL enum dom_status motion_time(struct motion *motion, real from, real to, real *time);
 
-/* An event without its time; theta is not rounded to that of struct dom_event. */
+/* An event without its time. theta has the precision of the kernel, not that of struct dom_event. */
 struct instant {
     enum dom_event_kind kind;
     real theta;
@@ -72,7 +72,7 @@ struct instant {
 /* Lists the events of the motion in their order, at most DOM_EVENTS_MAX. */
 KERNEL enum dom_status motion_events(const struct motion *motion, struct instant *events, int *count);
 
-/* The state at a tilt; time NaN where it is not known yet. */
+/* Finds the state at a tilt. time: NaN if it is not yet known. */
 KERNEL enum dom_status motion_state(struct motion *motion, real theta, real time, struct dom_state *state,
                                     bool errors);
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
 
-/* Behind the first that has left by the end another may have left earlier, and so on. */
+/* Finds the tilt at which the first domino detaches: before the one that has detached by the end, another one
+ * may detach earlier, and so on. */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
 {
     const struct geometry *geometry = &st->geometry;
@@ -12,8 +13,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         if (status != DOM_OK)
             return status;
         struct link k = link_head(geometry, head);
-        /* What moves less than rounding does not fall off now; behind one that does, nothing moves just then.
-         */
+        /* A domino that moves less than rounding errors does not detach now; after one that detaches, nothing
+         * moves at that moment. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && k.i < *stay) || k.tilt.v < k.geometry->leave.v)) {
             last = k.i + 1 >= geometry->n || (!all && k.slope < REAL_EPSILON * REAL_EPSILON);
@@ -51,7 +52,8 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = 0};
     struct start *start = &st->start;
     enum dom_status status = chain_sum(&st->geometry, start->from, &at);
-    /* A domino that detaches takes no energy along; where that is at once (r s = 1), J falls with it. */
+    /* A domino that detaches carries no energy away. If it detaches at once (r s = 1), J decreases with
+     * it. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
@@ -90,7 +92,8 @@ KERNEL enum dom_status segment_braked(const struct segment *st, bool *braked)
     return status == DOM_OK ? st->geometry.dynamics->braked(&st->geometry, head, braked) : status;
 }
 
-/* How much of the kinetic energy the highest point up to theta has used; it never falls with theta. */
+/* Returns how much of the kinetic energy the highest point up to theta has used; it never decreases with
+ * theta. */
 static real segment_short(real theta, void *context)
 {
     struct segment *st = context;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API as the sources see it. They are compiled twice: plain, where dom_real is double, and with
- * DOMQ, where each name of domino.h is that of domino_quad.h (domq_names.h says "#define dom_train
+ * The public API for the sources of the library. They are compiled twice: plain, where dom_real is double,
+ * and with DOMQ, where each name of domino.h becomes that of domino_quad.h (domq_names.h: "#define dom_train
  * domq_train").
  */
 #ifndef DOM_API_H
@@ -9,7 +9,7 @@
 
 #if __has_include("domino_quad.h")
 #include "domino_quad.h"
-#else /* a source that is checked alone, before the Makefile has made that header */
+#else /* a source that is checked alone, before the build has made domq_names.h */
 #include "domino.h"
 typedef long double domq_real;
 #endif

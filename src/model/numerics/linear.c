@@ -4,7 +4,7 @@
 
 enum { N = LINEAR_ORDER };
 
-/* The Chebyshev nodes of the first kind, and sums over them: T_k(node j) by its recurrence. */
+/* Finds the Chebyshev nodes of the first kind. Sums over them use the recurrence of T_k(node j). */
 static void nodes_make(real *node)
 {
     for (int j = 0; j < N; j++)
@@ -28,8 +28,8 @@ static void series_of(const real *node, const real *value, real *series)
 }
 
 /*
- * What the series leaves out, by its last terms; they never die below the noise of the values, or a few units
- * each.
+ * Returns true if the series has died out: by its last terms, the rest is below the tolerance. Terms never
+ * get below the noise of the values, or a few units each.
  */
 static bool series_died(const real *series, real tol, real noise)
 {
@@ -39,7 +39,7 @@ static bool series_died(const real *series, real tol, real noise)
     return left <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
 }
 
-/* The values of p and c at the nodes, and the most noise of each. */
+/* The values of p and c at the nodes, and the largest noise of each. */
 struct values {
     real p[N], c[N], p_noise, c_noise;
 };
@@ -61,7 +61,7 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
     return true;
 }
 
-/* One panel that begins with ln_G and v; false where it is too wide. */
+/* Makes one panel that begins with ln_G and v. Returns false if the panel is too wide. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, enum num_status *status)
 {
@@ -72,7 +72,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         return false;
     }
     series_of(node, at.p, series);
-    /* ln G is an exponent: what counts of p is absolute. */
+    /* ln G is an exponent: its absolute error counts. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
     if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise))
@@ -111,7 +111,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
             return NUM_NOT_CONVERGED;
         struct num_panel *panel = &s->panel[s->panels];
         panel->lo = lo;
-        /* No sliver is left for a panel of its own. */
+        /* A narrow rest of the interval gets no panel of its own. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
         if (panel_make(f, context, node, ln_G, v, tol, panel, &status)) {
             s->panels++;
@@ -127,7 +127,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     return NUM_OK;
 }
 
-/* The panel that x is on. */
+/* Returns the number of the panel that contains x. */
 static int panel_of(const struct num_linear *s, real x)
 {
     int k = s->panels - 1;
@@ -145,8 +145,8 @@ KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *
     *v = series_at(panel->v, N + 1, u);
 }
 
-/* The series at x less that at x - by: T_k(x) - T_k(x - by) has a recurrence of its own, in which nothing
- * cancels. */
+/* Returns the series at x minus the series at x - by: T_k(x) - T_k(x - by) has a recurrence of its own,
+ * without cancellation. */
 static real series_moved(const real *series, int n, real x, real by)
 {
     real y = x - by, T = 1, T_next = y, moved = 0, moved_next = by, sum = 0;

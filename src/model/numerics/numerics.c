@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/numerics.h"
 
-/* Bisection alone: from the largest to the smallest quad number it is some 33,000 halvings; 2000 suffice
- * wherever lo and hi are of one size, or one of them is 0 and its root no smaller than 1e-300. */
+/* Bisection from the largest to the smallest quad number takes about 33,000 steps. 2000 are enough if lo and
+ * hi have one order of magnitude, or if one of them is 0 and the root is at least 1e-300. */
 #define ITERATIONS_MAX 2000
 
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)
@@ -14,7 +14,7 @@ KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x)
 {
-    /* a is the newest point, b the other end of the bracket, c the one before. */
+    /* a is the newest point, b the other end of the bracket, c the point before. */
     real a = lo, b = hi, fa = f_lo, fb = f_hi;
     if (!isfinite(fa) || !isfinite(fb))
         return NUM_NOT_FINITE;
@@ -44,7 +44,7 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
         }
         a = next;
         fa = value;
-        /* Interpolation through a, b, c stays inside the bracket where xi and phi say so. */
+        /* Interpolation through a, b, c stays inside the bracket if xi and phi meet this condition. */
         real xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
         t = (real)0.5;
         if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
@@ -91,17 +91,20 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    real cut; /* terms of this share end the sum: they fall off faster than a geometric series */
+    real cut; /* terms of this relative size end the sum: they decrease faster than a geometric series */
     bool failed;
-    real tail;                          /* what the nodes of the last level do not resolve of f, as a share */
-    real step, sum;                     /* of the double exponential rule */
-    real peak, width, from, to, *value; /* of the other, in x = peak + width sinh u, if width is not NaN */
+    /* the part of f that the nodes of the last level do not resolve, relative to f */
+    real tail;
+    real step, sum; /* of the double exponential rule */
+    real peak, width, from, to,
+        *value; /* of the other rule, in x = peak + width sinh u, if width is not NaN */
 };
 
-/* The integral on the next finer level. */
+/* Returns the integral on the next finer level. */
 typedef real span_level(struct span *s, int level);
 
-/* What is left of the difference between two levels, where the digits nearly double from level to level. */
+/* Returns the error that remains, from the differences between levels, where the number of digits nearly
+ * doubles from level to level. */
 static real span_left(real off, real off_before)
 {
     real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
@@ -114,17 +117,18 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     real before = next(s, 0), off_before = 1;
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
-        /* Two levels may agree by chance; then the nodes do not resolve f yet. */
+        /* Two levels may agree by chance while the nodes do not yet resolve f. */
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
-            if (error && level < levels) /* a guess is no bound: the next level shows what was left */
+            /* an estimate is no bound: the next level shows the error that was left */
+            if (error && level < levels)
                 off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * UNIT;
             if (error)
                 *error = (off + unseen) * fabs(value);
             return s->failed ? NUM_NOT_FINITE : NUM_OK;
         }
-        if (level >= 2 && s->tail > (real)0.01) /* far from it: another rule does better */
+        if (level >= 2 && s->tail > (real)0.01) /* not resolved at all: another rule is better */
             break;
         before = value;
         off_before = off;
@@ -134,19 +138,21 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
 
 /* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
-/* The two nodes at +t and -t, with their weight; from the ends, so that no digit of the distance is lost. */
+/* Returns the two nodes at +t and -t, and their weight. They are distances from the ends, so that no digit of
+ * the distance is lost. */
 static real node_pair(struct span *s, real t, real *weight)
 {
     real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* e^(-2 u), u = pi/2 sinh t */
     real from_end = s->half * 2 * q / (1 + q);
     *weight = PI / 4 * (grow + 1 / grow) * 4 * q / ((1 + q) * (1 + q));
-    /* Rounded to the end itself they still count: a peak may sit there. */
+    /* Nodes that are rounded to the end itself still count: a peak may be there. */
     real sum = s->f(s->lo + from_end, s->context) + s->f(s->hi - from_end, s->context);
     s->failed = s->failed || !isfinite(sum);
     return *weight * sum;
 }
 
-/* All nodes at first, first + step, ...: until they no longer matter at the tolerance. */
+/* Returns the sum over all nodes at first, first + step, ..., until the terms no longer matter at the
+ * tolerance. */
 static real node_sum(struct span *s, real first, real step)
 {
     real sum = 0, weight = 1;
@@ -164,7 +170,7 @@ static real exponential_level(struct span *s, int level)
     if (level == 0) {
         s->step = 1;
         s->sum = PI / 2 * s->f(s->lo + s->half, s->context) + node_sum(s, 1, 1);
-    } else { /* the nodes between those that it has */
+    } else { /* the nodes between those of the level before */
         s->step /= 2;
         s->sum += node_sum(s, s->step, 2 * s->step);
     }
@@ -191,7 +197,7 @@ static real arsinh(real x)
     return x < 0 ? -y : y;
 }
 
-/* f dx/du at a node from -1 to 1. */
+/* Returns f dx/du at a node from -1 to 1. */
 static real chebyshev_value(struct span *s, real node)
 {
     real u = s->lo + s->half * (1 + node), x = u, by = 1;
@@ -205,7 +211,8 @@ static real chebyshev_value(struct span *s, real node)
     return value;
 }
 
-/* Weight of node j of n, times n: 2 less the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1), the last halved. */
+/* Returns the weight of node j of n, times n: 2 minus the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1), the last
+ * term halved. */
 static real chebyshev_weight(const real *cosine, int j, int n)
 {
     real sum = 1;
@@ -224,7 +231,7 @@ static real chebyshev_level(struct span *s, int level)
     real cosine[CHEBYSHEV_MOST + 1], sum = 0, a[3] = {0};
     for (int j = 0; j <= n; j++)
         cosine[j] = j == n / 2 ? 0 : cos(PI * (real)j / (real)n);
-    /* From level to level the odd ones are new. */
+    /* From level to level the odd nodes are new. */
     for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
         s->value[(size_t)j * stride] = chebyshev_value(s, cosine[j]);
     for (int j = 0; j <= n && !s->failed; j++) {
@@ -240,8 +247,8 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-/* What sinh makes of [lo, hi].  Nothing is peaked on a piece that is shorter than the peak is wide, or than
- * it is away. */
+/* Returns [lo, hi] after the substitution with sinh. A piece that is shorter than the peak is wide, or
+ * shorter than its distance from the peak, has no peak. */
 static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
                              real *value)
 {
@@ -270,19 +277,19 @@ KERNEL enum num_status num_peak_integral(num_function *f, void *context, real lo
         return status;
     if (!(peak > lo && peak < hi))
         return num_integral(f, context, lo, hi, tol, integral, error);
-    real before = 0, behind = 0, before_error = 0, behind_error = 0;
+    real before = 0, after = 0, before_error = 0, after_error = 0;
     status = num_integral(f, context, lo, peak, tol, &before, error ? &before_error : NULL);
     if (status == NUM_OK)
-        status = num_integral(f, context, peak, hi, tol, &behind, error ? &behind_error : NULL);
-    *integral = before + behind;
+        status = num_integral(f, context, peak, hi, tol, &after, error ? &after_error : NULL);
+    *integral = before + after;
     if (error)
-        *error = before_error + behind_error;
+        *error = before_error + after_error;
     return status;
 }
 
 /* ---- Chebyshev series ---- */
 
-/* Clenshaw. */
+/* Returns the sum of the series at x, by Clenshaw's recurrence. */
 static real series_at(const real *series, int n, real x)
 {
     real b = 0, before = 0;
@@ -294,8 +301,8 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* The integral from -1 times half, of a series of n terms, as a series of n + 1 terms that is `start` at -1.
- */
+/* Finds the integral from -1 times half, of a series of n terms, as a series of n + 1 terms that is `start`
+ * at -1. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;
@@ -307,7 +314,7 @@ static void series_integral(const real *series, int n, real half, real start, re
     integral[0] = start - at_left;
 }
 
-/* The series through the values at the nodes cos(pi j / n), which are `stride` apart. */
+/* Finds the series through the values at the nodes cos(pi j / n), which are `stride` apart. */
 static void series_through(const real *value, size_t stride, int n, real *series)
 {
     for (int k = 0; k <= n; k++) {
@@ -352,7 +359,7 @@ struct series_target {
     real integral;
 };
 
-/* Of the distance from the left, so that what is near it keeps its digits. */
+/* Returns the value at a distance from the left end, so that places near that end keep their digits. */
 static real series_off(real right, void *context)
 {
     const struct series_target *t = context;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The arithmetic of the kernels.  Their one source is compiled for each precision: REAL_FLOAT, REAL_QUAD
- * or neither of them, which is double, says for which (precision/).  In it `real` is the type, and sqrt()
- * and its kind are the functions of that type, as in <tgmath.h>.
+ * The arithmetic of the kernels. Their one source is compiled for each precision (precision/): REAL_FLOAT or
+ * REAL_QUAD selects it, and double is the default. `real` is the type, and sqrt() and the other functions are
+ * those of that type, as in <tgmath.h>.
  */
 #ifndef DOM_REAL_H
 #define DOM_REAL_H
@@ -12,12 +12,12 @@
 #include <math.h>
 #include <stdint.h>
 
-/* Every precision has its own: no kernel function has a name for the linker. */
+/* Marks functions of the kernels, which every precision has for itself, without names for the linker. */
 #define KERNEL static __attribute__((unused))
-/* The body of the loops down a train: a call there costs as much as the arithmetic. */
+/* Marks the body of the loops along a train: a call there costs as much as the arithmetic. */
 #define KERNEL_LOOP static inline __attribute__((always_inline, unused))
 
-/* The functions of <math.h> that there are in every precision: X(name) of one argument, Y(name) of two. */
+/* The functions of <math.h> that exist in every precision: X(name) with one argument, Y(name) with two. */
 #define REAL_FUNCTIONS(X, Y)                                                                                 \
     X(sqrt)                                                                                                  \
     X(cbrt)                                                                                                  \
@@ -50,7 +50,7 @@ typedef double real;
 #define REAL_BITS DBL_MANT_DIG
 #define REAL_MIN  DBL_MIN
 #elif defined DOMQ_REAL_FLOAT128
-/* glibc has these whatever the compiler; its header shows them to gcc alone. */
+/* glibc has these functions for every compiler; its header declares them for gcc alone. */
 #define DECLARE_ONE(f) extern domq_real f##f128(domq_real);
 #define DECLARE_TWO(f) extern domq_real f##f128(domq_real, domq_real);
 REAL_FUNCTIONS(DECLARE_ONE, DECLARE_TWO)
@@ -69,10 +69,10 @@ typedef domq_real real;
 /* Twice the unit roundoff. */
 #define REAL_EPSILON ((real)1 / ((uint64_t)1 << ((REAL_BITS - 1) / 2)) / ((uint64_t)1 << (REAL_BITS / 2)))
 
-/* The unit roundoff: what one operation may be wrong by, relative to its result. */
+/* The unit roundoff: the largest relative error of one operation. */
 #define UNIT     (REAL_EPSILON / 2)
 #define REAL_NAN ((real)NAN)
-/* As a sum of doubles: right to 49 digits. */
+/* Pi as a sum of doubles, right to 49 digits. */
 #define PI ((real)3.141592653589793116 + (real)1.2246467991473532072e-16 - (real)2.9947698097183396659e-33)
 
 #ifndef MATH
@@ -99,7 +99,8 @@ typedef domq_real real;
 #define fma(x, y, z) MATH(fma)(x, y, z)
 #endif
 
-/* Without a call: C's own must tell a NaN from a number, which only calls of the library do. */
+/* Returns the larger number without a call. C's fmax must distinguish a NaN from a number, which needs a call
+ * of the library does. */
 KERNEL inline real real_larger(real a, real b)
 {
     return a > b ? a : b;

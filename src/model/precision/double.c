@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define KERNEL_NAME(name) name##_double
-#define KERNEL_TEXTS      /* what effects say of themselves is compiled once, here */
+#define KERNEL_TEXTS      /* this file compiles the descriptions of effects, once */
 #include "precision/kernel.inc"
 
 const struct kernel kernel_double = KERNEL_TABLE;

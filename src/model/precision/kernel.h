@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What a precision, or a method to compare with, can answer; NULL for what it cannot.
- * The members are the functions of domino.h without their "dom_"; they find bounds where the request asks for
- * errors.
+ * The functions of a precision, or of a method to compare with; NULL: it has no such answer. The members are
+ * the functions of domino.h without "dom_". They find bounds if the request asks for errors.
  */
 #ifndef DOM_KERNEL_H
 #define DOM_KERNEL_H
 
 #include "geometry/request.h"
 
-/* X(name, arguments): each returns its status. */
+/* X(name, arguments): each function returns its status. */
 #define KERNEL_FUNCTIONS(X)                                                                                  \
     X(angles_find, const struct request *, struct dom_angles *)                                              \
     X(contact_find, const struct request *, dom_real, struct dom_contact *)                                  \

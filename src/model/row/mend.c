@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * What saves a row that does not fall: another gap, or a stronger push; how far each gap of a row that falls
- * may be off; and the largest growth of a row. Each is a search for the edge between rows that fall and rows
- * that do not.
+ * may be off; and the largest growth of a row. Each is a search for the boundary between rows that fall and
+ * rows that do not.
  */
 #ifdef DOMQ
 #define REAL_QUAD
@@ -11,13 +11,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The row with one thing changed.  Once status is not DOM_OK no row is run any more, and none falls. */
+/* The row with one change. After a status other than DOM_OK no row is run, and none counts as falling. */
 struct trial {
     struct dom_row row;
     struct dom_compute compute;
-    struct dom_domino *domino; /* of the row, where they are changed */
-    size_t k;                  /* the domino whose gap is changed, from 0 */
-    dom_row_make *make;        /* makes the row of a growth */
+    struct dom_domino *domino; /* dominoes of the row, which the search changes */
+    size_t k;                  /* index of the domino whose gap is changed, from 0 */
+    dom_row_make *make;        /* writes the row of a growth */
     void *context;
     enum dom_status status;
     struct dom_verdict verdict; /* of the last row */
@@ -44,11 +44,10 @@ static bool trial_falls(struct trial *t)
 typedef bool trial_test(dom_real x, void *trial);
 
 /*
- * Returns the last x found with which the test is true, going from `good`, where it is, towards `bad`, where
- * it is not: halves the distance until it is at most absolute + relative * x, or no number is between.
- *
- * Bisection, and neither num_root nor a solver of GSL: a test has no values to interpolate through, the
- * answer must be a point that was tested, and GSL knows double alone.
+ * Returns the last x found with which the test is true, on the way from `good`, where it is true, to `bad`,
+ * where it is not. Halves the distance until it is at most absolute + relative * x, or no number is between.
+ * This is bisection, and neither num_root nor a solver of GSL: a test has no values to interpolate, the
+ * answer must be a point that was tested, and GSL computes in double alone.
  */
 static dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                           dom_real relative)
@@ -62,7 +61,7 @@ static dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_
     return good;
 }
 
-/* Returns what one unit of the first digit of a number is worth, or of that digit so many places after it. */
+/* Returns one unit of the first digit of a number, or of the digit that many places after the first. */
 static dom_real digit_of(dom_real value, int places)
 {
     return pow(10, floor(log10(value)) - (dom_real)places);
@@ -70,12 +69,12 @@ static dom_real digit_of(dom_real value, int places)
 
 /* ---- Gaps ---- */
 
-/* A gap has so many digits that a person can type it. */
+/* Gaps are rounded to this relative size, so that a person can type them. */
 #define GAP_DIGITS ((dom_real)1e-6)
 
 enum { STEPS = 40 };
 
-/* Gaps farther back than this do not save a row: it forgets what happened so many dominoes ago. */
+/* Gaps farther back than this do not save a row, which forgets what happened that many dominoes ago. */
 enum { BACK = DOM_MENDS - 1 };
 
 static bool falls_with(dom_real gap, void *context)
@@ -88,8 +87,8 @@ static bool falls_with(dom_real gap, void *context)
     return falls;
 }
 
-/* Finds the last gap with which all fall, between one with which they do and one with which they do not, and
- * rounds it to few digits, away from the latter. */
+/* Finds the last gap with which all fall, between a good gap and a bad one, and rounds it to few digits, away
+ * from the bad one. */
 static dom_real gap_edge(struct trial *t, dom_real good, dom_real bad)
 {
     dom_real digit = digit_of(fmax(good, bad), 0) * GAP_DIGITS;
@@ -98,15 +97,15 @@ static dom_real gap_edge(struct trial *t, dom_real good, dom_real bad)
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* Returns step i on the way from a gap to `end`: the first steps are short, so that a small change is found.
- */
+/* Returns step i on the way from a gap to `end`: the first steps are short, so that a small change is
+ * found. */
 static dom_real gap_step(dom_real gap, dom_real end, int i)
 {
     dom_real part = (dom_real)i / STEPS;
     return gap + (end - gap) * part * part * part;
 }
 
-/* Finds the nearest gap on the way to `end` with which all fall; false where there is none. */
+/* Finds the nearest gap on the way to `end` with which all fall. Returns false if there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     dom_real gap = t->domino[t->k].gap, bad = gap, good = gap;
@@ -137,8 +136,8 @@ static int by_change(const void *a, const void *b)
 }
 
 /*
- * Changes gaps up to the one after the domino where the row ends: what is farther away does not matter to
- * that.  Where that gap is too wide to be reached over, it alone does.
+ * Changes gaps, the last of them the one after the domino where the row ends, since gaps after that one do
+ * not matter. If that gap is too wide for the domino to reach over, only that gap is changed.
  */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
@@ -274,8 +273,8 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t);
 }
 
-/* Returns the push that turns the first domino over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 / 2.
- */
+/* Returns the push that turns the first domino over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 /
+ * 2. */
 static dom_real push_over_edge(const struct dom_row *row)
 {
     dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
@@ -299,7 +298,7 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
         } while (!falls && good < strongest && t.status == DOM_OK);
         if (falls && bad < good) {
             good = edge_find(falls_pushed, &t, good, bad, 0, PUSH_TOL);
-            /* Rounded up, so that it is still enough. */
+            /* Rounds up, so that the push is still enough. */
             dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
             found = falls_pushed(rounded, &t) ? rounded : good;
         }
@@ -311,8 +310,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The growth rises by this factor.  Bisection alone will not do: above the first growth at which a row does
- * not fall there may be others at which it does. */
+/* The growth is raised by this factor. Bisection alone is not enough: above the first growth at which a row
+ * does not fall there may be others at which it falls. */
 #define GROWTH_STEP ((dom_real)1.02)
 
 static bool falls_grown(dom_real r, void *context)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The row as it is at given times.  A head's way is cut where a domino detaches; in each stretch time is a
- * Chebyshev series of the tilt of the head, of which the tilts of all that lean on it follow.  A domino that
- * has detached keeps the tilt that it had then.
+ * The row as it is at given times. The motion of a head is divided where a domino detaches; in each passage
+ * time is a Chebyshev series of the tilt of the head, of which the tilts of all that lean on it follow. A
+ * domino that has detached keeps the tilt that it had then.
  */
 #include "row/moments.h"
 #include <stdlib.h>
@@ -22,8 +22,8 @@ KERNEL void watch_free(struct watch *w)
 
 /* ---- The state where the head leans at a tilt ---- */
 
-/* Sets the tilts of the n dominoes that move, and with omega in rad/s of the head their angular velocities.
- */
+/* Sets the tilts of the n dominoes that move, and with omega in rad/s of the head their angular
+ * velocities. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -54,7 +54,7 @@ static void watch_visit(struct watch *w, dom_real time)
     w->ended = !w->visit(&moment, w->context);
 }
 
-static enum dom_status stretch_lean(struct watch *w, const struct stretch *s, real theta)
+static enum dom_status passage_lean(struct watch *w, const struct passage *s, real theta)
 {
     real omegasq = 0;
     enum dom_status status =
@@ -66,20 +66,20 @@ static enum dom_status stretch_lean(struct watch *w, const struct stretch *s, re
 /* ---- From time to tilt ---- */
 
 /*
- * Towards a rest the slowness grows like 1 / sqrt(to - theta).  Of x, with theta = to - (to - lo) x^2, the
+ * Towards a rest the slowness grows like 1 / sqrt(to - theta). Of x, with theta = to - (to - lo) x^2, the
  * time to the rest is smooth.
  */
 static real slowness_to_rest(real x, void *context)
 {
-    struct stretch *s = context;
+    struct passage *s = context;
     real u = fmax(s->span * x, sqrt(REAL_EPSILON)), squared = REAL_NAN;
     real by = fmin(s->to * u * u, s->to - s->st.lo);
     s->st.status = s->st.geometry.dynamics->before_rest(&s->st.geometry, s->to, by, &squared);
     return s->st.status == DOM_OK ? 2 * s->to * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Finds how long the stretch takes, and the series of its time. */
-static enum dom_status stretch_begin(struct stretch *s, real lasts)
+/* Finds how long the passage takes, and the series of its time. */
+static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
     enum num_status solver;
@@ -109,9 +109,9 @@ static enum dom_status stretch_begin(struct stretch *s, real lasts)
 }
 
 /* By how much the time up to a tilt, or from an x to the rest, is too long. */
-static real stretch_over(real at, void *context)
+static real passage_over(real at, void *context)
 {
-    struct stretch *s = context;
+    struct passage *s = context;
     real time = 0;
     enum dom_status status = DOM_OK;
     if (s->rests)
@@ -123,8 +123,8 @@ static real stretch_over(real at, void *context)
     return status == DOM_OK ? time - s->into : REAL_NAN;
 }
 
-/* Finds the tilt at the time `into` the stretch, in tau. */
-static enum dom_status stretch_tilt(struct stretch *s, real into, real *theta)
+/* Finds the tilt at the time `into` the passage, in tau. */
+static enum dom_status passage_tilt(struct passage *s, real into, real *theta)
 {
     real x = 0;
     enum num_status solver;
@@ -135,36 +135,36 @@ static enum dom_status stretch_tilt(struct stretch *s, real into, real *theta)
     if (s->has_series)
         solver = num_series_find(&s->series, s->into, &x);
     else
-        solver = num_root(stretch_over, s, s->rests ? 0 : s->st.lo, s->rests ? 1 : s->to,
+        solver = num_root(passage_over, s, s->rests ? 0 : s->st.lo, s->rests ? 1 : s->to,
                           fmax(s->st.geometry.tol, 4 * REAL_EPSILON), &x);
     x = s->rests ? s->to - (s->to - s->st.lo) * x * x : x;
     *theta = fmin(fmax(x, s->st.lo), s->to);
     return model_status(s->has_series ? DOM_OK : s->st.status, solver);
 }
 
-static real stretch_end(const struct stretch *s)
+static real passage_end(const struct passage *s)
 {
     return s->since.begins + (s->since.passed + s->lasts) * s->since.tau;
 }
 
-KERNEL enum dom_status watch_stretch(struct watch *w, const struct segment *st, size_t head, real to,
+KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts)
 {
     if (!w || w->ended)
         return DOM_OK;
     if (isnan(since->begins + since->passed) && w->next < w->times)
         return DOM_NO_MARGIN;
-    struct stretch *s = &w->last;
-    *s = (struct stretch){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* A stretch without a time costs nothing; the end of the row is needed in any case. */
-    bool inside = w->next < w->times && !((real)w->time[w->next] >= stretch_end(s));
-    enum dom_status status = inside || isnan(lasts) ? stretch_begin(s, lasts) : DOM_OK;
-    while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < stretch_end(s)) {
+    struct passage *s = &w->last;
+    *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
+    /* A passage without a time costs nothing; the end of the row is needed in any case. */
+    bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
+    enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
+    while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
         real theta = 0;
         status =
-            stretch_tilt(s, ((real)w->time[w->next] - since->begins) / since->tau - since->passed, &theta);
+            passage_tilt(s, ((real)w->time[w->next] - since->begins) / since->tau - since->passed, &theta);
         if (status == DOM_OK)
-            status = stretch_lean(w, s, theta);
+            status = passage_lean(w, s, theta);
         if (status == DOM_OK)
             watch_visit(w, w->time[w->next]);
     }
@@ -183,13 +183,13 @@ KERNEL enum dom_status watch_detach(struct watch *w, const struct segment *st, s
 KERNEL enum dom_status watch_rest(struct watch *w)
 {
     enum dom_status status = DOM_OK;
-    const struct stretch *s = &w->last;
+    const struct passage *s = &w->last;
     if (w->ended || w->next >= w->times)
         return DOM_OK;
     if (s->st.geometry.n > 0) /* else nothing has moved */
-        status = stretch_lean(w, s, s->to);
+        status = passage_lean(w, s, s->to);
     while (status == DOM_OK && !w->ended && w->next < w->times)
-        watch_visit(w, stretch_end(s));
+        watch_visit(w, passage_end(s));
     return status;
 }
 
@@ -204,8 +204,8 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
     if (!w)
         return;
     const real u = tip->geometry.reach, whole = tip->hi - tip->lo;
-    struct stretch *s = &w->last;
-    *s = (struct stretch){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
+    struct passage *s = &w->last;
+    *s = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
     w->moving = 1;
     while (!w->ended && w->next < w->times && (real)w->time[w->next] < 0) {
         real time = (real)w->time[w->next] / tau, phi = 4 * atan(tan(whole / 4) * exp(time * sqrt(u / 2)));

@@ -10,16 +10,16 @@ struct since {
     real begins, tau, passed;
 };
 
-/* A part of the way of one head, without a domino that detaches, in time. */
-struct stretch {
+/* A part of the motion of one head in time, in which no domino detaches. */
+struct passage {
     struct segment st;
-    real to;    /* the tilt where the stretch ends */
+    real to;    /* the tilt where the passage ends */
     bool rests; /* the motion is used up there */
     struct since since;
     real lasts;      /* tau */
     size_t head;     /* from 0 */
     bool has_series; /* false: integrals take its place */
-    real span;       /* of a stretch that rests: sqrt((to - lo) / to) */
+    real span;       /* of a passage that rests: sqrt((to - lo) / to) */
     real into;       /* of a search: the time that is looked for */
     struct num_series series;
 };
@@ -33,7 +33,7 @@ struct watch {
     bool ended;             /* by the visitor */
     dom_real *tilt, *omega; /* of each domino */
     size_t head, moving;    /* the head, from 0, and how many dominoes move */
-    struct stretch last;    /* the one that the row ends with */
+    struct passage last;    /* the one that the row ends with */
 };
 
 /* Takes and gives back the memory for a row of so many dominoes. */
@@ -44,10 +44,10 @@ KERNEL void watch_free(struct watch *watch);
 KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
 /*
- * Visits the times in one stretch: up to the tilt `to`, where the motion rests, or goes on after `lasts`.
+ * Visits the times in one passage: up to the tilt `to`, where the motion rests, or goes on after `lasts`.
  * lasts NaN: finds it.
  */
-KERNEL enum dom_status watch_stretch(struct watch *watch, const struct segment *st, size_t head, real to,
+KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts);
 
 /* Keeps the tilts that dominoes have where they detach: at the end of the segment, all but `stay`. */

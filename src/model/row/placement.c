@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows with random errors, in batches that may run side by side: each row has random numbers of its own, by
- * its number alone. */
+/* Rows with random errors, in batches that may run in parallel. The random numbers of a row depend on the
+ * seed and the number of the row alone. */
 #include "numerics/api.h"
 #include "numerics/quiet.h"
 #include <gsl/gsl_cdf.h>
@@ -11,17 +11,17 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Of a verdict only the sign of the margin counts: more digits would change one row in a billion. */
+/* Only the sign of the margin counts for a verdict: more digits would change one row in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
-/* What an interval of 95 % leaves out at each end. */
+/* The probability that an interval of 95 % leaves out at each end. */
 #define TAIL 0.025
 
-/* Rows in a task: what a task allocates costs little beside them. */
+/* Rows in a task: enough to make the memory that a task allocates cheap. */
 enum { BATCH = 16 };
 
-/* Two neighbours of a plain counter would begin alike: its bits are mixed (Steele et al., splitmix64, 2014).
- */
+/* Returns a seed for row i. Its bits are mixed (Steele et al., splitmix64, 2014), since neighbouring values
+ * of a plain counter would give similar random numbers. */
 static unsigned long row_seed(unsigned long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -30,25 +30,25 @@ static unsigned long row_seed(unsigned long seed, size_t i)
     return (unsigned long)(z ^ (z >> 31));
 }
 
-/* What all batches of a study share. */
+/* The data that all batches of a study share. */
 struct shared {
     const struct dom_row *row;
     struct dom_compute compute;
     const struct dom_placement *placement;
-    atomic_int status; /* the first that was not DOM_OK */
+    atomic_int status; /* the first status that was not DOM_OK */
     atomic_size_t done, fall, unknown;
-    atomic_size_t *stops; /* unless NULL, rows that ended at each domino */
+    atomic_size_t *stops; /* unless NULL, the number of rows that ended at each domino */
 };
 
-/* What one batch has to itself. */
+/* The data of one batch. */
 struct batch {
     gsl_rng *random[2];
     struct dom_domino *domino;
 };
 
 /*
- * A standard normal: of two independent ones, since a generator of GSL takes 32 bits as its seed, of which a
- * million rows would share some.
+ * Returns a standard normal number, from two independent ones: a generator of GSL has a seed of 32 bits, and
+ * a million rows would have some seeds in common.
  */
 static double normal(const struct batch *b)
 {
@@ -68,7 +68,7 @@ static void row_draw(const struct batch *b, const struct dom_row *row, const str
         double gap = (double)d.gap + (double)p->sigma * normal(b);
         double grown = p->heights > 0 ? 1 + (double)p->heights * normal(b) : 1;
         d.gap = k > 0 && p->sigma > 0 ? (dom_real)(gap > 0 ? gap : 0) : d.gap;
-        grown = grown > 0.01 ? grown : 0.01; /* a domino has some height */
+        grown = grown > 0.01 ? grown : 0.01; /* every domino has some height */
         d.height *= (dom_real)grown;
         d.mass *= (dom_real)grown;
         b->domino[k] = d;
@@ -97,7 +97,7 @@ static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i
     return DOM_OK;
 }
 
-/* A dom_task: runs batch number `index` of the rows, unless another one has failed. */
+/* Runs batch number `index` of the rows, unless another batch has failed: a dom_task. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;
@@ -118,7 +118,7 @@ static void batch_run(size_t index, void *context)
     free(b.domino);
 }
 
-/* A dom_parallel without a pool: runs one task after the other. */
+/* Runs one task after the other: a dom_parallel without a pool. */
 static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
 {
     (void)pool;
@@ -128,10 +128,10 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
 }
 
 /*
- * The chance that at least k, or at most k, of n rows fall, each with the probability p.  The terms of the
- * binomial distribution come from that of k by their ratios, and are divided by the sum of all: no factorial,
- * and no term is far from what it is added to.  gsl_cdf_beta_P, the same as a function of p, has no value at
- * some p from a million rows on, where its continued fraction does not end.
+ * Returns the probability that at least k, or at most k, of n rows fall, each with the probability p. The
+ * terms of the binomial distribution are computed from that of k by their ratios, and divided by the sum of
+ * all: there are no factorials, and no term is far from the term that it is added to. gsl_cdf_beta_P, the
+ * same as a function of p, fails at some p from a million rows on, where its continued fraction does not end.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -160,10 +160,12 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* The probability at which the tail has its chance; by halving, since where there is none left it is flat. */
+/* Finds the probability at which the tail has its value. Halves the interval, since the tail is flat where it
+ * is 0. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    enum { STEPS = 200 }; /* 50 for the digits, and 64 to a root as small as one of the most rows can be */
+    /* 50 for the digits, and 64 for a root as small as that of one row among the most that are possible */
+    enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
     int code = solver ? gsl_root_fsolver_set(solver, &f, 0, 1) : GSL_ENOMEM, done = GSL_CONTINUE;
@@ -178,7 +180,7 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
     return code == GSL_SUCCESS && done == GSL_SUCCESS ? DOM_OK : solver ? DOM_NOT_CONVERGED : DOM_NO_MEMORY;
 }
 
-/* The exact interval for n of N: its ends are where this many or this few would be a 2.5 % chance. */
+/* The exact interval for n of N: at its ends, so many or so few rows have a probability of 2.5 %. */
 enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
@@ -194,7 +196,8 @@ enum dom_status dom_study_interval(struct dom_study *s)
     return status;
 }
 
-/* Names what is wrong with a study, also what its errors of the gaps and its tolerance would hide. */
+/* Returns the status of what is wrong with a study, and of what its errors of the gaps or its tolerance would
+ * hide. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {
@@ -226,7 +229,7 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
                                                                     batch_run, &shared, p->pool);
     if (shared.status != DOM_OK)
         status = (enum dom_status)shared.status;
-    else if (status == DOM_OK && shared.done < p->rows) /* the pool has left some out */
+    else if (status == DOM_OK && shared.done < p->rows) /* the pool has left some batches out */
         status = DOM_INTERRUPTED;
     if (shared.compute.work)
         shared.compute.work->entered[DOM_EFFECT_placement] += p->rows;
@@ -248,10 +251,11 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    double widest; /* gap of the row */
+    double widest; /* largest gap of the row */
 };
 
-/* The same rows at every sigma, with errors that are longer or shorter: so what differs is sigma alone. */
+/* Finds the part of the rows that fall. Every sigma uses the same random numbers, with errors that are longer
+ * or shorter, so that only sigma differs. */
 static enum dom_status fall_share(const struct budget *b, double sigma, double *share)
 {
     struct dom_placement p = *b->placement;
@@ -262,11 +266,11 @@ static enum dom_status fall_share(const struct budget *b, double sigma, double *
     return status;
 }
 
-/* Between lo, where more than the share fall, and hi, where fewer do: to a thousandth. */
+/* Finds sigma to a thousandth between lo, where more than the share fall, and hi, where fewer do. */
 static enum dom_status sigma_between(const struct budget *b, double share, double lo, double hi,
                                      double *sigma)
 {
-    const double none = 1e-9 * hi; /* finer than any row can be placed */
+    const double none = 1e-9 * hi; /* smaller than any error of real rows */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
         enum dom_status status = fall_share(b, at, &falls);
@@ -278,8 +282,8 @@ static enum dom_status sigma_between(const struct budget *b, double share, doubl
     return DOM_OK;
 }
 
-/* The first of doubled sigmas at which fewer than the share fall; infinite where it is beyond the widest gap.
- */
+/* Finds the first of doubled sigmas at which fewer than the share fall; infinite if it is larger than the
+ * widest gap. */
 static enum dom_status sigma_at(const struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;
@@ -297,8 +301,8 @@ static enum dom_status sigma_at(const struct budget *b, double share, double *si
 }
 
 /*
- * The count nearest to those that chance explains where the share is the true one: that so many or more of
- * the rows fall, or so many or fewer, would be a chance below 2.5 %.
+ * Returns the count at the end of those that chance explains if the share is the true one: so many or more of
+ * the rows, or so many or fewer, would have a probability below 2.5 %.
  */
 static double unlikely(double share, double rows, bool at_least)
 {

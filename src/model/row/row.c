@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A finite row of unlike dominoes (model section 8).  While domino k is the head, all before it lean on it in
- * a chain as in a train, with sizes, weights and gaps of their own; so it has the same energies, the same law
- * of motion, the same collision.  What differs: nothing repeats, so each head begins with what the one before
- * left to it; and a domino that falls off takes along whoever leans on it.
- *
- * Inside, the head of the moment is the unit, as everywhere in here: its height, m g h / 2, tau.
+ * A finite row of dominoes of any sizes (model section 8). While domino k is the head, all before it lean on
+ * it in a chain as in a train, with sizes, weights and gaps of their own; so energies, law of motion and
+ * collision are those of a train. Two things differ. Nothing repeats, so each head begins with what the head
+ * before leaves to it. A domino that detaches takes all that lean on it along. As everywhere in the kernels,
+ * the present head is the unit: its height, m g h / 2, tau.
  */
 #include "motion/forces.h"
 #include "row/moments.h"
@@ -13,7 +12,7 @@
 
 /* ---- The row as a chain ---- */
 
-/* Of one domino, in SI units. */
+/* One domino, in SI units. */
 struct block {
     real height, d, mass, tau; /* d = thickness / height */
     real unit;                 /* m g h / 2 */
@@ -27,35 +26,35 @@ static struct block block_of(const struct row_request *row, size_t k)
     return (struct block){h, d, m, sqrt(h / (3 * geometry) * (1 + d * d)), m * geometry * h / 2};
 }
 
-/* The joint of domino k with k - 1, its follower, and how much of the row is behind it. */
+/* Makes the joint of domino k with its follower k - 1, and finds how much of the row follows. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
-    struct block own = block_of(row, k), behind = block_of(row, k - 1);
+    struct block own = block_of(row, k), previous = block_of(row, k - 1);
     real gap = (real)row->domino[k].gap;
-    geometry->r = own.height / behind.height;
+    geometry->r = own.height / previous.height;
     geometry->s = gap / own.height;
     geometry->L = geometry->s + own.d;
-    geometry->rs = gap / behind.height;
+    geometry->rs = gap / previous.height;
     geometry->rL = geometry->r * geometry->L;
-    geometry->short_of = fmax((behind.height - gap) / behind.height, 0);
-    geometry->leave_at = geometry->short_of * (1 + gap / behind.height);
+    geometry->short_of = fmax((previous.height - gap) / previous.height, 0);
+    geometry->leave_at = geometry->short_of * (1 + gap / previous.height);
     geometry->leave_by = 2 * geometry->d * geometry->L * geometry->r * geometry->r;
     real v = geometry->leave_at / geometry->leave_by;
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
-    geometry->weight = behind.mass / own.mass / geometry->r;
-    geometry->inertia = geometry->weight / geometry->r * (1 + behind.d * behind.d) / (1 + own.d * own.d);
-    geometry->behind = follower;
-    /* All behind it, over what it has itself: a bound for what it leaves out to end a sum there. */
+    geometry->weight = previous.mass / own.mass / geometry->r;
+    geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d);
+    geometry->follower = follower;
+    /* All dominoes before, over this domino itself: a bound for what a sum that ends here leaves out. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
-    /* 1 where nothing can be left out. */
+    /* 1 if nothing can be left out. */
     geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
 
-/* Where domino k ends as a head: at the next one, or on the floor. */
+/* Returns the last tilt of domino k as a head: where it hits the next one, or lies on the floor. */
 static struct tilt row_end(const struct row_request *row, size_t k)
 {
     if (k + 1 == row->count)
@@ -81,7 +80,7 @@ static enum dom_status row_make(const struct row_request *asked, struct geometry
         if (k > 0)
             joint_make(asked, k, &row[k - 1], geometry);
         enum dom_status status = dynamics_choose(asked->effect, geometry);
-        if (status == DOM_OK && k == 0) /* all of them share what the law needs */
+        if (status == DOM_OK && k == 0) /* all joints share the memory of the law */
             status = dynamics_begin(geometry);
         if (status != DOM_OK)
             return status;
@@ -89,7 +88,7 @@ static enum dom_status row_make(const struct row_request *asked, struct geometry
     return DOM_OK;
 }
 
-/* Also where it is rounded to the precision. */
+/* Returns true if a value is positive and finite, also after rounding to the precision. */
 static bool positive(dom_real value)
 {
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
@@ -105,7 +104,8 @@ static enum dom_status row_check(const struct row_request *row)
                : dynamics_check(row->effect);
 }
 
-/* Names what is wrong with a domino; what is made of its sizes must be a number of the precision, too. */
+/* Returns the status of what is wrong with a domino. Values computed from its sizes must be numbers of the
+ * precision, too. */
 static enum dom_status domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
@@ -120,30 +120,30 @@ static enum dom_status domino_check(const struct row_request *row, size_t k)
 
 struct run {
     const struct row_request *asked;
-    struct geometry *geometry; /* of domino k as a head, and as a follower of k + 1 */
+    struct geometry *geometry; /* geometry[k]: of domino k as a head, and as a follower of k + 1 */
     bool times;
-    size_t moving;       /* dominoes, with the head */
+    size_t moving;       /* number of moving dominoes, including the head */
     real omegasq;        /* of the head at its start, in its tau */
-    real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 for none */
-    real time;           /* s, so far; NaN where it has no value */
-    real carried;        /* J, of motion before the next collision */
-    struct watch *watch; /* of moments that were asked for, or NULL */
+    real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0: none */
+    real time;           /* in s, up to now; NaN if it has no value */
+    real carried;        /* J, kinetic energy before the next collision */
+    struct watch *watch; /* the moments to report, or NULL */
     struct dom_verdict verdict;
 };
 
-/* What the stretches of one head add up to, in its units. */
+/* The sums over the segments of one head, in its units. */
 struct descent {
     struct segment st;
     size_t stay;
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    bool stops, locks;                          /* locks: it moves where friction locks */
-    struct required_friction required_friction; /* of the floor */
+    bool stops, locks;                          /* locks: it still moves where friction locks */
+    struct required_friction required_friction; /* friction that the floor needs */
     struct watch *watch;
     size_t head;
     real begins, tau; /* s */
 };
 
-/* Where the motion ends in this stretch. */
+/* Finds where the motion ends in this segment. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -158,7 +158,7 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
     return status;
 }
 
-/* The motion in a stretch, up to where it ends or comes to rest. */
+/* Follows the motion in a segment, up to where it ends or comes to rest. */
 static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
     struct segment *st = &d->st;
@@ -169,21 +169,21 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     if (status == DOM_OK && floor && st->lo < to)
         status = floor_over(st, st->lo, to, &d->required_friction);
     if (ends && status == DOM_OK && st->lo < to)
-        return watch_stretch(d->watch, st, d->head, to, d->stops, &since, REAL_NAN);
+        return watch_passage(d->watch, st, d->head, to, d->stops, &since, REAL_NAN);
     if (ends || status != DOM_OK)
         return status;
     d->climbed += segment_climbed(st, st->hi, &J);
     if (times)
         status = segment_time(st, &part);
     if (status == DOM_OK)
-        status = watch_stretch(d->watch, st, d->head, to, false, &since, part);
+        status = watch_passage(d->watch, st, d->head, to, false, &since, part);
     d->time += part;
     return status != DOM_OK ? status : st->status;
 }
 
 /*
- * One stretch; the next one is prepared.  What is behind a stop nobody moves through, but it takes energy as
- * well: of all of them together the row is short.
+ * Computes one segment and prepares the next. Segments after a stop have no motion, but they need energy as
+ * well: what is missing to the end of the row includes them.
  */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
@@ -198,14 +198,14 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
         status = watch_detach(d->watch, st, d->head, d->stay);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
-    /* In energy at the launch: with friction not all of it comes as far as here. */
+    /* In energy at the launch: with friction only a part of that energy reaches this place. */
     real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     bool used_up = margin < 0;
     if (margin < d->least_margin || st->locks) {
         d->least_margin = st->locks ? -(real)INFINITY : margin;
         d->theta_m = st->locks ? st->hi : st->barrier.theta_m;
     }
-    /* Before the flow is cut to where it comes to rest. */
+    /* Prepares the next segment before the flow is cut to where the motion comes to rest. */
     if (!st->locks)
         status = segment_next(st, &next);
     if (status == DOM_OK && !over && (used_up || st->locks))
@@ -219,7 +219,7 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     return status;
 }
 
-/* The head k goes down; the state at its end is left in d. */
+/* Moves the head k down, and leaves the state at its end in d. */
 static enum dom_status head_run(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->asked, k);
@@ -242,7 +242,8 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     geometry.n = run->moving;
     enum dom_status status = chain_sum(&geometry, standing, &at);
     real kinetic = at.J * run->omegasq;
-    d->J0 = d->st.start.J = at.J; /* all there is where the next one is touched already */
+    /* the whole energy change, if the head touches the next domino from the start */
+    d->J0 = d->st.start.J = at.J;
     d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
         status = descent_segment(d, end, run->times, run->asked->floor);
@@ -264,12 +265,13 @@ static enum dom_status head_run(struct run *run, size_t k, struct descent *d, st
     return DOM_OK;
 }
 
-/* The first one, tipped over its edge and let go: it has what it falls from there (b5). */
+/* Runs the first domino, tipped over its edge and let go: its energy is what it has fallen from there
+ * (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->asked, 0);
     const struct geometry *geometry = &run->geometry[0];
-    real u = geometry->reach, sine = -geometry_rise(geometry, geometry->c) / u,
+    real u = geometry->reach, sine = -geometry_height_slope(geometry, geometry->c) / u,
          cosine = geometry_height(geometry, geometry->c) / u, x = geometry->h.x, y = geometry->h.y;
     real barrier = x * x / (y + u) * block.unit;
     *fall = (struct dom_fall){.domino = 1,
@@ -297,12 +299,13 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 }
 
 /*
- * A gap as wide as the head is tall is reached, also where it is rounded: in a row of a train at r = 1/s the
- * rounding of r, two powers, four products, and of both sizes to the precision, by half a unit each or one.
+ * Relative room for a gap as wide as the head is tall, which counts as reached: in a row of a train with r =
+ * 1/s the rounding errors of r, two powers, four products, and of both sizes to the precision, are half a
+ * unit or one unit each.
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
-/* Head k hits k + 1, which takes over; the row ends there if it cannot. */
+/* Makes head k hit k + 1, the next head. The row ends there if k + 1 cannot move on. */
 static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
     const struct dom_domino *own = &run->asked->domino[k], *next = own + 1;
@@ -329,7 +332,7 @@ static enum dom_status row_hit(struct run *run, size_t k, const struct descent *
     return status;
 }
 
-/* What the row has shown so far, with this domino. */
+/* Adds this domino to the verdict of the row. */
 static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool tipped)
 {
     dom_real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (dom_real)INFINITY;

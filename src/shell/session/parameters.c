@@ -124,7 +124,7 @@ const struct parameter session_parameters[] = {
     {ROW("density", density, "kg/m^3", "of solid dominoes half as wide as tall, where no mass is set",
          .highest = 1e9),
      .synonyms = "wood weight material"},
-    {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (c7)", .usual = DOM_FUEL_EXACT),
+    {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (25; c7)", .usual = DOM_FUEL_EXACT),
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
