@@ -127,7 +127,7 @@ set s 1e-5000|7|^set: s.*too small
 set h 1e4900/1e-90|13|^set: h.*not a finite number
 set s 1/0|8|^set: s.*division by zero
 set s 1 / (2 - 2)|9|^set: s.*division by zero
-set q solid|7|^set: .*q.*'solid'
+set q wooden|7|^set: .*q.*'wooden'
 set fuel diesel|10|^set: unknown value of fuel 'diesel'.*exact.paper
 set fuel 1|10|^set: unknown value of fuel '1'.*exact.paper
 set output xml|12|^set: unknown value of output 'xml'.*table.csv.json

@@ -244,14 +244,14 @@ END
 @test "count 112 answers the quiz as a person asks it" {
     answer=$("$DOMINO" -e 'count 112')
     for words in '^20 dominoes' '1\.5 times' '^Is a growth of 1\.5 possible at s = 0\.4?' \
-        '^ *hollow *yes.*2\.06377.* 11 dominoes' '^ *massive *yes.*1\.64423.* 16 dominoes'; do
+        '^ *hollow *yes.*2\.06377.* 11 dominoes' '^ *solid *yes.*1\.64423.* 16 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
     done
     same 'r 2 with massive dominoes' false "$(json 'count 112 2' | values feasible)"
     same 'r 2 with hollow dominoes' true "$(json 'set q hollow; count 112 2' | values feasible)"
     answer=$("$DOMINO" -e 'count 112 2')
-    for words in '^12 dominoes' '^Is a growth of 2 possible' '^ *hollow *yes' '^ *massive *no.*1\.64423' \
-        'not possible at s = 0\.4 with massive dominoes: the train stops'; do
+    for words in '^12 dominoes' '^Is a growth of 2 possible' '^ *hollow *yes' '^ *solid *no.*1\.64423' \
+        'not possible at s = 0\.4 with solid dominoes: the train stops'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
     done
     # A mass exponent that has no word gets its own line.
@@ -472,7 +472,7 @@ h m 0.048
 g m/s^2 9.81
 fuel - exact
 output - table
-digits - 10
+digits - 6
 angle - rad
 timing - off
 END

@@ -3,6 +3,7 @@
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"
+#include <string.h>
 
 /* The i-th argument, or what stands for it where it is missing. */
 static domq_real argument_or(const struct call *call, int i, domq_real fallback)
@@ -193,7 +194,7 @@ static const struct column count_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* "hollow", "massive", or "q = 3.5". */
+/* "hollow", "solid", or "q = 3.5". */
 static const char *mass_name(domq_real q, char name[32])
 {
     const char *word = parameter_word(parameter_find("q"), q);
@@ -256,6 +257,8 @@ static bool count_explain(struct session *session, const struct call *call, cons
                (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;
+        if (strcmp(parameter_word(parameter_find("q"), w->value), w->name) != 0)
+            continue; /* a synonym */
         kind.q = w->value;
         named = named || kind.q == train->q;
         if (!count_kind(session, call, kind, height))
