@@ -372,3 +372,31 @@ END
         same "complete $line" '(nothing)' "$("$DOMINO" -e "complete $line ")"
     done
 }
+
+# ---- Units for people ----
+
+# The line of a key in an answer to people: its value, and its unit.
+shown() { # KEY COMMANDS
+    "$DOMINO" -e "$2" | awk -v key="$1" '$1 == key { print $2, $3 }'
+}
+
+@test "a table shows lengths in mm, cm or m as fits, masses in g or kg; csv and json keep m and kg" {
+    local pair
+    for pair in '9.99 mm|9.99 mm' '10 mm|1 cm' '4.8 cm|4.8 cm' '99.9 cm|99.9 cm' '1 m|1 m' '112 m|112 m' '0.001 mm|0.001 mm'; do
+        same "${pair%|*}" "${pair#*|}" "$(shown height "count ${pair%|*}")"
+    done
+    same json '{"height":0.03,"first_height":0.01}' "$(json 'set h 1 cm; count 3 cm' | sed -E 's/("height":[^,]*),.*("first_height":[^,]*),.*/\1,\2}/')"
+    same csv 0.048 "$("$DOMINO" -e 'set output csv; count 1 m' | tail -n 1 | cut -d , -f 5)"
+    # One unit holds for a column of rows, that of the largest.
+    same 'a row in tables' '4.8 7 0
+7.2 10.5 28.8' "$("$DOMINO" -e 'effect row 2; row' | awk 'NR > 2 { print $2, $3, $4 }')"
+    same 'a row for programs' '0.048,0.007,0
+0.072,0.0105,0.0288' "$("$DOMINO" -e 'set output csv; effect row 2; row' | tail -n 2 | cut -d , -f 2-4)"
+    same 'units of a sweep' 'cm m cm m' "$("$DOMINO" -e 'sweep h 1 cm 10 cm 2 : count 112' | sed -n 2p | xargs)"
+    same 'of a longer one' 'm cm cm cm' "$("$DOMINO" -e 'sweep h 1 cm 1 m 2 : count 30 cm' | sed -n 2p | xargs)"
+    same mass '10 g' "$("$DOMINO" -e 'set mass 0.01; effect row 1; row' | awk 'NR == 2 { unit = $4 } NR == 3 { print $5, unit }')"
+    # An expression has the base unit, whatever a table shows.
+    same 'ans' 0.048 "$(json 'count 1 m; print ans.first_height' | tail -n 1 | values value)"
+    # All digits are right in every unit.
+    same digits '4.8 cm' "$(shown first_height 'set digits 33; set precision quad; count 1 m')"
+}

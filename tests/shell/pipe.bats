@@ -242,21 +242,31 @@ END
 }
 
 @test "count 112 answers the quiz as a person asks it" {
+    same 'count 112' '20 dominoes, each 1.5 times as large as the one before, topple one of 112 m.
+toppled: 159.6 m; the 20th domino is 106.4 m tall
+can it fall? yes' "$("$DOMINO" -e 'count 112' | head -n 3)"
     answer=$("$DOMINO" -e 'count 112')
-    for words in '^20 dominoes' '1\.5 times' '^Is a growth of 1\.5 possible at s = 0\.4?' \
-        '^ *hollow *yes.*2\.06377.* 11 dominoes' '^ *solid *yes.*1\.64423.* 16 dominoes'; do
+    for words in '^Falling with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377 .* 11 dominoes' \
+        '^ *solid *yes;.* 1\.64423 .* 16 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112' "$words" "$answer"
     done
-    same 'r 2 with massive dominoes' false "$(json 'count 112 2' | values feasible)"
+    # The toppled domino is one growth larger than the last of the 20.
+    close 'the 20th' "$(json 'count 112' | values last_height)" "$(json 'print 1.5 * h * 1.5^19' | values value)"
+    same 'r 2 with solid dominoes' false "$(json 'count 112 2' | values feasible)"
     same 'r 2 with hollow dominoes' true "$(json 'set q hollow; count 112 2' | values feasible)"
     answer=$("$DOMINO" -e 'count 112 2')
-    for words in '^12 dominoes' '^Is a growth of 2 possible' '^ *hollow *yes' '^ *solid *no.*1\.64423' \
-        'not possible at s = 0\.4 with solid dominoes: the train stops'; do
+    for words in '^12 dominoes, .* would be needed' '^can it fall? no$' '^Falling with growth 2 ' '^ *hollow *yes' \
+        '^ *solid *no;.*1\.64423' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
     done
-    # A mass exponent that has no word gets its own line.
+    # A mass exponent that has no word gets its own line; a synonym gets none.
     "$DOMINO" -e 'set q 3.5; count 112' | grep -q '^ *q = 3\.5 *yes'
-    same 'hollow and massive' 2 "$("$DOMINO" -e 'count 112' | grep -c '^ .*the largest')"
+    same 'hollow and solid' 2 "$("$DOMINO" -e 'count 112' | grep -c '^ .*growth up to')"
+    for pair in '0.05|the first domino is 4.8 cm tall' '0.1|the 2nd domino' '0.15|the 3rd domino' '0.2|the 4th domino' \
+        '4|the 11th domino' '6|the 12th domino' '9|the 13th domino' '200|the 21st domino'; do
+        [[ $("$DOMINO" -e "count ${pair%|*}") == *"; ${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*}")"
+    done
+    same 'tall enough' 'No domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm' | head -n 1)"
     # A train that misses the next domino is a "no", too: the number is there all the same.
     answer=$(json "set s 0.9; count 112")
     same "r s > 1" "20 false" "$(values dominoes <<<"$answer") $(values feasible <<<"$answer")"
@@ -268,9 +278,9 @@ END
 }
 
 @test "rmax says why exact and paper differ, and only where they do" {
-    "$DOMINO" -e rmax | grep -q '^they differ since'
-    same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'both end by the reach')"
-    "$DOMINO" -e 'rmax 0.9' | grep -q '^both end by the reach'
+    "$DOMINO" -e rmax | grep -q '^They differ since'
+    same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'Both end by the reach')"
+    "$DOMINO" -e 'rmax 0.9' | grep -q '^Both end by the reach'
     same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9' | grep differ)"
 }
 
@@ -295,7 +305,7 @@ set s 0.001; omega 0|omegasq omega|fuel P is not positive
 set s 0.001; barrier|kinetic margin|fuel P is not positive
 set s 0.001; duration|duration seconds speed|fuel P is not positive
 set s 0.001; set fuel paper; launch|omega0sq omega0 kinetic|fuel P is not positive
-rmax 0.001|r_max r_max_exact r_max_paper|no growth possible.*fuel
+rmax 0.001|r_max r_max_exact r_max_paper|no growth possible.*no energy free
 pair 0.1|r_max|no growth possible
 set d 1; best|s r_max|no growth possible
 set r 1.8; duration|duration seconds speed|below the barrier
@@ -494,6 +504,7 @@ r 3/2 1.5
 r 1 1
 d 7/48 0.14583333333333334
 q hollow 3
+q solid 4
 q massive 4
 q 3.5 3.5
 fuel paper paper

@@ -9,15 +9,19 @@
 /* The measures of each unit, the smallest first; `below` is in the base unit. */
 static const struct {
     const char *base;
-    double below;
+    domq_real below;
     struct measure measure;
-} measures[] = {
-    {"m", 0.01, {"mm", 3}}, {"m", 1, {"cm", 2}}, {"kg", 1, {"g", 3}}, {"share", HUGE_VAL, {"%", 2}}};
+} measures[] = {{"m", (domq_real)1 / 100, {"mm", 3}},
+                {"m", 1, {"cm", 2}},
+                {"kg", 1, {"g", 3}},
+                {"share", HUGE_VAL, {"%", 2}}};
 
 struct measure measure_of(const char *unit, domq_real largest)
 {
+    largest =
+        quad(fabs)(largest) * (1 + (domq_real)1e-12); /* 10 mm, as typed, are 1 cm in spite of rounding */
     for (size_t i = 0; i < sizeof measures / sizeof *measures; i++)
-        if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) < (domq_real)measures[i].below)
+        if (strcmp(unit, measures[i].base) == 0 && largest < measures[i].below)
             return measures[i].measure;
     return (struct measure){unit, 0};
 }
@@ -45,7 +49,20 @@ struct measured measured(domq_real value, const char *unit, int digits)
     struct measured said;
     char number[WIDE_TEXT];
     struct measure measure = measure_of(unit, value);
-    quad_text(measure_number(measure, value), digits, number);
+    domq_real shown = measure_number(measure, value), most = 1;
+    for (int n = 0; n < digits; n++)
+        most *= 10;
+    for (; digits < 15 && quad(fabs)(shown) >= most; most *= 10)
+        digits++;
+    quad_text(shown, digits, number);
     snprintf(said.text, sizeof said.text, "%s%s%s", number, *measure.unit ? " " : "", measure.unit);
+    return said;
+}
+
+struct measured measured_share(domq_real value, int digits)
+{
+    struct measured said = measured(value, "share", digits);
+    while (value != 1 && strcmp(said.text, "100 %") == 0 && digits < 15)
+        said = measured(value, "share", ++digits);
     return said;
 }

@@ -31,10 +31,16 @@ bool measure_varies(const char *unit);
 /* Returns value times 10^power, correctly rounded: 0.048 m is 4.8 cm in all digits. */
 domq_real measure_number(struct measure measure, domq_real value);
 
-/* Returns "4.8 cm" or "11 %" for sentences: the value with so many significant digits, and its unit. */
+/*
+ * Returns "4.8 cm" or "11 %" for sentences: the value with so many significant digits, and its unit.  A
+ * number keeps all digits before the point: 1234 %, not 1.23e+03 %.
+ */
 struct measured {
     char text[CELL_TEXT];
 };
 struct measured measured(domq_real value, const char *unit, int digits);
+
+/* Returns the same with as many digits as keep the value apart from 1: "99.97 %" is not "100 %". */
+struct measured measured_share(domq_real value, int digits);
 
 #endif

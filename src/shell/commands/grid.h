@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A grid of values of any parameters and effects: "s 0.1 0.9 81 q hollow, massive friction 0 0.5 6". */
+/* A grid of values of any parameters and effects: "s 0.1 0.9 81 q hollow, solid friction 0 0.5 6". */
 #ifndef SHELL_GRID_H
 #define SHELL_GRID_H
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about the limits of growth, and the quiz: how many dominoes up to a given height? */
+/* Commands about the limits of growth. */
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"
-#include <string.h>
 
-/* The i-th argument, or what stands for it where it is missing. */
+/* Returns the i-th argument, or the fallback if it is missing. */
 static domq_real argument_or(const struct call *call, int i, domq_real fallback)
 {
     return i < call->count ? call->number[i] : fallback;
@@ -16,14 +15,15 @@ static const char *no_growth(struct domq_limit limit)
 {
     if (limit.ends != DOM_END_NONE)
         return NULL;
-    return limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) have "
-                                      "no fuel, a fallen one lies no lower than it stood"
+    return limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) set "
+                                      "no energy free, a fallen one is as high as an upright one"
            : limit.why == DOM_LOCKS ? "no growth possible: friction locks already equal dominoes (r = 1)"
-                                    : "no growth possible: at this s and d even equal dominoes (r = 1) do "
-                                      "not get over their barrier";
+                                    : "no growth possible: at this s and d even equal dominoes (r = 1) have "
+                                      "too little energy to go on";
 }
 
-/* Finds the limits with either fuel; with friction there is none with the paper's. */
+/* Finds the limits with both fuels; the paper's does not include friction or a slope, and is NaN with them.
+ */
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
@@ -37,13 +37,40 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
 }
 
 static const struct column rmax_columns[] = {
-    {"s", "h", "separation", 0},
-    {"r_max", "", "largest growth at which the train goes on", 0},
-    {"ends_by", "", "barrier (too high), reach (the next is missed), none", 7},
-    {"r_max_exact", "", "with the fuel from the energy balance", 0},
+    {"s", "h", "separation: the free gap over the height", 0},
+    {"r_max", "", "largest growth with which the train goes on", 0},
+    {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
+    {"r_max_exact", "", "with the fuel from the balance of energy", 0},
     {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
     {NULL, NULL, NULL, 0},
 };
+
+/* Says what the largest growth means, and what ends it. */
+static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
+{
+    if (used->ends == DOM_END_NONE)
+        answer_say(a, "No domino can be larger than the one before: not even equal ones go on.\n");
+    else
+        answer_say(
+            a, "With a gap of %.6g heights, each domino can be %.6g times as large as the one before. %s\n",
+            (double)train->s, (double)used->r_max,
+            used->ends == DOM_END_REACH ? "A larger one falls past the next without touching it."
+                                        : "With a larger growth there is too little energy to go on.");
+}
+
+/* Says why the two fuels give different limits, or why one is missing. */
+static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
+                           const struct domq_limit *exact, const struct domq_limit *paper)
+{
+    if (domq_dynamics(train))
+        answer_say(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
+                   domq_dynamics(train)->name);
+    else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
+        answer_say(a, "Both end by the reach 1/s, where the fuel does not matter.");
+    else if (used->ends != DOM_END_NONE)
+        answer_say(a, "They differ since the paper's closed form of the fuel leaves out the weights r^(-q i) "
+                      "(25; c7).");
+}
 
 static bool run_rmax(struct session *session, const struct call *call)
 {
@@ -55,29 +82,19 @@ static bool run_rmax(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    rmax_say(call->answer, &train, &used);
     answer_row(call->answer,
                ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
                    CELL_OF(exact, r_max), CELL_OF(paper, r_max)),
                no_growth(used));
-    if (domq_law(&train)->dissipates)
-        answer_say(call->answer,
-                   "with friction %.6g between dominoes; the paper's closed form of the fuel knows none",
-                   (double)train.mu);
-    else if (domq_dynamics(&train))
-        answer_say(call->answer, "the paper's closed form of the fuel knows no %s",
-                   domq_dynamics(&train)->name);
-    else if (used.ends != DOM_END_NONE && exact.r_max == paper.r_max)
-        answer_say(call->answer, "both end by the reach 1/s, where the fuel does not matter");
-    else if (used.ends != DOM_END_NONE)
-        answer_say(call->answer,
-                   "they differ since (c7)'s closed form of the fuel leaves out the weights r^(-q i)");
+    rmax_fuels_say(call->answer, &train, &used, &exact, &paper);
     return true;
 }
 
 static const struct column pair_columns[] = {
-    {"s", "h", "separation", 0},
-    {"r_max", "", "largest growth at which the first topples the next", 0},
-    {"ends_by", "", "barrier, reach or none", 7},
+    {"s", "h", "separation: the free gap over the height", 0},
+    {"r_max", "", "largest growth with which the first topples the next", 0},
+    {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -90,6 +107,11 @@ static bool run_pair(struct session *session, const struct call *call)
     enum dom_status status = domq_limit_pair(&train, &compute, &limit);
     if (status != DOM_OK)
         return session_status(session, status);
+    if (limit.ends != DOM_END_NONE)
+        answer_say(
+            call->answer,
+            "A domino that just tips over topples one %.6g times as large, %.6g of its heights away.\n",
+            (double)limit.r_max, (double)train.s);
     return answer_row(
         call->answer, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
         limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
@@ -110,6 +132,11 @@ static bool run_best(struct session *session, const struct call *call)
     enum dom_status status = domq_limit_best(&session->train, &compute, &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
         return session_status(session, status);
+    if (status == DOM_OK)
+        answer_say(call->answer,
+                   "Dominoes grow most with gaps of %.4g heights: each can be %.4g times as large as the one "
+                   "before.\n",
+                   (double)best.s, (double)best.r_max);
     return answer_row(call->answer, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
                       status == DOM_OK
                           ? NULL
@@ -117,15 +144,15 @@ static bool run_best(struct session *session, const struct call *call)
 }
 
 static const struct column curve_columns[] = {
-    {"s", "h", "separation", 0},
-    {"exact", "", "r_max with the fuel from the energy balance", 0},
+    {"s", "h", "separation: the free gap over the height", 0},
+    {"exact", "", "r_max with the fuel from the balance of energy", 0},
     {"paper", "", "r_max with the paper's closed form of the fuel", 0},
     {"pair", "", "r_max of the two-domino model", 0},
-    {"reach", "", "1/s", 0},
+    {"reach", "", "1/s: a larger domino falls past the next", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* A worker's; the first four are the same for all. */
+/* Holds what one worker needs; the first six members are the same for all. */
 struct curve {
     domq_real from, to, n;
     struct domq_train train;
@@ -170,8 +197,9 @@ static bool run_curve(struct session *session, const struct call *call)
     struct cell number = cell_real(0);
     bool by_point;
     if (c.n == 1 && c.from != c.to)
-        return session_error(session, "one row cannot cover %g to %g; N is at least 2", (double)c.from,
-                             (double)c.to);
+        return session_error(session,
+                             "one row cannot cover %g to %g; N is at least 2, for example 'curve 0.1 0.9 5'",
+                             (double)c.from, (double)c.to);
     answer_plan(a, ROW(number, number, number, number, number));
     c.answer = *a;
     const struct points points = {
@@ -183,136 +211,6 @@ static bool run_curve(struct session *session, const struct call *call)
     return true;
 }
 
-static const struct column count_columns[] = {
-    {"height", "m", "the domino to topple is at least this tall", 0},
-    {"r", "", "growth from domino to domino", 0},
-    {"dominoes", "", "n, the smallest with first_height r^n >= height", 0},
-    {"exact", "", "ln(height / first_height) / ln r", 0},
-    {"first_height", "m", "height of the first domino", 0},
-    {"last_height", "m", "height of the toppled one, first_height r^n", 0},
-    {"feasible", "", "does a train with these s, d, q and r go on?", 8},
-    {NULL, NULL, NULL, 0},
-};
-
-/* "hollow", "solid", or "q = 3.5". */
-static const char *mass_name(domq_real q, char name[32])
-{
-    const char *word = parameter_word(parameter_find("q"), q);
-    if (word)
-        snprintf(name, 32, "%s", word);
-    else
-        snprintf(name, 32, "q = %g", (double)q);
-    return name;
-}
-
-/* Whether a train goes on; why is the reason where it does not. */
-static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
-                                      bool *feasible, const char **why)
-{
-    struct domq_barrier barrier;
-    enum dom_status status = domq_barrier_find(train, compute, &barrier);
-    *feasible = status == DOM_OK;
-    *why = status == DOM_OUT_OF_REACH ? "r s > 1, each domino falls past the next one without touching it"
-           : status == DOM_STOPS      ? "the train stops below its barrier"
-           : status == DOM_NO_FUEL    ? "there is no fuel, a cycle sets no energy free"
-           : status == DOM_LOCKS      ? "friction locks the train"
-           : status == DOM_UNDERFLOW  ? "r is so large that nothing is left of the energy"
-                                      : NULL;
-    return *feasible || *why ? DOM_OK : status;
-}
-
-/* For one kind of domino: is this growth possible, and what would the largest one make of the count? */
-static bool count_kind(struct session *session, const struct call *call, struct domq_train train,
-                       domq_real height)
-{
-    struct domq_limit limit;
-    struct domq_count count = {.dominoes = DOMQ_NAN, .exact = DOMQ_NAN, .last = DOMQ_NAN};
-    char name[32], number[WIDE_TEXT], said[96] = "no number of them gets there";
-    bool feasible;
-    const char *why;
-    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
-    if (status == DOM_OK)
-        status = domq_limit_rmax(&train, &session->compute, &limit);
-    if (status != DOM_OK)
-        return session_status(session, status);
-    if (limit.ends == DOM_END_NONE) {
-        answer_say(call->answer, "  %-8s no; not even equal ones keep falling", mass_name(train.q, name));
-        return true;
-    }
-    if (domq_count_find(session->scale.h, height, limit.r_max, &session->compute, &count) == DOM_OK &&
-        isfinite(count.dominoes))
-        snprintf(said, sizeof said, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
-                 count.dominoes == 1 ? "" : "es");
-    answer_say(call->answer, "  %-8s %-4s the largest is %.6g (ends by %s): %s", mass_name(train.q, name),
-               feasible ? "yes;" : "no;", (double)limit.r_max, dom_end_text(limit.ends), said);
-    return true;
-}
-
-/* The quiz as a person asks it: what the rows do not say. */
-static bool count_explain(struct session *session, const struct call *call, const struct domq_train *train,
-                          domq_real height)
-{
-    bool named = false;
-    answer_say(call->answer, "\nIs a growth of %.10g possible at s = %.6g?", (double)train->r,
-               (double)train->s);
-    for (const struct word *w = parameter_find("q")->words; w->name; w++) {
-        struct domq_train kind = *train;
-        if (strcmp(parameter_word(parameter_find("q"), w->value), w->name) != 0)
-            continue; /* a synonym */
-        kind.q = w->value;
-        named = named || kind.q == train->q;
-        if (!count_kind(session, call, kind, height))
-            return false;
-    }
-    return named || count_kind(session, call, *train, height);
-}
-
-static bool run_count(struct session *session, const struct call *call)
-{
-    const struct domq_compute compute = session_compute(session);
-    domq_real height = call->number[0], first = session->scale.h;
-    struct domq_train train = session->train;
-    struct domq_count count;
-    bool feasible;
-    const char *why;
-    char number[WIDE_TEXT], growth[WIDE_TEXT], tall[WIDE_TEXT];
-    train.r = argument_or(call, 1, train.r);
-    if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
-        return session_no_answer(
-            session, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
-            quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
-            domq_arithmetic(compute.precision)->name);
-    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
-    if (status != DOM_OK)
-        return session_status(session, status);
-
-    struct answer *a = call->answer;
-    if (count.dominoes == 0)
-        answer_say(a, "No domino is needed: the first is %s m tall already.\n", quad_text(first, 6, tall));
-    else if (isfinite(count.dominoes))
-        answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s m.\n",
-                   quad_text(count.dominoes, WIDE_DIGITS, number), count.dominoes == 1 ? "" : "es",
-                   quad_text(train.r, (int)a->style.digits, growth),
-                   !feasible             ? "would be needed to topple"
-                   : count.dominoes == 1 ? "topples"
-                                         : "topple",
-                   quad_text(height, 6, tall));
-    else
-        why = "r = 1: the dominoes do not grow, no number of them is enough";
-    char reason[160], name[32];
-    answer_holds(a, feasible && isfinite(count.dominoes));
-    if (!feasible)
-        snprintf(reason, sizeof reason, "not possible at s = %.6g with %s dominoes: %s", (double)train.s,
-                 mass_name(train.q, name), why);
-    else if (why)
-        snprintf(reason, sizeof reason, "%s", why);
-    answer_row(a,
-               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
-                   cell_real(first), CELL_OF(count, last), cell_flag(feasible)),
-               why ? reason : NULL);
-    return !answer_for_people(a) || count_explain(session, call, &train, height);
-}
-
 #define SEPARATION .name = "S", .kind = ARGUMENT_OF, .of = "s", .optional = true
 
 const struct command limit_commands[] = {
@@ -321,9 +219,9 @@ const struct command limit_commands[] = {
      .train = true,
      .argument = {{SEPARATION}},
      .summary = "the largest growth r at separation S (or s)",
-     .equation = "(c8), section 'A general domino train'",
-     .help = "The first r, raised from 1, at which the kinetic energy no longer reaches the barrier; or 1/s, "
-             "beyond which a domino falls past the next one.",
+     .equation = "(26; c8)",
+     .help = "r is raised from 1 until a domino has less energy than it needs to topple the next; or to 1/s, "
+             "beyond which it falls past the next one.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
      .echo = "s",
@@ -334,7 +232,7 @@ const struct command limit_commands[] = {
      .train = true,
      .argument = {{SEPARATION}},
      .summary = "the largest growth for two: the first just tips over",
-     .equation = "(b5) (b11) (b13)",
+     .equation = "(9; b5) (15; b11) (17; b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
      .echo = "s",
@@ -365,7 +263,7 @@ const struct command limit_commands[] = {
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
      .summary = "how many dominoes topple one H tall, at growth R (or r)",
      .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is "
-             "at least H tall.",
+             "at least H tall. The n-th is smaller than H; it topples the next.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",

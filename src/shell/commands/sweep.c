@@ -408,7 +408,7 @@ const struct command sweep_commands[] = {
          "A point without an answer has a row with its reason, in csv and json. The session stays as it is. "
          "Points are computed on all cores ('set threads'), and the rows are the same bytes on any number of "
          "them; 'domino --shard 2/7' gives the second of seven parts.",
-     .example = "sweep s 0.1 0.5 3 q hollow, massive : rmax",
+     .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
      .see = "curve set effect",
      .columns = sweep_answers,
      .unswept = "its grid takes all parameters at once",

@@ -19,9 +19,10 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
 bool run_set(struct session *session, const struct call *call);
 
 /* Commands that have a file of their own beside their table. */
-extern const struct column cycle_columns[], why_columns[], animate_columns[], mend_columns[],
+extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[], mend_columns[],
     placement_columns[];
 bool run_cycle(struct session *session, const struct call *call);
+bool run_count(struct session *session, const struct call *call);
 bool run_why(struct session *session, const struct call *call);
 bool run_animate(struct session *session, const struct call *call);
 bool run_mend(struct session *session, const struct call *call);

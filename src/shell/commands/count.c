@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* count, the quiz: how many dominoes it takes to topple one of a given height. */
+#include "commands/tables.h"
+#include "language/quad.h"
+
+const struct column count_columns[] = {
+    {"height", "m", "the domino to topple is at least this tall", 0},
+    {"r", "", "growth: how much larger each domino is than the one before", 0},
+    {"dominoes", "", "how many it takes: the smallest n with first_height r^n >= height", 0},
+    {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
+    {"first_height", "m", "height of the first domino", 0},
+    {"last_height", "m", "height of the toppled one, first_height r^n", 0},
+    {"feasible", "", "whether such a train can fall, with this s, d, q and r", 8},
+    {NULL, NULL, NULL, 0},
+};
+
+/* Writes "hollow", "solid", or "q = 3.5". */
+static const char *mass_name(domq_real q, char name[32])
+{
+    const char *word = parameter_word(parameter_find("q"), q);
+    if (word)
+        snprintf(name, 32, "%s", word);
+    else
+        snprintf(name, 32, "q = %g", (double)q);
+    return name;
+}
+
+/* Finds whether a train goes on; *why is the reason if it does not, or NULL. */
+static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
+                                      bool *feasible, const char **why)
+{
+    struct domq_barrier barrier;
+    enum dom_status status = domq_barrier_find(train, compute, &barrier);
+    *feasible = status == DOM_OK;
+    *why = status == DOM_OUT_OF_REACH ? "each domino falls past the next one without touching it (r s > 1)"
+           : status == DOM_STOPS      ? "the train has too little energy to go on"
+           : status == DOM_NO_FUEL    ? "falling sets no energy free"
+           : status == DOM_LOCKS      ? "friction locks the train"
+           : status == DOM_UNDERFLOW  ? "r is so large that no energy is left"
+                                      : NULL;
+    return *feasible || *why ? DOM_OK : status;
+}
+
+/* Says of one kind of domino whether this growth is possible, and what the largest would make of the count.
+ */
+static bool count_kind(struct session *session, const struct call *call, struct domq_train train,
+                       domq_real height)
+{
+    struct domq_limit limit;
+    struct domq_count count = {.dominoes = DOMQ_NAN, .exact = DOMQ_NAN, .last = DOMQ_NAN};
+    char name[32], number[WIDE_TEXT], said[96] = "no number of dominoes is enough";
+    bool feasible;
+    const char *why;
+    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
+    if (status == DOM_OK)
+        status = domq_limit_rmax(&train, &session->compute, &limit);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    if (limit.ends == DOM_END_NONE) {
+        answer_say(call->answer, "  %-7s no; not even equal dominoes go on", mass_name(train.q, name));
+        return true;
+    }
+    if (domq_count_find(session->scale.h, height, limit.r_max, &session->compute, &count) == DOM_OK &&
+        isfinite(count.dominoes))
+        snprintf(said, sizeof said, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
+                 count.dominoes == 1 ? "" : "es");
+    answer_say(call->answer, "  %-7s %-4s growth up to %.6g is possible: %s", mass_name(train.q, name),
+               feasible ? "yes;" : "no;", (double)limit.r_max, said);
+    return true;
+}
+
+/* Says which kinds of dominoes can fall, and how few of each would be enough. */
+static bool count_explain(struct session *session, const struct call *call, const struct domq_train *train,
+                          domq_real height)
+{
+    bool named = false;
+    const struct word *words = parameter_find("q")->words;
+    answer_say(call->answer, "\nFalling with growth %.6g at s = %.6g, by kind of domino:", (double)train->r,
+               (double)train->s);
+    for (const struct word *w = words; w->name; w++) {
+        struct domq_train kind = *train;
+        kind.q = w->value;
+        if (w > words && w[-1].value == w->value) /* a synonym */
+            continue;
+        named = named || kind.q == train->q;
+        if (!count_kind(session, call, kind, height))
+            return false;
+    }
+    return named || count_kind(session, call, *train, height);
+}
+
+/* Writes "the 20th domino", or "the first domino". */
+static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
+{
+    static const char *const ends[] = {"th", "st", "nd", "rd"};
+    char number[WIDE_TEXT];
+    int hundreds = (int)(n - 100 * quad(floor)(n / 100)), last = hundreds % 10;
+    bool teen = hundreds > 10 && hundreds < 14;
+    if (n == 1)
+        return "the first domino";
+    snprintf(text, WIDE_TEXT + 16, "the %s%s domino", quad_text(n, WIDE_DIGITS, number),
+             teen || last > 3 ? "th" : ends[last]);
+    return text;
+}
+
+/* Says the answer of the quiz in three lines, where a number of dominoes is enough. */
+static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
+                      domq_real height, domq_real first, bool feasible)
+{
+    char number[WIDE_TEXT], growth[WIDE_TEXT], nth[WIDE_TEXT + 16];
+    if (count->dominoes == 0) {
+        answer_say(a, "No domino is needed: the first is already %s tall.\n", measured(first, "m", 6).text);
+        return;
+    }
+    answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
+               quad_text(count->dominoes, WIDE_DIGITS, number), count->dominoes == 1 ? "" : "es",
+               quad_text(train->r, (int)a->style.digits, growth),
+               !feasible              ? "would be needed to topple"
+               : count->dominoes == 1 ? "topples"
+                                      : "topple",
+               measured(height, "m", 6).text);
+    answer_say(a, "toppled: %s; %s is %s tall", measured(count->last, "m", 4).text,
+               ordinal(count->dominoes, nth), measured(count->last / train->r, "m", 4).text);
+    answer_say(a, "can it fall? %s\n", feasible ? "yes" : "no");
+}
+
+bool run_count(struct session *session, const struct call *call)
+{
+    const struct domq_compute compute = session_compute(session);
+    domq_real height = call->number[0], first = session->scale.h;
+    struct domq_train train = session->train;
+    struct domq_count count;
+    bool feasible;
+    const char *why;
+    train.r = call->count > 1 ? call->number[1] : train.r;
+    if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
+        return session_no_answer(
+            session, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
+            quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
+            domq_arithmetic(compute.precision)->name);
+    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
+    if (status != DOM_OK)
+        return session_status(session, status);
+
+    struct answer *a = call->answer;
+    if (isfinite(count.dominoes))
+        count_say(a, &train, &count, height, first, feasible);
+    else
+        why = "r = 1: the dominoes do not grow, no number of them is enough";
+    char reason[160], name[32];
+    answer_holds(a, feasible && isfinite(count.dominoes));
+    if (!feasible)
+        snprintf(reason, sizeof reason, "not possible at s = %.6g with %s%s: %s", (double)train.s,
+                 mass_name(train.q, name), parameter_word(parameter_find("q"), train.q) ? " dominoes" : "",
+                 why);
+    else if (why)
+        snprintf(reason, sizeof reason, "%s", why);
+    answer_row(a,
+               ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
+                   cell_real(first), CELL_OF(count, last), cell_flag(feasible)),
+               why ? reason : NULL);
+    return !answer_for_people(a) || count_explain(session, call, &train, height);
+}
