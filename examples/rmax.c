@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The largest growth at a separation.  To build it where domino is installed:
+/* The largest growth at a separation. To build it where domino is installed:
  *   cc rmax.c -o rmax $(pkg-config --cflags --libs domino)
  */
 #include <domino.h>

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The answers whose instructions are counted: each is one call of answer(), at whose ends callgrind begins
- * and ends a count.  Prints their names in that order.
- * usage: answers         all of them
- *        answers NAME    this one alone; prints the passes and dominoes that it took
+ * The answers whose instructions are counted. Each is one call of answer(), at whose ends callgrind begins
+ * and ends a count. Prints their names in that order.
+ *
+ * usage: answers         computes all of them
+ *        answers NAME    computes this one alone; prints its passes and dominoes
  */
 #include "domino_quad.h"
 #include <stdio.h>
@@ -12,7 +13,7 @@
 
 enum { ROW = 20, ROWS = 60, POINTS = 12 };
 
-/* Zeros stand for the defaults. */
+/* Zeros mean the defaults. */
 struct counted {
     const char *name;
     enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute);
@@ -34,7 +35,7 @@ static enum dom_status ask_rmax_bound(const struct domq_train *train, const stru
     return domq_limit_rmax(train, &with, &limit);
 }
 
-/* Of both q, as the benchmark does, from 0.02 to 0.9. */
+/* Asks a curve of s from 0.02 to 0.9 for both q, as the benchmark does. */
 static enum dom_status ask_curve(const struct domq_train *train, const struct domq_compute *compute)
 {
     enum dom_status status = DOM_OK;
@@ -166,7 +167,7 @@ static const struct counted table[] = {
     {.name = "placement", .ask = ask_study, .r = 1.1},
 };
 
-/* The function that callgrind looks for: it must keep its name and be called. */
+/* Answers one question. Callgrind looks for this function: keep its name, and keep it a call. */
 __attribute__((noinline)) enum dom_status
 answer(const struct counted *counted, const struct domq_train *train, const struct domq_compute *compute);
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What a sceptic reads from top to bottom: who is compared, each question with its times and errors, the
+ * The report of the benchmark: the programs that are compared, each question with its times and errors, the
  * floor, how time grows, and which goals are met.
+ *
  * usage: bench BUILD, from the top of the project
  */
 #include "bench.h"
@@ -73,7 +74,8 @@ static void machine_print(void)
          "the loosest tolerance (a power of 10) with which they reach it.");
 }
 
-/* Our quad precision is what all are judged by: here it is judged by tables made elsewhere. */
+/* Prints the errors of our quad precision, which all other errors are measured against, by tables that were
+ * made elsewhere. */
 static void truth_print(void)
 {
     static const char path[] = "tests/reference/rmax.csv";
@@ -130,7 +132,7 @@ static size_t row_questions(struct question *question)
     return n;
 }
 
-/* The line that the script `operations` finds. */
+/* Returns the line that the script `operations` prints. */
 static const char *operations(const char *build, char *line, int size)
 {
     char command[4200];
@@ -161,7 +163,7 @@ static struct process curve_command(const char *domino, const char *threads)
     return best;
 }
 
-/* What the goals need of it; efficiencies in percent of what the machine gives. */
+/* The results of a curve that the goals need; efficiencies in percent of what the machine gives. */
 struct curve_goals {
     double library, efficiency, command_efficiency, megabytes;
 };
@@ -178,7 +180,7 @@ static struct curve_goals curve_print(const char *domino)
         one = curve_command(domino, ""); /* it has no threads */
     struct curve_goals goals = {.library = at[0].seconds, .megabytes = fmax(one.megabytes, all.megabytes)};
     double command_all = all.done ? all.seconds : NONE;
-    /* Of cores that are busy elsewhere nothing can be told. */
+    /* Cores that other programs use give no result. */
     double given = at[1].given > LEAST_GIVEN ? at[1].given : NONE;
     goals.efficiency = 100 * at[0].seconds / at[1].seconds / given;
     goals.command_efficiency = 100 * one.seconds / command_all / given;
@@ -197,10 +199,11 @@ static struct curve_goals curve_print(const char *domino)
     return goals;
 }
 
-/* How many times our seconds another's are; NaN without them, or where it does not reach the error. */
-static double ratio(const struct result *result, enum who who)
+/* Returns the time of a contender over ours; NaN without either time, or if the contender does not reach the
+ * error. */
+static double ratio(const struct result *result, enum contender contender)
 {
-    return result[who].asked ? result[who].seconds / result[OURS].seconds : NONE;
+    return result[contender].asked ? result[contender].seconds / result[OURS].seconds : NONE;
 }
 
 int main(int argc, char **argv)
@@ -220,7 +223,7 @@ int main(int argc, char **argv)
     rmax_questions(many, MANY, 0.02, 0.9);
     rmax_questions(few, FEW, 0.02, 0.9);
     rmax_questions(points, SAMPLED, 0.02, 0.9);
-    for (size_t i = 0; i < SAMPLED; i++) { /* massive alone, in the middle of ten parts */
+    for (size_t i = 0; i < SAMPLED; i++) { /* solid dominoes alone, in the middle of ten parts */
         points[i].train.q = 4;
         points[i].train.s = 0.02 + 0.88 * ((double)i + 0.5) / SAMPLED;
     }

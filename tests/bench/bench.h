@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The benchmark: what a question costs us and others, how near that is to the floor, and how it grows.
- * Everything is measured in one run, in turns, and the least of several times counts, so that whatever else
- * the machine does hits all alike.
+ * The benchmark: what a question costs this library and other programs, how near that is to the floor, and
+ * how it grows. Everything is measured in one run, in turns, and the smallest of several times counts, so
+ * that other work of the machine affects all in the same way.
  */
 #ifndef BENCH_H
 #define BENCH_H
@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <sys/types.h>
 
-/* What is not there. */
+/* Marks a value that does not exist. */
 #define NONE ((double)NAN)
 
 /* ---- measure.c: clocks, numbers and processes ---- */
@@ -19,30 +19,30 @@
 double seconds_now(void);
 unsigned cores(void);
 
-/* A blank and the number, '-' where there is none. */
+/* Prints a blank and the number, or '-' for NONE. */
 void number_print(int width, int digits, double value);
 
-/* A whole process, its input from a string, its output thrown away. */
+/* A whole process with its input from a string; its output is discarded. */
 struct process {
-    bool done; /* it ran and ended with status 0 */
+    bool done; /* the process ran and ended with status 0 */
     double seconds;
-    double megabytes; /* the most memory that it held */
+    double megabytes; /* the most memory that the process held */
 };
 
 struct process process_run(const char *const *argv, const char *input);
 
-/* A process that is asked line by line. */
+/* A process that answers questions line by line. */
 struct coprocess {
     pid_t pid;
     FILE *to, *from;
 };
 
 bool coprocess_start(struct coprocess *process, const char *const *argv);
-/* It tells how long it took to answer, without the way there and back. */
+/* Asks a question. The process reports how long the answer took, without the communication. */
 bool coprocess_ask(struct coprocess *process, const char *question, double *seconds, double *value);
 void coprocess_end(struct coprocess *process);
 
-/* ---- compare.c: questions and who answers them ---- */
+/* ---- compare.c: questions and contenders ---- */
 
 enum task { RMAX, DURATION, ROW };
 
@@ -53,45 +53,48 @@ struct question {
     double push;        /* of ROW, rad/s */
 };
 
-enum who { OURS, GSL, PAPER, NEWTON, OCTAVE, SCIPY, CONTENDERS };
+enum contender { OURS, GSL, PAPER, NEWTON, OCTAVE, SCIPY, CONTENDERS };
 
-extern const char *const who_name[CONTENDERS];
+extern const char *const contender_name[CONTENDERS];
 
-/* Those that are programs of their own are started; says who is missing. */
+/* Starts the contenders that are programs of their own; prints which are missing. */
 void contenders_start(void);
 void contenders_end(void);
 
 struct result {
     bool asked;
-    double tol;             /* the loosest with which the error is reached; ours is the target itself */
-    double seconds;         /* of one question, the mean over them */
-    double error;           /* the worst relative one, of the questions that are not missed */
-    size_t missed;          /* questions whose error is above the target at any tolerance */
-    double worst, missed_s; /* the worst error of those, and where */
+    /* the largest tolerance with which the error is reached; for ours the target itself */
+    double tol;
+    double seconds;         /* mean time of one question */
+    double error;           /* the largest relative error of the questions that are not missed */
+    size_t missed;          /* number of questions whose error is above the target at any tolerance */
+    double worst, missed_s; /* the largest error of those, and its separation */
 };
 
 /*
- * Asks `who`, as a set of 1 << enum who, the same n questions to the same relative error, against our
- * answers in quad precision; prints a table.  `scale` questions make one of what the table counts.
+ * Asks the contenders in `contender`, a set of 1 << enum contender, the same n questions to the same relative
+ * error, measured against our answers in quad precision; prints a table. `scale` questions count as one in
+ * the table.
  */
-void compare(const char *title, const struct question *question, size_t n, double target, unsigned who,
+void compare(const char *title, const struct question *question, size_t n, double target, unsigned contender,
              double scale, struct result result[CONTENDERS]);
 
-/* One answer of ours; NaN if there is none. */
+/* Returns one answer of ours; NaN if there is none. */
 domq_real ask_ours(const struct question *question, double tol, enum dom_precision precision,
                    struct dom_work *work);
 
-/* Separations lo ... hi for q = 3 and, after them, q = 4; n in all, an even number. */
+/* Writes questions for separations lo ... hi with q = 3 and, after them, q = 4; n in all, an even number. */
 void rmax_questions(struct question *question, size_t n, double lo, double hi);
 
 /* ---- curve.c: on one core and on several ---- */
 
-/* Seconds of a curve of points by the library, massive, from 0.02 to 0.9. */
+/* Returns the seconds that the library needs for a curve of `points`, solid dominoes, s from 0.02 to 0.9. */
 double curve_library(size_t points, unsigned threads);
 
 /*
- * That curve on each of n numbers of threads, the least of several; and how many times the work of one thread
- * the machine does on so many, when they do nothing but multiply: virtual cores may be less than they seem.
+ * That curve on n different numbers of threads, the smallest of several times; and how many times the work of
+ * one thread the machine does on that many threads that only multiply, since virtual cores may be less than
+ * they seem.
  */
 struct threaded {
     double seconds, given;
@@ -106,25 +109,25 @@ void threads_measure(size_t points, const unsigned *threads, struct threaded *th
 
 void rows_print(void);
 
-/* How many times bc's our start-up is; NaN without bc. */
+/* Prints start-up times. Returns ours over that of bc; NaN without bc. */
 double start_print(const char *domino);
 
 /* ---- floor.c ---- */
 
-/* ns a domino of the bare recurrence, one train after the other, and four side by side. */
+/* Nanoseconds a domino of the bare recurrence: for one train after the other, and for four together. */
 struct recurrence {
     double one, four;
 };
 
 struct recurrence recurrence_measure(void);
 
-/* Prints operations (unless NULL), passes and the floor beside the time of one of n answers. */
+/* Prints operations (unless NULL), passes and the floor next to the time of one of n answers. */
 void floor_print(const char *title, const struct question *question, size_t n, double seconds,
                  const char *operations);
 
 /* ---- growth.c ---- */
 
-/* Tables of the growth of time with work, and a picture in the folder `build`. */
+/* Prints tables of the growth of time with work, and writes a picture into the folder `build`. */
 void growth_print(const char *build);
 
 #endif

@@ -6,16 +6,16 @@
 
 enum { QUESTIONS_MAX = 256, DOMINOES_MAX = 64, ROUNDS = 9 };
 
-#define SECONDS_EACH 1.5 /* for the rounds of one contender in one table */
+#define SECONDS_EACH 1.5 /* seconds for the rounds of one contender in one table */
 
-const char *const who_name[CONTENDERS] = {
+const char *const contender_name[CONTENDERS] = {
     [OURS] = "ours",     [GSL] = "GSL, nested", [PAPER] = "paper's recipe", [NEWTON] = "GSL, Newton's laws",
     [OCTAVE] = "Octave", [SCIPY] = "SciPy",
 };
 
-/* Whose library or program it is, and where python3 is not the system's, that is asked for as well. */
+/* The library or program of each contender; some need python3 with a package, which is checked as well. */
 static const struct {
-    enum who who;
+    enum contender contender;
     const char *argv[4];
 } programs[] = {
     {OCTAVE, {"octave-cli", "-qf", "tests/bench/train_octave.m", NULL}},
@@ -89,7 +89,8 @@ domq_real ask_ours(const struct question *q, double tol, enum dom_precision prec
     return ask_train(q, &train);
 }
 
-static bool ask_program(enum who who, const struct question *q, double tol, double *seconds, double *value)
+static bool ask_program(enum contender contender, const struct question *q, double tol, double *seconds,
+                        double *value)
 {
     static const char *const name[] = {[RMAX] = "rmax", [DURATION] = "duration", [ROW] = "row"};
     const struct asked *t = &q->train;
@@ -101,37 +102,37 @@ static bool ask_program(enum who who, const struct question *q, double tol, doub
     else
         snprintf(line, sizeof line, "%s %.17g %.17g %.17g %.17g %.17g", name[q->task], tol, (double)t->s,
                  (double)t->r, (double)t->d, (double)t->q);
-    return coprocess_ask(&coprocess[who], line, seconds, value);
+    return coprocess_ask(&coprocess[contender], line, seconds, value);
 }
 
-/* All questions one after the other: how long it took, and the values. */
-static double sweep(enum who who, const struct question *q, size_t n, double tol, double *value)
+/* Asks all questions one after the other. Returns the time, and writes the values. */
+static double sweep(enum contender contender, const struct question *q, size_t n, double tol, double *value)
 {
     static const enum dom_method method[] = {
         [OURS] = DOM_METHOD_OURS, [GSL] = DOM_METHOD_GSL, [PAPER] = DOM_METHOD_PAPER};
     double begun = seconds_now(), total = 0, seconds;
     for (size_t i = 0; i < n; i++) {
-        if (coprocess[who].pid > 0) {
-            if (!ask_program(who, &q[i], tol, &seconds, &value[i]))
+        if (coprocess[contender].pid > 0) {
+            if (!ask_program(contender, &q[i], tol, &seconds, &value[i]))
                 return NAN;
             total += seconds;
-        } else if (who == NEWTON) {
+        } else if (contender == NEWTON) {
             value[i] = ask_newton(&q[i]);
         } else if (q[i].task == ROW) {
             value[i] = ask_row(&q[i], tol, DOM_DOUBLE, NULL);
         } else {
             struct asked train = q[i].train;
             train.tol = tol;
-            train.method = method[who];
+            train.method = method[contender];
             value[i] = (double)ask_train(&q[i], &train);
         }
     }
-    return coprocess[who].pid > 0 ? total : seconds_now() - begun;
+    return coprocess[contender].pid > 0 ? total : seconds_now() - begun;
 }
 
 /* ---- To the same error ---- */
 
-/* The worst error within the target, and which are not within it. */
+/* Finds the largest error within the target, and the questions that are not within the target. */
 static void judge(struct result *result, const struct question *q, size_t n, const double *value,
                   const double *truth, double target)
 {
@@ -150,27 +151,28 @@ static void judge(struct result *result, const struct question *q, size_t n, con
     }
 }
 
-/* The loosest tolerance with which a contender reaches the target; ours is asked for the target itself. */
-static void calibrate(enum who who, const struct question *q, size_t n, double target, const double *truth,
-                      struct result *result)
+/* Finds the largest tolerance with which a contender reaches the target; ours is asked for the target
+ * itself. */
+static void calibrate(enum contender contender, const struct question *q, size_t n, double target,
+                      const double *truth, struct result *result)
 {
     double value[QUESTIONS_MAX];
     double finest = (double)domq_arithmetic(DOM_DOUBLE)->tol_floor;
     double loosest = fmin((q->task == RMAX ? 1e2 : 1e6) * target, 1e-2);
-    if (who == NEWTON) /* its own, which cannot be set */
+    if (contender == NEWTON) /* its own tolerance, which cannot be set */
         loosest = 1e-13;
-    for (double tol = who == OURS ? target : loosest;; tol /= 10) {
-        struct result now = {.tol = tol, .seconds = sweep(who, q, n, tol, value)};
+    for (double tol = contender == OURS ? target : loosest;; tol /= 10) {
+        struct result now = {.tol = tol, .seconds = sweep(contender, q, n, tol, value)};
         if (!(now.seconds > 0))
             return;
         judge(&now, q, n, value, truth, target);
         now.asked = true;
-        /* What is missed by far at one tolerance and at the next is missed by the method. */
+        /* A question that is missed by far at one tolerance and at the next is missed by the method. */
         bool method = result->asked && now.missed == result->missed && now.worst > 1e3 * target &&
                       now.worst > result->worst / 2;
         if (!result->asked || now.missed < result->missed)
             *result = now;
-        if (now.missed == 0 || method || who == OURS || tol <= fmax(target / 10, finest))
+        if (now.missed == 0 || method || contender == OURS || tol <= fmax(target / 10, finest))
             return;
     }
 }
@@ -179,40 +181,40 @@ static void table_print(const struct result result[CONTENDERS], size_t n, double
 {
     double ours = result[OURS].seconds;
     printf("  %-20s %8s %9s %13s %9s  %s\n", "", "tol", "error", "time, us", "ratio", "");
-    for (enum who who = OURS; who < CONTENDERS; who++) {
-        const struct result *r = &result[who];
+    for (enum contender contender = OURS; contender < CONTENDERS; contender++) {
+        const struct result *r = &result[contender];
         if (!r->asked)
             continue;
-        printf("  %-20s %8.0e %9.1e %13.2f %9.4g", who_name[who], r->tol, r->error, 1e6 * r->seconds * scale,
-               r->seconds / ours);
+        printf("  %-20s %8.0e %9.1e %13.2f %9.4g", contender_name[contender], r->tol, r->error,
+               1e6 * r->seconds * scale, r->seconds / ours);
         if (r->missed > 0)
             printf("  misses %zu of %zu, at s = %.4g by %.0e", r->missed, n, r->missed_s, r->worst);
         putchar('\n');
     }
 }
 
-void compare(const char *title, const struct question *question, size_t n, double target, unsigned who,
+void compare(const char *title, const struct question *question, size_t n, double target, unsigned contender,
              double scale, struct result result[CONTENDERS])
 {
     double truth[QUESTIONS_MAX], value[QUESTIONS_MAX];
     enum dom_precision finest = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
     for (size_t i = 0; i < n; i++)
         truth[i] = (double)ask_ours(&question[i], finest == DOM_QUAD ? 1e-18 : 1e-15, finest, NULL);
-    for (enum who w = OURS; w < CONTENDERS; w++) {
+    for (enum contender w = OURS; w < CONTENDERS; w++) {
         bool program = w == OCTAVE || w == SCIPY;
         result[w] = (struct result){.asked = false};
-        if ((who & 1U << w) && (!program || coprocess[w].pid > 0))
+        if ((contender & 1U << w) && (!program || coprocess[w].pid > 0))
             calibrate(w, question, n, target, truth, &result[w]);
     }
     for (int round = 0; round < ROUNDS; round++)
-        for (enum who w = OURS; w < CONTENDERS; w++) {
+        for (enum contender w = OURS; w < CONTENDERS; w++) {
             struct result *r = &result[w];
             if (!r->asked || round * r->seconds > SECONDS_EACH)
                 continue;
             double seconds = sweep(w, question, n, r->tol, value);
             r->seconds = seconds < r->seconds ? seconds : r->seconds;
         }
-    for (enum who w = OURS; w < CONTENDERS; w++)
+    for (enum contender w = OURS; w < CONTENDERS; w++)
         result[w].seconds /= (double)n;
     printf("\n%s\n", title);
     table_print(result, n, scale);
@@ -237,23 +239,23 @@ void contenders_start(void)
     const struct question first = {.task = RMAX, .train = asked_default()};
     double seconds, value;
     for (size_t i = 0; i < sizeof programs / sizeof *programs; i++) {
-        enum who who = programs[i].who;
-        if (coprocess[who].pid > 0)
+        enum contender contender = programs[i].contender;
+        if (coprocess[contender].pid > 0)
             continue;
-        if (coprocess_start(&coprocess[who], programs[i].argv) &&
-            ask_program(who, &first, 1e-3, &seconds, &value))
+        if (coprocess_start(&coprocess[contender], programs[i].argv) &&
+            ask_program(contender, &first, 1e-3, &seconds, &value))
             continue;
-        coprocess_end(&coprocess[who]);
-        coprocess[who].pid = 0;
+        coprocess_end(&coprocess[contender]);
+        coprocess[contender].pid = 0;
     }
-    for (enum who who = OCTAVE; who <= SCIPY; who++)
-        if (coprocess[who].pid == 0)
+    for (enum contender contender = OCTAVE; contender <= SCIPY; contender++)
+        if (coprocess[contender].pid == 0)
             printf("%s is not installed: no comparison with it ('make deps bench' installs it)\n",
-                   who_name[who]);
+                   contender_name[contender]);
 }
 
 void contenders_end(void)
 {
-    for (enum who who = OURS; who < CONTENDERS; who++)
-        coprocess_end(&coprocess[who]);
+    for (enum contender contender = OURS; contender < CONTENDERS; contender++)
+        coprocess_end(&coprocess[contender]);
 }

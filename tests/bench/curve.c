@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A curve of r_max over s: a loop over the library, its points shared out to threads in turn; and how much
- * faster threads are on this machine at best. */
+/* A curve of r_max over s: a loop over the library, with its points given to threads in turn; and the largest
+ * gain from threads on this machine. */
 #include "bench.h"
 #include <pthread.h>
 #include <stdatomic.h>
@@ -28,7 +28,7 @@ static void *curve_run(void *context)
     return NULL;
 }
 
-/* Seconds of f(context) on so many threads at once. */
+/* Returns the seconds of f(context) on that many threads together. */
 static double run_threads(void *(*f)(void *), void *context, unsigned threads)
 {
     pthread_t thread[THREADS_MAX];
@@ -72,7 +72,7 @@ double curve_library(size_t points, unsigned threads)
     return curve.failed ? NONE : seconds;
 }
 
-/* What needs no memory, no lock and no neighbour. */
+/* Works without memory, locks and shared data. */
 static void *spin(void *context)
 {
     volatile double x = 1;

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How fast could it be?  One domino follows from the one before it: (A6) is a chain of dependent operations,
- * and no pass down the train is shorter than their latency.
+ * The floor of the times. The tilt of a domino follows from the one before: (31; A6) is a chain of dependent
+ * operations, and no pass along the train is shorter than their latency.
  */
 #include "bench.h"
 
 enum { DOMINOES = 64, TRAINS = 20000, REPEATS = 7, LANES = 4 };
 
-/* Newton's method from one digit: 2, 4, 8, 16. */
+/* Newton's method from one digit: 2, 4, 8, 16 digits. */
 enum { NEWTON_STEPS = 4, PASSES_A_STEP = 2 };
 
 struct point {
     double x, y;
 };
 
-/* (b8) and (A6), and nothing else. */
+/* Returns the next tilt by (12; b8) and (31; A6), and computes nothing else. */
 static inline struct point next(struct point p, double r, double L, double d)
 {
     double X = r * (L * p.y - d), Y = sqrt(1 - X * X);
@@ -30,7 +30,7 @@ static double lanes_measure(size_t lanes)
         struct point p[LANES] = {{0, 1}, {0, 1}, {0, 1}, {0, 1}};
         double begun = seconds_now();
         for (int t = 0; t < TRAINS; t++) {
-            /* Each train begins upright, but not before the one before has ended. */
+            /* Each train begins upright, but only when the one before has ended. */
             for (size_t lane = 0; lane < lanes; lane++)
                 p[lane] = (struct point){0.0 * p[lane].x, 1 + 0.0 * p[lane].y};
             if (lanes == 1)
@@ -53,7 +53,7 @@ struct recurrence recurrence_measure(void)
     return (struct recurrence){.one = lanes_measure(1), .four = lanes_measure(LANES)};
 }
 
-/* Dominoes of a pass at the growth that is the answer, the mean. */
+/* Returns the mean number of dominoes in a pass at the growth of the answer. */
 static double dominoes_at_answer(const struct question *question, size_t n)
 {
     struct dom_work work = {.passes = 0};

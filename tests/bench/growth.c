@@ -7,7 +7,7 @@
 
 enum { REPEATS = 5 };
 
-/* The least time of one answer, in batches that the clock resolves; NaN without an answer. */
+/* Returns the smallest time of one answer, in batches long enough for the clock; NaN without an answer. */
 static double time_of(const struct question *q, enum dom_method method, enum dom_precision precision,
                       double tol, int repeats)
 {

@@ -32,7 +32,7 @@ void number_print(int width, int digits, double value)
         printf(" %*.*f", width, digits, value);
 }
 
-/* Starts a program with its input and output at these ends; 0 if it cannot. */
+/* Starts a program with its input and output connected to these files. Returns 0 if it cannot be started. */
 static pid_t start(const char *const *argv, int in, int out)
 {
     posix_spawn_file_actions_t actions;
@@ -86,7 +86,7 @@ bool coprocess_start(struct coprocess *process, const char *const *argv)
 bool coprocess_ask(struct coprocess *process, const char *question, double *seconds, double *value)
 {
     char line[128], *end;
-    /* A blank line behind it, since Octave does not hand out a line before it has seen what follows. */
+    /* A blank line after the question, since Octave holds a line back until it has read the next one. */
     if (fprintf(process->to, "%s\n\n", question) < 0 || fflush(process->to) != 0 ||
         !fgets(line, sizeof line, process->from))
         return false;

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of 20 dominoes with random gaps: how many a second, on one core and on all, and what friction costs.
- */
+/* Rows of 20 dominoes with random gaps: rows per second on one core and on all, and the cost of friction. */
 #include "bench.h"
 
 enum { DOMINOES = 20, ROWS = 2000, REPEATS = 3 };
 
-/* Rows a second; 0 if it fails. */
+/* Returns the rows per second; 0 after a failure. */
 static double rows_a_second(double growth, double mu, unsigned threads)
 {
     struct asked train = asked_default();
@@ -25,7 +24,7 @@ static double rows_a_second(double growth, double mu, unsigned threads)
         .sigma = 1e-4, .seed = 1, .rows = ROWS, .parallel = threads_tasks, .pool = &threads};
     double begun = seconds_now();
     if (ask_placement_study(&row, &placement, &study, NULL) != DOM_OK || study.fall != study.rows)
-        return 0; /* one that stops early is cheaper than one that falls */
+        return 0; /* a row that stops early takes less time than one that falls */
     return ROWS / (seconds_now() - begun);
 }
 

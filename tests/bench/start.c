@@ -5,7 +5,7 @@
 
 enum { RUNS = 200, SLOW_RUNS = 5 };
 
-#define SLOW 0.02 /* seconds, of what is not run as often */
+#define SLOW 0.02 /* in seconds: processes slower than this are measured less often */
 
 static int ascending(const void *a, const void *b)
 {

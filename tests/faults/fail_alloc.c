@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Loaded before a program, makes its allocations fail: the one of number FAIL_AT, counted from 1, or with
- * FAIL_ON also all behind it.  With FAIL_COUNT their number goes into the file of that name when the program
- * ends.
+ * Makes allocations of a program fail, loaded before the program: the allocation number FAIL_AT, counted from
+ * 1; with FAIL_ON also all later ones. With FAIL_COUNT, writes the number of allocations to the file of that
+ * name when the program ends.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -13,7 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Those of the C library, which it exports. */
+/* Functions of the C library, which it exports. */
 extern void *__libc_malloc(size_t size);
 extern void *__libc_calloc(size_t count, size_t size);
 extern void *__libc_realloc(void *old, size_t size);

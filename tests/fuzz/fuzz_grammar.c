@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Grammatical lines of all commands, made from the program's own tables: the bytes decide which command,
- * which argument of its kind, which expression with any command as a function.  Half of the sessions are
- * safe, the others have a scratch folder, in which every name that is made stays; see 'make fuzz'.
+ * Grammatical lines of all commands, made from the tables of the program. The bytes choose the command, each
+ * argument by its kind, and expressions with any command as a function. Half of the sessions are safe; the
+ * others have a scratch folder, in which every file name stays; see 'make fuzz'.
  */
 #include "commands/grid.h"
 #include "commands/tables.h"
@@ -17,7 +17,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* Bytes that are left, and where the line goes. */
+/* The bytes that are left, and the line that is written. */
 struct maker {
     const uint8_t *data;
     size_t size;
@@ -25,8 +25,8 @@ struct maker {
     FILE *line;
 };
 
-/* A number below n, n up to 256; 0 where no bytes are left.  The same byte chooses otherwise at another
- * place: what a mutation repeats is not the same line again. */
+/* Returns a number below n, n up to 256; 0 if no bytes are left. The same byte chooses differently at another
+ * place, so that a repeated input does not repeat the line. */
 static unsigned pick(struct maker *m, unsigned n)
 {
     if (m->size == 0)
@@ -42,7 +42,7 @@ static void put(const struct maker *m, const char *text)
     fputs(text, m->line);
 }
 
-/* One name of a list, at times cut or with a letter too many. */
+/* Writes one name of a list, sometimes shortened or with one more letter. */
 static const char *put_name(struct maker *m, names_list *list, const void *context)
 {
     unsigned n = 0;
@@ -142,7 +142,7 @@ static void put_expression(struct maker *m, int depth)
 
 /* ---- Arguments ---- */
 
-/* Every one stays in the folder: no '/' and no '~'. */
+/* All names stay in the folder: they contain no '/' and no '~'. */
 static const char *const files[] = {"row.csv",
                                     "\"row.csv\"",
                                     "\"a \"\"b\"\".csv\"",
@@ -254,7 +254,7 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
     }
 }
 
-/* The arguments of a command whose name stands there. */
+/* Writes the arguments of a command after its name. */
 static void put_command(struct maker *m, const struct command *c, int depth)
 {
     const struct parameter *named = NULL;
@@ -271,7 +271,7 @@ static void put_line(struct maker *m)
     static const char *const ends[] = {"\n", "\n", "\n", "\n", "\n", "\n",        "\n",   "\n",
                                        "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " extra\n"};
     unsigned way = pick(m, 8);
-    /* What decides how the rest is answered comes more often than one in fifty. */
+    /* Settings that change how later lines are answered occur more often than one in fifty. */
     if (way == 0) {
         static const char *const settings[] = {
             "set output json",          "set output csv",      "set output json",  "set precision float",
@@ -288,7 +288,7 @@ static void put_line(struct maker *m)
     put(m, PICK(m, ends));
 }
 
-/* Every session begins with some commands as functions, so that each of them is one soon. */
+/* Writes a command as a function. Every session begins with some, so that each command soon occurs. */
 static void put_function(struct maker *m)
 {
     static const unsigned counts[] = {1, 1, 2, 1, 0, 3};
@@ -306,7 +306,7 @@ static void put_function(struct maker *m)
 
 static char scratch[] = "/tmp/domino-fuzz-XXXXXX";
 
-/* As it was before the first session: one csv file. */
+/* Restores the folder to its first state: one csv file. */
 static void scratch_clean(void)
 {
     DIR *folder = opendir(".");
@@ -355,7 +355,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (int lines = 0; m.size > 0 && lines < 12; lines++)
         put_line(&m);
     fclose(m.line);
-    if (getenv("FUZZ_SHOW")) /* what a failing input says */
+    if (getenv("FUZZ_SHOW")) /* prints a failing input */
         fwrite(text, 1, length, stderr);
     if (length > 0)
         fuzz_session(text, length, safe);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The line interpreter on arbitrary bytes, as a stream in a safe session; see 'make fuzz'. */
+/* Feeds the line interpreter arbitrary bytes, as a stream in a safe session; see 'make fuzz'. */
 #include "session.h"
 #include <stdint.h>
 

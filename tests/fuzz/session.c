@@ -18,7 +18,8 @@ static void on_timer(int number)
     enough = 1;
 }
 
-/* Behind a value of json: a string, a number that ends where json ends it, true, false or null. */
+/* Returns the text after a value of json: a string, a number by the rules of json, true, false or null; NULL
+ * after an error. */
 static const char *json_value(const char *c)
 {
     if (*c == '"') {
@@ -35,7 +36,7 @@ static const char *json_value(const char *c)
     return c + strspn(c, "0123456789.e+-");
 }
 
-/* Keys and values of one line: nothing is nested. */
+/* Checks the keys and values of one line: nothing is nested. */
 static bool json_object(const char *c)
 {
     if (*c++ != '{')
@@ -52,7 +53,7 @@ static bool json_object(const char *c)
     }
 }
 
-/* What was answered, line by line. */
+/* Checks the answers, line by line. */
 static void judge(char *out)
 {
     for (char *rest = out, *line; (line = strsep(&rest, "\n")) != NULL;)
@@ -67,7 +68,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
     struct session session;
     char *out = NULL;
     size_t length = 0;
-    /* A curve of ten million rows is no bug: what takes long is interrupted, as ^C would. */
+    /* A long computation, such as a curve of ten million rows, is no fault: it is interrupted, as by ^C. */
     const struct itimerval limit = {.it_value = {.tv_usec = 20000}};
     signal(SIGVTALRM, on_timer);
     FILE *in = fmemopen((void *)(uintptr_t)text, size, "r"), *to = open_memstream(&out, &length);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the reference is asked for: values, found when first wanted, errors and their scale. */
+/* The answers of the reference: values, computed when first needed, errors and their scale. */
 #include "reference.h"
 
 #include <stdlib.h>
@@ -16,7 +16,8 @@ const char *ref_name(enum ref_quantity quantity)
     return names[quantity];
 }
 
-/* A domino 1 that just tips over hits domino 0: w_1 = sqrt(1 + d^2) - h(theta_c), (b5) and (b11). */
+/* Finds the launch of a pair: domino 1 just tips over and hits domino 0, w_1 = sqrt(1 + d^2) - h(theta_c),
+ * (9; b5) and (15; b11). */
 static void find_pair_launch(struct ref *ref)
 {
     mpfr_ptr w = ref->value[REF_LAUNCH_OMEGASQ], K = ref->value[REF_KINETIC];
@@ -44,7 +45,7 @@ static void find_pair_launch(struct ref *ref)
     mpfr_clears(k, t, x, (mpfr_ptr)0);
 }
 
-/* w = P T / (J0 (r^q J0 - T)), J0 = 1 + T (c6) */
+/* Finds w = P T / (J0 (r^q J0 - T)), J0 = 1 + T (24; c6). */
 static void find_launch(struct ref *ref)
 {
     if (ref->dominoes == 2) {
@@ -87,7 +88,7 @@ static void find_train_values(struct ref *ref)
         ref->known[found[k]] = true;
 }
 
-/* (c3); negative where the head does not come as far */
+/* Finds omega^2 by (21; c3); negative if the head does not reach the tilt. */
 static void find_omegasq(struct ref *ref)
 {
     mpfr_ptr w = ref->value[REF_OMEGASQ];
@@ -159,7 +160,7 @@ double ref_error(struct ref *ref, enum ref_quantity quantity, domq_real got)
     return error;
 }
 
-/* The sizes of what is subtracted in the last step. */
+/* Returns the size of the terms that the last step subtracts. */
 static double own_size(struct ref *ref, enum ref_quantity quantity)
 {
     double size = fabs(ref_double(ref, quantity));
@@ -177,7 +178,7 @@ static double own_size(struct ref *ref, enum ref_quantity quantity)
 
 double ref_change(struct ref *ref, enum ref_quantity quantity, int input)
 {
-    mpfr_srcptr here = ref_value(ref, quantity); /* first: those nearby follow it */
+    mpfr_srcptr here = ref_value(ref, quantity); /* first, since the references nearby follow it */
     struct ref *near = ref_near(ref, input);
     if (!near)
         return 0;

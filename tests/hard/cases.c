@@ -7,7 +7,7 @@
 #define REACH(s, u) ((1 - (u)) / (s))
 
 const struct hard_case hard_cases[] = {
-    /* H and H(0) are sums without end for r = 1: only their difference is finite. */
+    /* H and H(0) are infinite sums for r = 1: only their difference is finite. */
     {"equal", "H diverges", 0.3, 1, STANDARD, 4, 0.2, .check = {REF_FUEL_EXACT, END}},
     {"equal, wide", "H diverges", 0.9, 1, STANDARD, 3, 0.2,
      .check = {REF_DH, REF_J, REF_J0, REF_FUEL_EXACT, REF_KINETIC, END}},
@@ -30,7 +30,7 @@ const struct hard_case hard_cases[] = {
     {"close, r = 1.0001", "14000 dominoes", 1e-3, 1.0001, 0.01, 10, 0.001,
      .check = {REF_DH, REF_J, REF_J0, REF_FUEL_EXACT, REF_KINETIC, END}},
 
-    /* r s -> 1: 1 - r s, 1 - X and 1 - sin theta_f cancel; followers leave at once. */
+    /* r s -> 1: 1 - r s, 1 - X and 1 - sin theta_f cancel; followers detach at once. */
     {"reach - 1e-15", "1 - r s", 0.3, REACH(0.3, 1e-15), STANDARD, 3, 1e-8,
      .check = {REF_THETA_C, REF_THETA_LEAVE, REF_THETA_F, REF_SLOPE, REF_ARM_B, END}},
     {"reach - 1e-15, energy", "1 - r s", 0.3, REACH(0.3, 1e-15), STANDARD, 3, 1e-8,
@@ -66,14 +66,14 @@ const struct hard_case hard_cases[] = {
     {"q = 100", "T = 1e-31", 0.4, 2, STANDARD, 100, 0.1,
      .check = {REF_LAUNCH_OMEGASQ, REF_KINETIC, REF_BARRIER, REF_STOP, END}},
 
-    /* A follower leaves; x never exceeds x_f, and the rest of the train is made up. */
-    {"q = 1/3", "falling off, heavy followers", 0.45, 2, STANDARD, 1 / 3.0, 0.3,
+    /* A follower detaches; x never exceeds x_f, and the paper's end of the sum is never reached. */
+    {"q = 1/3", "detaching, heavy followers", 0.45, 2, STANDARD, 1 / 3.0, 0.3,
      .check = {REF_DH, REF_J, REF_J0, REF_FUEL_EXACT, REF_KINETIC, REF_MARGIN}},
-    {"q = pi", "falling off, real q", 0.4, 2, STANDARD, 3.141592653589793, 0.1,
+    {"q = pi", "detaching, real q", 0.4, 2, STANDARD, 3.141592653589793, 0.1,
      .check = {REF_DH, REF_KINETIC, REF_FUEL_EXACT, REF_BARRIER, REF_MARGIN, REF_J}},
-    {"q = 3", "falling off", 0.45, 2, STANDARD, 3, 0.3,
+    {"q = 3", "detaching", 0.45, 2, STANDARD, 3, 0.3,
      .check = {REF_DH, REF_J0, REF_FUEL_EXACT, REF_BARRIER, REF_OMEGASQ, REF_DURATION}},
-    {"q = 4", "falling off", 0.9, 1.1, STANDARD, 4, 0.3,
+    {"q = 4", "detaching", 0.9, 1.1, STANDARD, 4, 0.3,
      .check = {REF_DH, REF_J, REF_J0, REF_FUEL_EXACT, REF_OMEGASQ, REF_DURATION}},
     {"beyond leaving", "no follower at this tilt", 0.5, 1.9, STANDARD, 3, 0.7,
      .check = {REF_DH, REF_J, REF_THETA_1, REF_SLOPE, REF_OMEGASQ, REF_MARGIN}},
@@ -81,7 +81,7 @@ const struct hard_case hard_cases[] = {
      .check = {REF_DH, REF_J, REF_THETA_1, REF_SLOPE, REF_OMEGASQ, END}},
     {"beside theta_c", "no follower beside theta_c", 0.8, 1.2, STANDARD, 3, PART_OF_C(1 - 1e-15),
      .check = {REF_DH, REF_J, REF_THETA_1, REF_SLOPE, REF_OMEGASQ, END}},
-    {"just falling off", "where theta_f meets theta_inf", 0.5, 1.5896, STANDARD, 3, PART_OF_C(0.9),
+    {"just detaching", "where theta_f meets theta_inf", 0.5, 1.5896, STANDARD, 3, PART_OF_C(0.9),
      .check = {REF_DH, REF_FUEL_EXACT, END}},
     {"edge of (A17), close", "theta_f = theta_inf = theta_leave, small angles", 1e-4, 100, 0.49995, 3,
      PART_OF_C(0.5), .check = {REF_DH, REF_FUEL_EXACT, REF_THETA_F, REF_THETA_INF, END}},
@@ -102,7 +102,7 @@ const struct hard_case hard_cases[] = {
      .check = {REF_DH, REF_J, REF_FUEL_EXACT, REF_BARRIER, END}},
     {"d = 3", "no fuel, the maximum is at theta_c", 0.9, 1, 3, 3, PART_OF_C(0.5),
      .check = {REF_DH, REF_J, REF_FUEL_EXACT, REF_BARRIER, END}},
-    {"d = 3, growing", "no fuel, falling off", 0.1, 5, 3, 3, PART_OF_C(0.5),
+    {"d = 3, growing", "no fuel, detaching", 0.1, 5, 3, 3, PART_OF_C(0.5),
      .check = {REF_DH, REF_J, REF_FUEL_EXACT, REF_BARRIER, END}},
     {"d = 100", "no fuel, small angles", 1e-3, 1, 100, 3, PART_OF_C(0.5),
      .check = {REF_THETA_INF, REF_DH, REF_J0, REF_FUEL_EXACT, END}},
@@ -116,10 +116,10 @@ const struct hard_case hard_cases[] = {
     /* margin -> 0+ */
     {"margin 1e-6", "duration diverges", 0.4, 1.6442, STANDARD, 4, 0.1, .check = {REF_DURATION, END}},
     {"margin 1e-12", "duration diverges", 0.4, 1.64422903953, STANDARD, 4, 0.1, .check = {REF_DURATION, END}},
-    {"margin 1e-9, falling off", "duration diverges", 0.4, 2.06377177, STANDARD, 3, 0.1,
+    {"margin 1e-9, detaching", "duration diverges", 0.4, 2.06377177, STANDARD, 3, 0.1,
      .check = {REF_DURATION, REF_MARGIN, END}},
 
-    /* Where H has its maximum. */
+    /* At the maximum of H. */
     {"two maxima", "H falls first, rises later", 0.54, 1.8515, STANDARD, 3, 0.1,
      .check = {REF_THETA_M, REF_BARRIER, REF_MARGIN, REF_DURATION, END}},
     {"two maxima, at rest", "H falls first, rises later", 0.5, 1.999, STANDARD, 3, 0.1,
@@ -139,7 +139,7 @@ const struct hard_case hard_cases[] = {
     {"tilt 1e-30", "H(theta) - H(0)", 0.4, 1.5, STANDARD, 3, 1e-30, .check = {REF_DH, END}},
 
     /* The first r that stops. */
-    {"r_max, falling off", "x exceeds x_f never", 0.4, 1, STANDARD, 3, 0, .check = {REF_R_MAX, END}},
+    {"r_max, detaching", "x exceeds x_f never", 0.4, 1, STANDARD, 3, 0, .check = {REF_R_MAX, END}},
     {"r_max, near the reach", "the margin falls within 1e-3", 0.5, 1, STANDARD, 3, 0,
      .check = {REF_R_MAX, REF_PAIR, END}},
     {"r_max, beside the reach", "two maxima", 0.6, 1, STANDARD, 4, 0, .check = {REF_R_MAX, REF_PAIR, END}},

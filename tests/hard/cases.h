@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hard cases, each with the trap that it stands for. */
+/* Hard cases, each with a name for its difficulty. */
 #ifndef HARD_CASES_H
 #define HARD_CASES_H
 
@@ -7,22 +7,22 @@
 
 enum { CASE_CHECKS = 6 };
 
-/* The tilt f theta_c, theta_c as the library gives it. */
+/* Marks a tilt as f theta_c, with theta_c from the library. */
 #define PART_OF_C(f) (-(f))
 
 struct hard_case {
     const char *name, *trap;
     double s, r, d, q, tilt;
     bool paper;
-    double units;                         /* what the library may be wrong by; 0: 16 */
-    bool lengthy;                         /* tens of thousands of dominoes: in double precision only */
+    double units;                         /* allowed error of the library in units; 0: 16 */
+    bool lengthy;                         /* tens of thousands of dominoes: run in double precision only */
     enum ref_quantity check[CASE_CHECKS]; /* ends with REF_COUNT */
 };
 
 extern const struct hard_case hard_cases[];
 extern const int hard_cases_number;
 
-/* What is no train, or no tilt, and what the library has to say about it. */
+/* An input that is not a valid train or tilt, and the status that the library must return. */
 struct refusal {
     const char *name;
     double s, r, d, q, tilt;
@@ -33,7 +33,7 @@ struct refusal {
 extern const struct refusal refusals[];
 extern const int refusals_number;
 
-/* Trains without any trap, which the naive code gets right. */
+/* Easy trains, for which the naive code is right. */
 extern const struct hard_case friendly_cases[];
 extern const int friendly_cases_number;
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Barrier and stop: roots of H' and of H - K in many bits, where the sketch says that they are. */
+/* Barrier and stop: roots of H' and of H - K in many bits, near the places that the sketch gives. */
 #include "sketch.h"
 
 #include <stdio.h>
@@ -22,7 +22,7 @@ static void energy_left(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums
     mpfr_sub(f, ref_value(ref, REF_KINETIC), sums->dH, N);
 }
 
-/* Is the bracket as narrow as 2^-(good bits) of itself? */
+/* Returns true if the bracket is as narrow as 2^-(good bits) of its own place. */
 static bool narrow(const struct ref *ref, mpfr_srcptr lo, mpfr_srcptr hi, mpfr_t t)
 {
     mpfr_sub(t, hi, lo, N);
@@ -30,8 +30,8 @@ static bool narrow(const struct ref *ref, mpfr_srcptr lo, mpfr_srcptr hi, mpfr_t
 }
 
 /*
- * The root of f, falling from f(lo) > 0 to f(hi) <= 0, into hi.  Regula falsi; the value at an end that
- * stays is halved (Illinois), every fourth step is a bisection.
+ * Finds the root of f, between f(lo) > 0 and f(hi) <= 0, and writes it to hi. Regula falsi; the value at an
+ * end that stays is halved (Illinois), every fourth step is a bisection.
  */
 static void fall_to_zero(struct ref *ref, curve *f, mpfr_t lo, mpfr_t hi, struct ref_sums *sums)
 {
@@ -70,7 +70,7 @@ static void fall_to_zero(struct ref *ref, curve *f, mpfr_t lo, mpfr_t hi, struct
 
 /* ---- Barrier ---- */
 
-/* Candidates for the highest tilt; the best so far is in value. */
+/* Compares a candidate for the highest tilt with the best up to now, which is in value. */
 static void consider(struct ref *ref, mpfr_srcptr tilt, int at_end, struct ref_sums *sums)
 {
     ref_walk(ref, tilt, sums);
@@ -126,7 +126,7 @@ static void consider_maxima(struct ref *ref, struct ref_sums *sums)
     mpfr_clears(lo, hi, (mpfr_ptr)0);
 }
 
-/* The maximum of the centre, for inputs nearby: secants. */
+/* Finds the maximum for inputs near those of the centre, by secants. */
 static void follow_maximum(struct ref *ref, struct ref_sums *sums)
 {
     mpfr_t x, y, f_x, f_y, t;
@@ -152,7 +152,7 @@ static void follow_maximum(struct ref *ref, struct ref_sums *sums)
     mpfr_clears(x, y, f_x, f_y, t, (mpfr_ptr)0);
 }
 
-/* What H' loses by rounding of its terms moves theta_m by this. */
+/* Finds how far the rounding of the terms of H' moves theta_m. */
 static void size_theta_m(struct ref *ref, struct ref_sums *sums)
 {
     mpfr_t x, f;
@@ -195,7 +195,7 @@ void ref_find_barrier(struct ref *ref)
 
 /* ---- Where a train that does not go on comes to rest ---- */
 
-/* Is the first tilt at which H - H(0) reaches K between these? */
+/* Returns true if H - H(0) first reaches K between these tilts. */
 static bool passes(struct ref *ref, long double from, mpfr_srcptr to, mpfr_t lo, mpfr_t hi,
                    struct ref_sums *sums)
 {
@@ -212,7 +212,7 @@ static bool passes(struct ref *ref, long double from, mpfr_srcptr to, mpfr_t lo,
     return found;
 }
 
-/* A bracket of it; false if there is none.  theta_m is a node, too: H may reach K only around it. */
+/* Finds a bracket of the stop; false if there is none. theta_m is a node, too: H may reach K only near it. */
 static bool bracket_stop(struct ref *ref, mpfr_t lo, mpfr_t hi, struct ref_sums *sums)
 {
     long double node[SKETCH_NODES];
@@ -226,7 +226,7 @@ static bool bracket_stop(struct ref *ref, mpfr_t lo, mpfr_t hi, struct ref_sums 
     for (int i = 1; i < n && !found; i++) {
         if (node[i] >= top && node[i - 1] < top)
             found = passes(ref, node[i - 1], ref->value[REF_THETA_M], lo, hi, sums);
-        /* The sketch may be wrong where it is close. */
+        /* The sketch may be wrong where H is close to K. */
         if (!found && sketch_energy_change(&sketch, node[i]) >= K * (1 - 1e-6L)) {
             mpfr_set_ld(to, node[i], N);
             if (mpfr_greater_p(to, ref->theta_c))

@@ -18,7 +18,8 @@ struct integral {
 #define INTEGRAL_ALL(k)                                                                                      \
     (k)->from, (k)->width, (k)->e, (k)->x, (k)->w, (k)->t, (k)->time, (k)->size, (mpfr_ptr)0
 
-/* x = from + width / (1 + e), e = exp(-pi sinh t); dx/dt = (x - from) pi cosh t e / (1 + e) */
+/* Computes the node x = from + width / (1 + e), e = exp(-pi sinh t); dx/dt = (x - from) pi cosh t e / (1 +
+ * e). */
 static void place_node(struct integral *k, double t)
 {
     mpfr_set_d(k->t, t, N);
@@ -53,7 +54,7 @@ static void add_node(struct integral *k, double t)
     mpfr_add(k->size, k->size, k->x, N);
 }
 
-/* All nodes j h on level 0, the odd ones on finer levels.  Far ones weigh less than 2^-digits. */
+/* Adds all nodes j h on level 0, the odd nodes on finer levels. Nodes far out weigh less than 2^-digits. */
 static void add_level(struct integral *k, mpfr_t *piece, int pieces, double digits, int level)
 {
     const double h = ldexp(0.25, -level);
@@ -67,7 +68,7 @@ static void add_level(struct integral *k, mpfr_t *piece, int pieces, double digi
     }
 }
 
-/* Every level has twice the digits of the one before. */
+/* Refines until the digits suffice: every level has twice the digits of the one before. */
 static void integrate(struct integral *k, mpfr_t *piece, int pieces, double digits)
 {
     double change = 1;
@@ -91,7 +92,7 @@ static void integrate(struct integral *k, mpfr_t *piece, int pieces, double digi
 
 enum { PIECES = 8 };
 
-/* Ends of smooth pieces: where a follower leaves, and maxima of H. */
+/* Finds the ends of smooth pieces: where a follower detaches, and maxima of H. */
 static int cut_into_pieces(struct ref *ref, mpfr_t piece[PIECES + 1])
 {
     long double node[SKETCH_NODES], end[PIECES];

@@ -20,8 +20,8 @@ double growth_margin(const struct ref_input *input, bool pair, int digits2, domq
 }
 
 /*
- * dr = M / (dM/dr).  The reference changes u = 1 - r s by the fraction `part` of its own that s has, and
- * r at constant r s; here it is s at constant r, and r at constant s.
+ * Returns dr = M / (dM/dr). The reference changes u = 1 - r s by the same fraction as s, and r at constant r
+ * s; here s changes at constant r, and r at constant s.
  */
 double growth_error(const struct ref_input *input, bool pair, int digits2, domq_real r, double *scale)
 {
@@ -37,7 +37,7 @@ double growth_error(const struct ref_input *input, bool pair, int digits2, domq_
     return error;
 }
 
-/* Beyond the reach no train goes on. */
+/* Returns true if the train goes on; no train goes on beyond the reach. */
 static bool margin_is_good(const struct ref_input *input, bool pair, int digits2, domq_real r)
 {
     return r * input->s < 1 && growth_margin(input, pair, digits2, r) >= 0;
@@ -71,7 +71,7 @@ static bool goes_on(const struct sketch *train, long double r)
 
 enum { STEPS = 160 };
 
-/* From 1 to 1/s, close to the latter more and more slowly. */
+/* Returns step number `step` from 1 to 1/s, with steps that shrink towards 1/s. */
 static long double step_of_r(long double s, int step)
 {
     if (step <= STEPS)
@@ -80,7 +80,7 @@ static long double step_of_r(long double s, int step)
     return 1 / s - (1 / s - last) * powl(10, -(long double)(step - STEPS) / 6);
 }
 
-/* A bracket of the first fall of the margin through 0; false if there is none. */
+/* Finds a bracket of the first root where the margin falls below 0; false if there is none. */
 static bool bracket_growth(const struct sketch *train, bool pair, long double *lo, long double *hi,
                            bool *grows)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opening and closing a reference, and others with inputs nearby. */
+/* Opens and closes a reference, and references with inputs nearby. */
 #include "reference.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 /* Derivatives are differences over this fraction of an input: far below every feature of the model. */
 static const double nearness = 0x1p-60;
 
-/* In doubles: not every MPFR knows __float128, nor does every compiler. */
+/* Sets a number from doubles: not every MPFR knows __float128, nor does every compiler. */
 void ref_set_real(mpfr_t z, domq_real x)
 {
     mpfr_set_d(z, (double)x, N);
@@ -59,8 +59,9 @@ struct ref *ref_open(const struct ref_input *input, mpfr_prec_t bits, double cut
 }
 
 /*
- * Bits that differences lose: of h(theta) - 1, which is about d theta; of r s -> 1, where theta_leave is
- * close to 0 like the root of (1 - r s) / r^2.  What is proportional to the tilt needs as many more.
+ * Returns the bits that differences lose: of h(theta) - 1, which is about d theta; of r s -> 1, where
+ * theta_leave is close to 0 like the root of (1 - r s) / r^2. A quantity proportional to the tilt needs that
+ * many bits more.
  */
 static mpfr_prec_t bits_for(const struct ref_input *input, int digits2)
 {
@@ -108,7 +109,7 @@ void ref_close(struct ref *ref)
 
 /* ---- Inputs nearby ---- */
 
-/* Like ref, but with one of its inputs changed by the fraction e; s: 1 - r s, or r s if that is smaller. */
+/* Returns a reference with one input changed by the fraction e; for s: 1 - r s, or r s if that is smaller. */
 static struct ref *changed(const struct ref *ref, int input, double e)
 {
     struct ref *near = ref_new(ref->bits, ref->cut);
@@ -136,14 +137,14 @@ static struct ref *changed(const struct ref *ref, int input, double e)
     return near;
 }
 
-/* NULL for an input without any effect: 1 - r s where it is 0, tilt 0. */
+/* Returns a reference nearby; NULL for an input without any effect: 1 - r s at 0, tilt 0. */
 struct ref *ref_near(struct ref *ref, int input)
 {
     bool fixed = (input == REF_S && mpfr_sgn(ref->u) <= 0) || mpfr_zero_p(ref->in[input]);
     if (!ref->near[input] && !fixed) {
         ref->nearby[input] = nearness;
         ref->near[input] = changed(ref, input, nearness);
-        /* Not across the edge of falling off. */
+        /* Changes the input the other way if followers detach in one of the two references only. */
         if (ref->near[input]->detaches != ref->detaches) {
             ref_close(ref->near[input]);
             ref->nearby[input] = -nearness;
@@ -153,7 +154,7 @@ struct ref *ref_near(struct ref *ref, int input)
     return ref->near[input];
 }
 
-/* What was found for another tilt is not known any more. */
+/* Clears the values for another tilt. */
 static void forget_tilt(struct ref *ref)
 {
     close_near(ref);

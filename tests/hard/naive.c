@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* More dominoes than anybody has lined up. */
+/* More dominoes than in any real row. */
 enum { DOMINOES = 1000 };
 
 struct naive {
@@ -20,7 +20,7 @@ static struct naive naive_train(double s, double r, double d, double q, bool pap
 {
     struct naive k = {.s = s, .r = r, .d = d, .q = q, .L = s + d, .paper = paper, .dominoes = dominoes};
     k.theta_c = asin(r * s);
-    if (1 / (r * r) < k.L * k.L - d * d) /* (A17), (A18), (A16) */
+    if (1 / (r * r) < k.L * k.L - d * d) /* (41; A17), (42; A18), (40; A16) */
         k.x_f = (1 / (r * r) + k.L * k.L - d * d) / (2 / r * k.L);
     else
         k.x_f = sin(acos(d / k.L));
@@ -28,7 +28,7 @@ static struct naive naive_train(double s, double r, double d, double q, bool pap
     return k;
 }
 
-/* (c1), (c2) with the scheme (A5), (A6), (A10); it ends as soon as x exceeds x_f. */
+/* Adds up (19; c1), (20; c2) with the scheme (30; A5), (31; A6), (34; A10); ends as soon as x exceeds x_f. */
 static struct sums naive_sums(const struct naive *k, double theta)
 {
     struct sums sums = {0, 0, 0};
@@ -59,7 +59,7 @@ static double naive_fuel(const struct naive *k, bool paper)
     return paper ? 1 - cos(theta_f) - k->d * sin(theta_f) : -naive_energy_change(k, k->theta_c);
 }
 
-/* (c6), for the pair (b5) and (b11) */
+/* Returns the launch by (24; c6), for the pair by (9; b5) and (15; b11). */
 static double naive_launch(const struct naive *k)
 {
     if (k->dominoes == 2) {
@@ -71,7 +71,7 @@ static double naive_launch(const struct naive *k)
     return P > 0 ? P * (J - 1) / (J * (pow(k->r, k->q) * J - J + 1)) : (double)NAN;
 }
 
-/* Raise theta; once H starts to decrease, one is beyond the maximum. */
+/* Raises theta until H decreases: then theta is beyond the maximum. */
 static double naive_top(const struct naive *k)
 {
     const double step = k->theta_c / 1000;
@@ -105,7 +105,7 @@ static double naive_margin(const struct naive *k)
     return naive_kinetic(k) - naive_energy_change(k, naive_top(k));
 }
 
-/* (c3) */
+/* Returns omega^2 by (21; c3). */
 static double naive_omegasq(const struct naive *k, double theta)
 {
     return (naive_kinetic(k) - naive_energy_change(k, theta)) / naive_sums(k, theta).J;
@@ -136,7 +136,7 @@ static double naive_stop(const struct naive *k)
     return lo;
 }
 
-/* Keep raising r until the margin becomes negative; the boundary is between the last two. */
+/* Raises r until the margin is negative; the boundary is between the last two. */
 static double naive_growth(struct naive k)
 {
     double lo = 1, hi;

@@ -8,7 +8,7 @@ domq_real point_rounded(domq_real x, enum dom_precision precision)
     return precision == DOM_FLOAT ? (domq_real)(float)x : precision == DOM_DOUBLE ? (domq_real)(double)x : x;
 }
 
-/* With bits to the end of the precision. */
+/* Returns a number with random bits to the end of the precision. */
 static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
 {
     double x = random_log(seed, lo, hi);
@@ -16,8 +16,8 @@ static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_prec
 }
 
 /*
- * Close to the reach 1 - r s is small; where it is about d^2, followers slow down just where a thin head
- * has its barrier.
+ * Returns a growth, often close to the reach, where 1 - r s is small. Where it is about d^2, followers slow
+ * down at the tilt of a thin head's barrier.
  */
 static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum dom_precision precision)
 {
@@ -66,13 +66,14 @@ domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum dom_precision preci
     return tilt > theta_c ? theta_c : tilt;
 }
 
-/* How many dominoes matter down to 2^-100; most points are to be quick, but a few may be long. */
+/* Returns true if too many dominoes matter down to 2^-100: most points must be quick, but a few may be
+ * long. */
 static bool too_long(const struct ref_input *input, uint64_t *seed, enum dom_precision precision)
 {
     const double s = (double)input->s, r = (double)input->r, q = (double)input->q;
     const double rate = q * log(r) + r * sqrt(s * (s + 2 * (double)input->d)), kind = random_unit(seed);
     const double most = kind < 0.96 ? 200 : kind < 0.998 ? 2000 : 10000;
-    /* In float also r^-(2q+1), which energies can be as small as, has to keep its bits above 2^-126. */
+    /* In float also r^-(2q+1), the size of the smallest energies, must keep its bits above 2^-126. */
     return 70 / rate > most || (precision == DOM_FLOAT && (2 * q + 1) * log2(r) > 126 - 24);
 }
 

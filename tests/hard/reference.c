@@ -28,7 +28,8 @@ static void lean_at(const struct ref *ref, struct geometry *l)
     mpfr_sub(l->h_prime, l->h_prime, l->sin, N);
 }
 
-/* At the reach a domino at tilt 0 has its follower, with slope 1: the limit of r s -> 1. */
+/* Returns true if the domino has a follower. At the reach a domino at tilt 0 has one, with slope 1: the limit
+ * of r s -> 1. */
 static bool has_follower(const struct ref *ref, mpfr_srcptr theta)
 {
     return !ref->detaches || mpfr_zero_p(theta) || mpfr_less_p(theta, ref->theta_leave);
@@ -71,8 +72,8 @@ static void keep_energy(struct ref *ref, const struct geometry *l)
 }
 
 /*
- * How much of the head's motion the far followers have is cut 1 / (1 - rho) times what the last one has,
- * rho the ratio of two of them.
+ * Returns the cut at this place: all following dominoes have cut 1 / (1 - rho) times the motion of the last
+ * one, with rho the ratio of two of them.
  */
 static double cut_here(const struct ref *ref)
 {
@@ -127,7 +128,7 @@ static void find_train_at_zero(struct ref *ref)
         mpfr_add(ref->T, ref->T, t, N);
         keep_energy(ref, &l);
     }
-    /* The last one goes where far ones are, or falls off. */
+    /* The tilt after the last domino is that of far followers, or theta_f. */
     mpfr_sub(t, l.h, ref->h_f, N);
     mpfr_mul(t, t, w, N);
     mpfr_add(ref->fuel_exact, ref->fuel_exact, t, N);
@@ -147,7 +148,7 @@ void ref_sums_clear(struct ref_sums *sums)
     mpfr_clears(sums->dH, sums->dH_prime, sums->J, sums->dH_prime_size, (mpfr_ptr)0);
 }
 
-/* The contact of domino 0 and the link that is wanted. */
+/* Keeps the contact of domino 0 and the requested link. */
 static void keep_link(struct ref *ref, size_t i, const struct geometry *l, mpfr_t wsv[3], bool leads)
 {
     mpfr_t *v = ref->value;
@@ -171,7 +172,7 @@ static void keep_link(struct ref *ref, size_t i, const struct geometry *l, mpfr_
     }
 }
 
-/* Dominoes from number i on stand, or lie, where one that fell off does. */
+/* Adds the dominoes from number i on, which have the tilt of one that detached. */
 static void add_fallen(const struct ref *ref, size_t i, mpfr_srcptr weight, struct ref_sums *sums)
 {
     mpfr_t w, t;

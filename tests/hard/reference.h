@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The model in hundreds of bits (MPFR), by other means than the library: plain angles with asin, sin and
- * cos, plain sums, differences of sums; so many bits that nothing of that hurts.  Inputs are exact.
+ * The model in hundreds of bits (MPFR), by other means than the library: plain angles with asin, sin and cos,
+ * plain sums, differences of sums, with so many bits that cancellation does no harm. Inputs are exact.
  *
- * Units of error.  A computed F is judged against |F|, but not more sharply than its inputs allow: with
- * F_p the change of F when the input p changes by a fraction of itself, the scale is
+ * Units of error. The error of a computed F is compared with |F|, but not more strictly than its inputs
+ * allow: with F_p the change of F when the input p changes by a fraction of itself, the scale is
  *
  *     max(|F|, sum over p of |p F_p|) = |F| max(1, kappa),
  *
- * and an error is counted in units of scale times the unit roundoff.  This holds where F vanishes, too.
- * The inputs are s, r, d, q, the tilt - except that r s close to 1 is no excuse for a bad 1 - r s: it can
- * be had exactly (fma), so it is u = 1 - r s whose fraction is changed, and r at constant u.
- * A difference of two large things (margin, omegasq) has the size of these in its scale.
+ * and an error is counted in units of scale times the unit roundoff. This is defined where F is 0, too. The
+ * inputs are s, r, d, q and the tilt, with one exception: r s close to 1 does not excuse a bad 1 - r s, which
+ * can be computed exactly (fma); so a fraction of u = 1 - r s is changed instead, and r at constant u. A
+ * difference of two large numbers (margin, omegasq) has their size in its scale.
  */
 #ifndef HARD_REFERENCE_H
 #define HARD_REFERENCE_H
@@ -63,7 +63,7 @@ const char *ref_name(enum ref_quantity quantity);
 
 struct ref_input {
     domq_real s, r, d, q, tilt;
-    bool paper; /* whose fuel */
+    bool paper; /* which fuel */
 };
 
 enum { REF_S, REF_R, REF_D, REF_Q, REF_TILT, REF_INPUTS };
@@ -76,9 +76,9 @@ struct ref_sums {
 
 struct ref {
     mpfr_prec_t bits;
-    double cut;      /* followers count until 2^-cut is left of the head's motion */
-    size_t dominoes; /* at most; 2 for the pair */
-    size_t link;     /* whose LINK_... are wanted */
+    double cut;      /* followers are followed until 2^-cut of the head's motion is left */
+    size_t dominoes; /* the most dominoes; 2 for the pair */
+    size_t link;     /* number of the domino for LINK_... */
     mpfr_t in[REF_INPUTS];
     bool paper;
     /* Geometry, and the train at tilt 0: known from the start. */
@@ -87,41 +87,42 @@ struct ref {
     bool detaches;
     size_t n;
     mpfr_t *h0; /* n energies */
-    /* What was asked for. */
+    /* The values found up to now. */
     mpfr_t value[REF_COUNT];
     bool known[REF_COUNT];
     int at_end; /* where the barrier is: -1 at 0, 0 within, 1 at theta_c */
     /* How far rounding of the terms of H and H', not of the inputs, moves the answer. */
     double theta_m_size, stop_size, duration_size;
     struct ref *near[REF_INPUTS];
-    double nearby[REF_INPUTS]; /* by which fraction their input differs */
-    const struct ref *centre;  /* of which this is near */
+    double nearby[REF_INPUTS]; /* the fraction by which their input differs */
+    const struct ref *centre;  /* the reference that this one is near */
 };
 
-/* bits: of all arithmetic.  Aborts if more than ten million dominoes matter. */
+/* Opens a reference with that many bits in all arithmetic. Aborts if more than ten million dominoes
+ * matter. */
 struct ref *ref_open(const struct ref_input *input, mpfr_prec_t bits, double cut);
-/* Enough of both for `digits2` good bits of the answers, at these inputs. */
+/* Opens a reference with enough bits for `digits2` good bits of the answers at these inputs. */
 struct ref *ref_open_for(const struct ref_input *input, int digits2);
-/* The train of two dominoes only. */
+/* Opens a reference for a train of two dominoes. */
 struct ref *ref_open_pair(const struct ref_input *input, int digits2);
 void ref_close(struct ref *ref);
-/* For another tilt of the same train: cheaper than a new one. */
+/* Sets another tilt of the same train: cheaper than a new reference. */
 void ref_tilt(struct ref *ref, domq_real tilt);
-/* Likewise LINK_... of another domino. */
+/* Sets another domino for LINK_.... */
 void ref_link(struct ref *ref, size_t link);
 
-/* NaN where it does not exist. */
+/* Returns the value; NaN if it does not exist. */
 mpfr_srcptr ref_value(struct ref *ref, enum ref_quantity quantity);
 double ref_double(struct ref *ref, enum ref_quantity quantity);
-/* |got - value| */
+/* Returns |got - value|. */
 double ref_error(struct ref *ref, enum ref_quantity quantity, domq_real got);
-/* See above. */
+/* Returns the scale: see above. */
 double ref_scale(struct ref *ref, enum ref_quantity quantity);
-/* The same, or something smaller that is still enough: every input costs one more reference. */
+/* Returns the scale, or something smaller that is still enough: every input costs one more reference. */
 double ref_scale_up_to(struct ref *ref, enum ref_quantity quantity, double enough);
 double ref_kappa(struct ref *ref, enum ref_quantity quantity);
 
-/* For the files that make up the reference. */
+/* with inputs set: finds the geometry and the train at tilt 0 */
 void ref_start(struct ref *ref);                  /* with inputs set: geometry and the train at tilt 0 */
 struct ref *ref_near(struct ref *ref, int input); /* NULL for an input without any effect */
 void ref_sums_init(struct ref_sums *sums, mpfr_prec_t bits);
@@ -132,7 +133,8 @@ void ref_set_real(mpfr_t z, domq_real x);
 void ref_find_barrier(struct ref *ref);
 void ref_find_stop(struct ref *ref);
 void ref_find_duration(struct ref *ref);
-/* |p dF/dp|, signed: change of the quantity over the fraction by which the input changes. */
+/* Returns |p dF/dp| with its sign: the change of the quantity over the fraction by which the input
+ * changes. */
 double ref_change(struct ref *ref, enum ref_quantity quantity, int input);
 
 #endif

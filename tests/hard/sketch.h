@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The model in long double, quick and by plain formulas: it finds where to look (how many maxima H has,
+ * The model in long double, quick and by plain formulas. It finds where to search (how many maxima H has,
  * near which tilt), never what the answer is.
  */
 #ifndef HARD_SKETCH_H
@@ -17,17 +17,18 @@ struct sketch {
 };
 
 struct sketch sketch_of(const struct ref *ref);
-/* d H / d tilt */
+/* Returns dH / d tilt. */
 long double sketch_slope(const struct sketch *sketch, long double tilt);
-/* H(tilt) - H(0) */
+/* Returns H(tilt) - H(0). */
 long double sketch_energy_change(const struct sketch *sketch, long double tilt);
-/* Tilts from 0 to theta_c, ascending, dense where H may have features; returns their number. */
+/* Finds tilts from 0 to theta_c, ascending, dense where H may have features; returns their number. */
 int sketch_nodes(const struct sketch *sketch, long double node[SKETCH_NODES]);
-/* The tilt at which a follower leaves: of the leader that starts below theta_leave and ends above. */
+/* Returns the tilt at which a follower detaches: of the leader that begins below theta_leave and ends
+ * above. */
 long double sketch_leaving(const struct sketch *sketch);
-/* Of the train with another r. */
+/* Returns the train with another r. */
 struct sketch sketch_grown(const struct sketch *sketch, long double r);
-/* Kinetic energy and barrier; false without fuel. */
+/* Finds kinetic energy and barrier; false without fuel. */
 bool sketch_verdict(const struct sketch *sketch, long double *kinetic, long double *barrier);
 
 #endif

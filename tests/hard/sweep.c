@@ -33,7 +33,7 @@ struct point {
     bool sharp;
 };
 
-/* Good bits that the reference is to have. */
+/* Returns the number of good bits that the reference must have. */
 static int digits_of(const struct sweep *sweep)
 {
     return sweep->precision == DOM_QUAD ? 120 : sweep->precision == DOM_DOUBLE ? 60 : 44;
@@ -78,9 +78,9 @@ static void compare_all(struct point *point, enum ref_quantity first, enum ref_q
 }
 
 /*
- * Is this quantity, made of terms of the given size, 0 to rounding and tolerance, so that its sign may be
- * either?  The scale is asked for only where it could matter: a million times the terms it is not, but for
- * the number of dominoes.
+ * Returns true if this quantity, a difference of terms of the given size, is 0 to rounding and tolerance, so
+ * that either sign is right. The scale is computed only if it can matter: it is at most a million times the
+ * terms, times a factor for the number of dominoes.
  */
 static bool vanishes(const struct point *point, enum ref_quantity quantity, double size)
 {
@@ -111,7 +111,8 @@ static bool positive(const struct point *point, enum ref_quantity quantity)
     return ref_double(point->ref, quantity) > 0;
 }
 
-/* Where a follower just leaves, or just does not, it may have arms or not. */
+/* Compares arms. At the limit where a follower detaches, an answer with arms and one without are both
+ * right. */
 static void compare_arms(struct point *point, enum ref_quantity a, struct answers *answers)
 {
     const double own = ref_double(point->ref, a);
@@ -128,7 +129,7 @@ static void compare_arms(struct point *point, enum ref_quantity a, struct answer
 static void check_train(struct point *point, struct answers *answers)
 {
     library_ask(&point->train, 0, REF_THETA_C, answers);
-    /* At the edge of (A17) both formulas give the same theta_f. */
+    /* At the limit of (41; A17) both formulas give the same theta_f. */
     if (answers->detaches != point->ref->detaches) {
         double rr = 1 / (double)(point->input.r * point->input.r);
         double room = (double)(point->input.s * (point->input.s + 2 * point->input.d));
@@ -151,7 +152,7 @@ static void check_train(struct point *point, struct answers *answers)
     }
 }
 
-/* STOPS is right only if the head stops before this tilt. */
+/* Checks omega^2: STOPS is right only if the head stops before this tilt. */
 static void check_omegasq(struct point *point, bool look_closer, struct answers *answers)
 {
     library_ask(&point->train, point->input.tilt, REF_OMEGASQ, answers);
@@ -180,7 +181,7 @@ static void check_tilt(struct point *point, bool look_closer, struct answers *an
     library_ask(&point->train, point->input.tilt, REF_DH, answers);
     compare_all(point, REF_DH, REF_J0, answers);
     check_omegasq(point, look_closer, answers);
-    /* Some domino down the train, the last that matters or one before. */
+    /* Some domino of the train, up to the last that matters. */
     library_link(&point->train, point->input.tilt, (size_t)random_log(&point->seed, 1, 400), answers);
     if (point->ref->link != answers->link)
         ref_link(point->ref, answers->link);
@@ -189,7 +190,7 @@ static void check_tilt(struct point *point, bool look_closer, struct answers *an
     compare(point, REF_LINK_WEIGHT, answers);
 }
 
-/* Of two maxima equally high either is theta_m. */
+/* Returns true if theta is a maximum as high as theta_m: of two equal maxima either is right. */
 static bool as_high(struct point *point, domq_real theta)
 {
     struct ref_input there = point->input;
@@ -224,7 +225,7 @@ static void check_stop(struct point *point, struct answers *answers)
     if (fuel_vanishes(point) || !positive(point, fuel_of(point)) || margin_vanishes(point))
         return;
     library_ask(&point->train, 0, REF_STOP, answers);
-    /* The kinetic energy, and with it this angle, may be so small that it needs bits of its own. */
+    /* The kinetic energy, and with it this angle, may be so small that it needs more bits. */
     struct ref *ref = point->ref;
     struct ref_input there = point->input;
     there.tilt = isnan((double)answers->value[REF_STOP]) ? 0 : answers->value[REF_STOP];
@@ -237,7 +238,7 @@ static void check_stop(struct point *point, struct answers *answers)
     point->ref = ref;
 }
 
-/* Where the margin is 0 to rounding there may be no duration. */
+/* Checks the duration, which need not exist where the margin is 0 to rounding. */
 static void check_duration(struct point *point, struct answers *answers)
 {
     if (fuel_vanishes(point) || margin_vanishes(point) || !positive(point, REF_MARGIN))
@@ -251,7 +252,7 @@ static void check_duration(struct point *point, struct answers *answers)
 
 /* ---- Limits of growth ---- */
 
-/* Does every smaller r go on (after the first that does, for a pair)? */
+/* Returns true if every smaller r goes on (for a pair: every one after the first that does). */
 static bool is_first(const struct point *point, bool pair, domq_real r_max)
 {
     struct ref *ref = pair ? ref_open_pair(&point->input, 53) : ref_open_for(&point->input, 53);
@@ -328,7 +329,7 @@ static void check_at_tolerance(struct point *point, const struct choice *choice)
         check_growth(point, REF_PAIR, &answers);
 }
 
-/* r = 1/s, rounded, counts as the reach; anything beyond does not. */
+/* Checks a growth at the reach: r = 1/s, rounded, counts as the reach; anything beyond does not. */
 static bool check_reach(struct point *point, const struct answers *answers)
 {
     bool reaches = mpfr_sgn(point->ref->u) >= 0 ||
@@ -366,11 +367,11 @@ static void check_point(struct point *point)
 
 struct share {
     const struct sweep *sweep;
-    struct tally (*tally)[REF_COUNT]; /* of each job */
+    struct tally (*tally)[REF_COUNT]; /* one for each job */
     int jobs;
 };
 
-/* Every point has its own seed, so that it is the same whoever looks at it. */
+/* Runs a part of the sweep. Every point has its own seed, so that it does not depend on the worker. */
 static long sweep_part(int job, void *context)
 {
     const struct share *share = context;

@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 /*
- * Returns the part of the points to look at, for those in a hurry: SWEEP_SIZE in the environment, in (0, 1];
- * 1 without it.  Ends the program where it is no such number.
+ * Returns the part of the points to check, from SWEEP_SIZE in the environment, in (0, 1]; 1 without that
+ * variable. Ends the program if its value is not such a number.
  */
 double sweep_size(void);
 
@@ -16,13 +16,13 @@ struct sweep {
     enum dom_precision precision;
     uint64_t seed;
     int points;
-    /* One point in so many also has: */
+    /* One point in this many also has: */
     int barriers, durations, growths, pairs;
 };
 
 /*
- * Fills one tally a quantity; returns the number of points that were looked at, or -1 if a worker broke
- * down.  Neither the points nor the outcome depend on the number of processors.
+ * Fills one tally for each quantity. Returns the number of points, or -1 if a worker failed. Neither the
+ * points nor the outcome depend on the number of processors.
  */
 long sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT]);
 

@@ -38,7 +38,8 @@ void tally_mistake(struct tally *tally, const struct comparison *c, const char *
     snprintf(tally->what, sizeof tally->what, "%s", what);
 }
 
-/* An error of 0 says little about its bound: half a unit in the last place stands for it. */
+/* Compares an error with its bound. An error of 0 counts as half a unit in the last place, since 0 says
+ * little about a bound. */
 static void compare_bound(struct tally *tally, const struct comparison *c, double error)
 {
     const double bound = (double)c->bound, want = fabs(wanted(c));
@@ -60,7 +61,7 @@ static void compare_bound(struct tally *tally, const struct comparison *c, doubl
     tally->bin[bin < 0 ? 0 : bin >= TALLY_BINS ? TALLY_BINS - 1 : bin]++;
 }
 
-/* Only what would be the worst has its scale found to the end. */
+/* Compares an error in units. The full scale is computed only for errors that may be the largest. */
 static void compare_units(struct sample *worst, const struct comparison *c, double error, double allowed,
                           double least)
 {
@@ -124,7 +125,7 @@ double tally_median(const struct tally *tally)
     return (double)NAN;
 }
 
-/* A double, or a sum of them in hex, the way one would write it in C. */
+/* Prints a double, or a sum of doubles, in hex, as in a C source. */
 static void print_real(const char *name, domq_real x)
 {
     double part = (double)x;

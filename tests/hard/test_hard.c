@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Hard cases.  Each has a trap in it: the library has to come through, within 16 units (reference.h) at
- * its sharpest tolerance, of which that tolerance itself, 1e-15, is 9; and the naive code has not.  That
- * the naive code is a fair opponent, and the reference right, is tested first.
+ * Hard cases. In each the library must be right within 16 units (reference.h) at its smallest tolerance,
+ * which itself, 1e-15, is 9 units; and the naive code must be wrong. First the file checks that the naive
+ * code is a fair opponent, and that the reference is right.
  */
 #include "../unit/support.h"
 #include "cases.h"
@@ -26,7 +26,7 @@ static domq_real csv_real(const struct csv *csv, const char *name)
     return (domq_real)csv_number(csv, name);
 }
 
-/* |value / text - 1| <= bound */
+/* Checks that |value / text - 1| <= bound. */
 static void assert_digits(const struct csv *csv, const char *column, struct ref *ref,
                           enum ref_quantity quantity, double bound)
 {
@@ -86,7 +86,7 @@ static void reference_of_points(void **state)
         for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
             struct ref *ref = known[k].paper ? paper : exact;
             bool fuel = !isnan(ref_double(ref, REF_KINETIC));
-            /* Without fuel the table goes on with the formula: here there is no cycle. */
+            /* Without fuel the table continues with the formula: here there is no cycle. */
             if (fuel || !isnan(ref_double(ref, known[k].quantity)))
                 assert_digits(csv, known[k].column, ref, known[k].quantity, known[k].bound);
         }
@@ -104,7 +104,7 @@ struct known_growth {
     long double r_max;
 };
 
-/* 18 digits; 1/s was rounded to a double somewhere. */
+/* Checks a growth to 18 digits; 1/s was rounded to a double in the table. */
 static long check_growth(int number, void *context)
 {
     const struct known_growth *known = (const struct known_growth *)context + number;
@@ -143,7 +143,7 @@ static void reference_of_growth(void **state)
 
 /* ---- Cases ---- */
 
-/* The input of a case, with the tilt that the library calls theta_c. */
+/* Returns the input of a case, with the library's theta_c for the tilt. */
 static struct ref_input input_of(const struct hard_case *c, enum dom_precision precision)
 {
     struct ref_input input = {(domq_real)c->s, (domq_real)c->r, (domq_real)c->d, (domq_real)c->q, 0,
@@ -164,7 +164,7 @@ static struct ref_input input_of(const struct hard_case *c, enum dom_precision p
     return input;
 }
 
-/* What the reference has to say about one quantity of a case. */
+/* The reference's values for one quantity of a case. */
 struct verdict {
     double want, scale, got_error, naive_error;
 };
@@ -192,20 +192,20 @@ static struct verdict judge_stop(const struct hard_case *c, const struct ref_inp
                                  domq_real got, double naive)
 {
     struct ref_input at = *input;
-    at.tilt = got; /* so that there are bits enough */
+    at.tilt = got; /* so that there are enough bits */
     struct ref *ref = ref_open_for(&at, digits2);
     struct verdict v = judge(c, ref, REF_STOP, got, naive);
     ref_close(ref);
     return v;
 }
 
-/* Is the library right, and the naive code wrong?  If not, one line on stderr. */
+/* Checks that the library is right, and the naive code wrong. If not, prints one line on stderr. */
 static bool fair(const struct hard_case *c, enum ref_quantity quantity, enum dom_precision precision,
                  domq_real got, const struct verdict *v)
 {
     const double allowed = c->units > 0 ? c->units : 16;
     const double units = v->got_error / (v->scale * library_unit(precision));
-    /* The naive code has nothing but doubles. */
+    /* The naive code has only doubles. */
     const bool hard = !(v->naive_error <= allowed * v->scale * library_unit(DOM_DOUBLE));
     const bool good = v->got_error <= allowed * v->scale * library_unit(precision);
     if (!good || !hard)
@@ -264,7 +264,8 @@ static void hard_cases_in_quad(void **state)
     check_cases(DOM_QUAD);
 }
 
-/* Within 1e-13 of the scale: what bisection to the last bit and honest sums leave of a double. */
+/* Checks the naive code to 1e-13 of the scale: what bisection to the last bit and plain sums leave of a
+ * double. */
 static void naive_code_is_right_on_friendly_trains(void **state)
 {
     (void)state;
@@ -286,7 +287,7 @@ static void naive_code_is_right_on_friendly_trains(void **state)
     }
 }
 
-/* A kinetic energy of 1e-12 beside a fuel of 1 is no reason to give up, whatever a float makes of it. */
+/* Checks that a kinetic energy of 1e-12 next to a fuel of 1 has a duration, even in float. */
 static void a_slow_cycle_in_float_has_a_duration(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What has to hold whatever the digits: conservation, self-similarity, order, continuity; and the answers
- * that need no sweep.  Where two answers are compared, the library's own bounds say how close they are.
+ * Properties that do not depend on digits: conservation, self-similarity, order, continuity; and the answers
+ * that need no sweep. Where two answers are compared, the library's own bounds are the tolerance.
  */
 #include "../unit/support.h"
 #include "growth.h"
@@ -17,7 +17,7 @@ static domq_real rounded(double x, enum dom_precision precision)
     return precision == DOM_FLOAT ? (domq_real)(float)x : (domq_real)x;
 }
 
-/* Anywhere but at the edges: those are for the sweeps. */
+/* Returns a random input away from the limits of the ranges, which the sweeps cover. */
 static struct ref_input random_input(uint64_t *seed, enum dom_precision precision)
 {
     struct ref_input input = {.s = rounded(random_log(seed, 0.01, 1), precision),
@@ -50,7 +50,7 @@ static void close_(const char *what, const struct ref_input *in, domq_real got, 
 
 /* ---- Along a cycle ---- */
 
-/* J w + H - H(0) = K (c3) */
+/* Checks J w + H - H(0) = K (21; c3). */
 static void energy_is_conserved(void **state)
 {
     (void)state;
@@ -80,7 +80,7 @@ static void energy_is_conserved(void **state)
     }
 }
 
-/* One cycle ends as the next begins: (d8) corrected, (c4), (c5). */
+/* Checks that one cycle ends as the next begins: (50; d8) corrected, (22; c4), (23; c5). */
 static void cycles_are_similar(void **state)
 {
     (void)state;
@@ -88,7 +88,7 @@ static void cycles_are_similar(void **state)
     int cycles = 0;
     for (int k = 0; k < 400; k++) {
         struct ref_input input = random_input(&seed, DOM_DOUBLE);
-        input.paper = false; /* that fuel does not balance */
+        input.paper = false; /* that fuel does not balance the energy */
         struct asked train = library_train(&input, DOM_DOUBLE);
         struct answers a;
         library_nothing(&a);
@@ -131,7 +131,8 @@ static bool in_order(const struct domq_link *link, const struct domq_link *error
     return true;
 }
 
-/* Every domino leans further than its leader, turns more slowly and weighs less, up to theta_f. */
+/* Checks that every domino leans further than its leader, turns more slowly and weighs less, up to
+ * theta_f. */
 static void dominoes_are_in_order(void **state)
 {
     (void)state;
@@ -145,7 +146,7 @@ static void dominoes_are_in_order(void **state)
         library_ask(&train, 0, REF_THETA_C, &a);
         input.tilt = (domq_real)((double)a.value[REF_THETA_C] * random_unit(&seed));
         struct walk walk = {.ordered = true, .theta_f = a.value[REF_THETA_F]};
-        /* A head beyond theta_f's leader has none that leans further. */
+        /* A head beyond the tilt whose follower has theta_f has no follower that leans further. */
         assert_status(ask_chain_walk(&train, input.tilt, false, in_order, &walk), DOM_OK);
         assert_close("order", &input, walk.ordered, 1, 0);
         links += walk.links;
@@ -155,7 +156,7 @@ static void dominoes_are_in_order(void **state)
 
 /* ---- Fuel ---- */
 
-/* The second equality of (c7) telescopes for r = 1. */
+/* Checks that the second equality of (25; c7), a telescoping sum, is true for r = 1. */
 static void fuels_are_equal_for_equal_dominoes(void **state)
 {
     (void)state;
@@ -188,8 +189,8 @@ static domq_real growth_of(double s, double q, double d, enum ref_quantity quant
 }
 
 /*
- * Where domino 1 leaves before the head is at its highest, a train at the edge of stopping is a chain of
- * marginal pairs.
+ * Checks that a train at its limit is a chain of marginal pairs, if domino 1 detaches before the head is at
+ * its highest.
  */
 static void pairs_are_trains_where_only_two_touch(void **state)
 {
@@ -217,8 +218,9 @@ static void pairs_are_trains_where_only_two_touch(void **state)
 }
 
 /*
- * r_max is continuous, and falls with thickness and with the mass exponent: what the head has to climb
- * grows, what pushes it is lighter.  The thinnest, whose margin may rise once more near 1/s, are not here.
+ * Checks that r_max is continuous, and decreases with thickness and with the mass exponent: the head has to
+ * climb more, and its followers are lighter. The thinnest, whose margin may increase once more near 1/s, are
+ * left out.
  */
 static void growth_is_continuous_and_falls_with_d_and_q(void **state)
 {
@@ -245,7 +247,7 @@ static void growth_is_continuous_and_falls_with_d_and_q(void **state)
     assert_true(compared > 200);
 }
 
-/* The margin at s - step, s and s + step, with these weights. */
+/* Returns the sum of the margins at s - step, s and s + step, with these weights. */
 static double difference(const struct ref_input *best, double step, const int weight[3])
 {
     mpfr_t sum, term;
@@ -264,7 +266,7 @@ static double difference(const struct ref_input *best, double step, const int we
     return value;
 }
 
-/* How far s is from the top of r_max(s), where the margin at this r does not change with s. */
+/* Returns how far s is from the top of r_max(s), where the margin at this r does not change with s. */
 static double distance_from_top(const struct ref_input *best)
 {
     static const int first[] = {-1, 0, 1}, second[] = {1, -2, 1};
@@ -279,7 +281,7 @@ static void best_separations(void **state)
     static const struct {
         double d, q;
         bool paper;
-        int precisions; /* from float on */
+        int precisions; /* number of precisions, from float on */
     } known[] = {
         {7 / 48.0, 3, false, 3}, {7 / 48.0, 4, false, 2}, {7 / 48.0, 3, true, 2}, {7 / 48.0, 4, true, 2},
         {0.1, 3.5, false, 2},    {0.2, 2.5, false, 2},    {0.3, 4, true, 2},
@@ -305,8 +307,8 @@ static void best_separations(void **state)
             const double error_of_s = distance_from_top(&input);
             assert_close("best r_max", &input, (domq_real)error_of_r, 0, a.error[REF_BEST_R]);
             assert_close("best s", &input, (domq_real)error_of_s, 0, a.error[REF_BEST_S]);
-            /* The top is flat: half of the digits fix s well enough for r_max, but the library has them all.
-             */
+            /* The top is flat: half of the digits of s are enough for r_max, but the library has all of
+             * them. */
             assert_close("best r_max", &input, (domq_real)error_of_r, 0,
                          (domq_real)(64 * scale * library_unit(precisions[p])));
             assert_close("best s", &input, (domq_real)error_of_s, 0,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The limits against a dense scan that knows nothing of bounds: the margin of random trains at many growths,
- * each by the barrier's own search.  A growth below r_max at which the train stops, or one above it in the
- * first band, is a miss.
+ * The limits against a dense scan that uses no bounds: the margin of random trains at many growths, each with
+ * the barrier's own search. A growth below r_max at which the train stops, or one above r_max in the first
+ * band, is a miss.
  */
 #include "../unit/support.h"
 #include "growth.h"
@@ -13,7 +13,7 @@
  * rounding). */
 #define RESOLVED 1e-5
 
-/* Returns how many of `all` trains are looked at. */
+/* Returns how many of `all` trains are checked. */
 static int part_of(int all)
 {
     return (int)ceil(sweep_size() * all);
@@ -30,7 +30,7 @@ static struct asked any_train(uint64_t *seed, double mu)
     return train;
 }
 
-/* Its margin over what it is a difference of: -1 where it cannot start. */
+/* Returns the margin over its terms; -1 if the train cannot start. */
 static double share(const struct asked *train, double r)
 {
     struct domq_barrier b;
@@ -43,8 +43,8 @@ static double share(const struct asked *train, double r)
     return (double)(b.margin / (b.kinetic + b.barrier));
 }
 
-/* The first of n growths up to r_max at which the train stops, in steps of one size in ln r, then towards the
- * end. */
+/* Returns the first of n growths up to r_max at which the train stops, in equal steps of ln r, with more of
+ * them near the end. */
 static double first_stop(const struct asked *train, double r_max, int n)
 {
     double ln_r = log(r_max);
@@ -81,7 +81,7 @@ static void no_train_stops_below_r_max(void **state)
     assert_true(missed == 0 && limits > part_of(600));
 }
 
-/* Where friction has no bound, the samples have to do: a miss in a hundred is what is promised, not none. */
+/* Checks the samples with friction, for which there is no bound: one miss in a hundred is allowed. */
 static void few_trains_with_friction_stop_below_r_max(void **state)
 {
     (void)state;
@@ -99,7 +99,8 @@ static void few_trains_with_friction_stop_below_r_max(void **state)
     assert_true(missed * 100 <= limits && limits >= part_of(30));
 }
 
-/* The margin of a pair, in plain formulas: domino 1, just tipped over, hits domino 0 (b5, b11, b13). */
+/* Returns the margin of a pair, in plain formulas: domino 1, just tipped over, hits domino 0, (9; b5),
+ * (15; b11) and (17; b13). */
 static double pair_share(double s, double d, double q, double r)
 {
     double k = pow(r, -q - 1), theta_c = asin(fmin(r * s, 1)), up = sqrt(1 + d * d), most = 0;
@@ -110,7 +111,7 @@ static double pair_share(double s, double d, double q, double r)
     for (int i = 1; i <= 400; i++) {
         double theta = last * i / 400, X = r * ((s + d) * cos(theta) - d),
                now = theta + asin(fmax(fmin(X, 1), -1));
-        follower = fmax(follower, now); /* once it has left, it stays */
+        follower = fmax(follower, now); /* a domino that has detached stays so */
         double rise =
             cos(theta) + d * sin(theta) - 1 + pow(r, -q) * (cos(follower) + d * sin(follower) - before);
         most = fmax(most, rise);
@@ -146,7 +147,7 @@ static void pairs_succeed_in_their_first_band(void **state)
     assert_true(missed == 0 && bands >= part_of(400));
 }
 
-/* No separation of a dense sample allows more than the best one. */
+/* Checks that no separation of a dense sample allows more than the best one. */
 static void no_separation_allows_more(void **state)
 {
     (void)state;
@@ -157,7 +158,7 @@ static void no_separation_allows_more(void **state)
         struct domq_best best;
         struct domq_limit limit;
         enum dom_status status = ask_limit_best(&train, &best, NULL);
-        if (status == DOM_TOO_LONG && ++refused) /* thin, q < 1: its proof takes too much work */
+        if (status == DOM_TOO_LONG && ++refused) /* thin, q < 1: the search takes too much work */
             continue;
         if (status != DOM_OK && status != DOM_NO_GROWTH)
             fail_msg("d %.17g q %.17g fuel %d: %s", (double)train.d, (double)train.q, train.fuel,

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Random trains over the whole parameter space, in every precision: at its sharpest tolerance each answer
- * is as good as its inputs allow (reference.h), at any other as good as the tolerance says, and the
- * library's own bounds of its errors hold, and are not far off.  The worst of each quantity is printed.
+ * Random trains over the whole parameter space, in every precision. At the smallest tolerance each answer is
+ * as good as its inputs allow (reference.h); at any other it is as good as the tolerance; and the library's
+ * own error bounds are true, and not much too large. The largest error of each quantity is printed.
  */
 #include "../unit/support.h"
 #include "sweep.h"
 
-/* An answer may be wrong by so many units; the tolerance itself is about 9 of them. */
+/* The allowed errors in units; the tolerance itself is about 9 units. */
 static const double units_allowed[REF_COUNT] = {
     [REF_LINK_THETA] = 24, /* each of hundreds of dominoes adds a rounding */
 };
 
-/* Half of the bounds are at most so many times the error. */
+/* Half of the bounds are at most this many times the error. */
 static const double closeness = 100;
 
 struct swept {
@@ -27,7 +27,7 @@ static struct swept sweeps[] = {
     {.sweep = {DOM_QUAD, 3, 1500, .barriers = 6, .durations = 15, .growths = 10, .pairs = 20}},
 };
 
-/* The part of the points that is looked at.  In a part no quantity has to occur as often, and half of the
+/* The part of the points that is checked. In a part the quantities need not occur as often, and half of the
  * bounds are those of a few trains. */
 static double size = 1;
 
@@ -63,7 +63,7 @@ static void all_points_are_looked_at(void **state)
     swept->done = sweep_run(&swept->sweep, swept->tally);
     report(swept);
     assert_int_equal(swept->done, swept->sweep.points);
-    /* Every quantity that is not for the whole of a curve occurred. */
+    /* Every quantity that is not for a whole curve must occur. */
     const long least = (long)(8 * size);
     assert_true(swept->tally[REF_THETA_C].checked >= swept->done);
     for (int k = 0; k <= REF_PAIR; k++)
@@ -72,7 +72,7 @@ static void all_points_are_looked_at(void **state)
                      swept->tally[k].checked);
 }
 
-/* One line for each quantity with a sample beyond its limit, then failure. */
+/* Prints one line for each quantity with a sample beyond its limit, then fails. */
 static void judge(const struct swept *swept, const char *what, size_t sample, const double limit[REF_COUNT],
                   double usual)
 {

@@ -11,7 +11,7 @@
 enum { MOST = 4 };
 
 struct board {
-    atomic_int next; /* job that nobody has begun */
+    atomic_int next; /* the next job that has not begun */
     atomic_long sum;
 };
 
@@ -46,7 +46,7 @@ long workers_run(int jobs, long (*job)(int k, void *context), void *context)
     const int workers = workers_number();
     pid_t child[MOST];
     bool good = true;
-    fflush(NULL); /* or every child would print it once more */
+    fflush(NULL); /* otherwise every child would print the buffer once more */
     for (int k = 0; k < workers; k++)
         if ((child[k] = fork()) == 0) {
             work(board, jobs, job, context);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The library as tests like to ask it: one struct to vary, which holds both the train and how to compute, and
- * bounds of errors in a struct of the result's own type, so that tables of values and of bounds look alike.
+ * The library in a form that is convenient for tests: one struct that holds both the train and how to
+ * compute, and error bounds in a struct of the result's own type, so that tables of values and of bounds look
+ * alike.
  */
 #ifndef TEST_ASK_H
 #define TEST_ASK_H
@@ -27,7 +28,7 @@ struct asked {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Every effect is off. */
+/* Returns the defaults, with every effect off. */
 static inline struct asked asked_default(void)
 {
     const struct domq_train train = domq_train_default(), *a = &train;
@@ -55,12 +56,12 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
                                  .interrupt = a->interrupt};
 }
 
-/* Copies the bounds of a result into a struct of its type, from the first member that has one; NULL: nowhere.
- */
+/* Copies the bounds of a result into a struct of its type, from the first member that has one; NULL:
+ * nowhere. */
 #define ASK_BOUNDS(result, copy, first)                                                                      \
     (void)((copy) ? memcpy(&(copy)->first, &(result)->error, sizeof(result)->error) : NULL)
 
-/* Defines ask_NAME, which asks domq_NAME for a result and, where error is not NULL, for its bounds. */
+/* Defines ask_NAME, which calls domq_NAME for a result and, unless error is NULL, for its bounds. */
 #define ASK(name, type, first)                                                                               \
     static inline enum dom_status ask_##name(const struct asked *asked, struct domq_##type *result,          \
                                              struct domq_##type *error)                                      \
@@ -72,7 +73,7 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
         return status;                                                                                       \
     }
 
-/* The same of a function of one tilt. */
+/* Defines ask_NAME for a function of one tilt. */
 #define ASK_AT(name, type, first)                                                                            \
     static inline enum dom_status ask_##name(const struct asked *asked, domq_real theta,                     \
                                              struct domq_##type *result, struct domq_##type *error)          \
@@ -94,7 +95,7 @@ ASK_AT(contact_find, contact, theta_1)
 ASK_AT(energy_find, energy, dH)
 ASK_AT(cycle_state, state, theta)
 
-/* *why, unless NULL, is written where there is no growth. */
+/* Finds r_max. *why, unless why is NULL, is written if there is no growth. */
 static inline enum dom_status ask_limit_rmax(const struct asked *asked, struct domq_limit *limit,
                                              struct domq_limit *error, enum dom_status *why)
 {

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finite rows of dominoes by plain constrained dynamics; see direct.h.
- *
- * The angle and angular velocity of the head are integrated; the others follow from the leaning constraints,
- * so that nothing drifts. Every acceleration and contact force comes from one linear system: Newton's law for
- * each domino and the twice differentiated constraint for each contact. A collision is the same matrix, with
- * impulses for forces and velocities for accelerations.
+ * Finite rows of dominoes by plain constrained dynamics; see direct.h. The angle and angular velocity of the
+ * head are integrated; the others follow from the leaning constraints, so that nothing drifts. Every
+ * acceleration and contact force comes from one linear system: Newton's law for each domino and the twice
+ * differentiated constraint for each contact. A collision has the same matrix, with impulses instead of
+ * forces and velocities instead of accelerations.
  */
 #include "direct.h"
 
@@ -17,7 +16,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { THETA, OMEGA, RUBBED, DIM };             /* what is integrated: the head, and the work of friction */
+/* the variables of integration: the head, and the work of friction */
+enum { THETA, OMEGA, FRICTION_WORK, DIM };
 enum { REACH, REST, LEAVE };                    /* events; LEAVE + i: contact tail + i opens */
 enum { LEAST_STEPS = 32, MOST_STEPS = 100000 }; /* of one phase */
 
@@ -37,7 +37,7 @@ struct run {
     const struct direct_row *row;
     struct direct_hit *hits;
     struct direct_result *result;
-    size_t tail, head; /* the dominoes that move, from 0 */
+    size_t tail, head; /* the moving dominoes, from 0 */
     double began;      /* time at which this phase began */
     double target;     /* angle of the head that ends this phase */
     double *theta, *omega, *alpha, *force;
@@ -50,7 +50,7 @@ struct run {
     gsl_odeiv2_evolve *evolve;
     gsl_odeiv2_control *control;
     gsl_root_fsolver *solver;
-    const double *from; /* start of the step in which an event is being located */
+    const double *from; /* start of the step in which an event is searched */
     size_t event;
 };
 
@@ -70,7 +70,7 @@ static double torque(const struct run *run, size_t i)
            (h * sin(run->theta[i] + row->slope) - d * cos(run->theta[i] + row->slope)) / 2;
 }
 
-/* From the position and velocity of k = j + 1 to those of j, and all the system needs of their contact. */
+/* Finds position and velocity of j from those of k = j + 1, and the terms of their contact in the system. */
 static void geometry(struct run *run, size_t j)
 {
     const struct direct_row *row = run->row;
@@ -78,7 +78,7 @@ static void geometry(struct run *run, size_t j)
     double h = row->height[j], d = row->thickness[k], pitch = row->gap[k] + d;
     double x = sin(run->theta[k]), y = cos(run->theta[k]), half = sin(run->theta[k] / 2);
     double less = 2 * pitch * half * half;
-    double sine = (row->gap[k] - less) / h; /* of theta_j - theta_k; 1 - sine as well as it can be had */
+    double sine = (row->gap[k] - less) / h; /* of theta_j - theta_k; 1 - sine without cancellation */
     double cosine = sqrt((h - row->gap[k] + less) / h * (1 + sine));
     struct contact *c = &run->contact[j];
 
@@ -103,21 +103,22 @@ static void place(struct run *run, double theta, double omega)
         geometry(run, j);
 }
 
-/* Forces are sought in units that keep the matrix near 1 where the dominoes differ by many decades. */
+/* Returns a unit of force that keeps the matrix near 1 if the dominoes differ by many decades. */
 static double unit_of_force(const struct run *run, size_t j)
 {
     return inertia(run->row, j) / run->row->height[j];
 }
 
-/* Element of the matrix, in the storage of gsl_linalg_LU_band for one diagonal on either side. */
+/* Sets an element of the matrix, in the storage of gsl_linalg_LU_band for one diagonal on either side. */
 static void put(gsl_matrix *band, size_t line, size_t column, double value)
 {
     gsl_matrix_set(band, column, 2 + line - column, value);
 }
 
 /*
- * Unknowns in the order motion of tail, force between it and the next, motion of the next, ..., motion of the
- * head: line 2i is Newton's law of a domino over its inertia, line 2i + 1 the constraint of a contact over h.
+ * Fills the matrix. The unknowns are in the order: motion of the tail, force between the tail and the next,
+ * motion of the next, ..., motion of the head. Line 2i is Newton's law of a domino over its inertia, line 2i
+ * + 1 the constraint of a contact over h.
  */
 static void fill(struct run *run, gsl_matrix *band)
 {
@@ -167,7 +168,7 @@ static int solve(struct run *run, double *motion)
     return status;
 }
 
-/* Accelerations and contact forces where place() has put the dominoes. */
+/* Finds accelerations and contact forces for the positions that place() has set. */
 static int accelerate(struct run *run)
 {
     for (size_t i = run->tail; i <= run->head; i++) {
@@ -190,11 +191,11 @@ static int derivative(double t, const double y[], double dydt[], void *params)
 
     dydt[THETA] = y[OMEGA];
     dydt[OMEGA] = run->alpha[run->head];
-    dydt[RUBBED] = 0;
+    dydt[FRICTION_WORK] = 0;
     for (size_t j = run->tail; j < run->head; j++)
-        dydt[RUBBED] += run->row->mu * run->force[j] * run->contact[j].sliding;
-    if (status == GSL_SUCCESS && !isfinite(dydt[OMEGA] + dydt[RUBBED]))
-        return GSL_ERANGE; /* a trial step went where the dominoes cannot be */
+        dydt[FRICTION_WORK] += run->row->mu * run->force[j] * run->contact[j].sliding;
+    if (status == GSL_SUCCESS && !isfinite(dydt[OMEGA] + dydt[FRICTION_WORK]))
+        return GSL_ERANGE; /* a trial step reached an impossible position */
     return status;
 }
 
@@ -220,7 +221,7 @@ static double potential(const struct run *run)
     return sum;
 }
 
-/* Works out everything at the state y, and keeps the least contact force. */
+/* Computes everything at the state y, and keeps the smallest contact force. */
 static int look(struct run *run, const double y[])
 {
     struct direct_result *result = run->result;
@@ -237,7 +238,7 @@ static int look(struct run *run, const double y[])
     return status;
 }
 
-/* Rises through 0 where the event happens. */
+/* Returns a value that increases through 0 where the event happens. */
 static double event_value(struct run *run, size_t event, const double y[])
 {
     if (event == REACH)
@@ -248,7 +249,8 @@ static double event_value(struct run *run, size_t event, const double y[])
     return -run->contact[run->tail + (event - LEAVE)].face;
 }
 
-/* One step of any length from run->from: shorter than an accepted one, it is at least as accurate. */
+/* Makes one step of any length from run->from: a step shorter than an accepted one is at least as
+ * accurate. */
 static int step_to(struct run *run, double span, double y[])
 {
     double error[DIM];
@@ -271,7 +273,7 @@ static double value_after(double span, void *params)
     return event_value(run, run->event, y);
 }
 
-/* How far into a step of length span the event happens; negative if it cannot be found. */
+/* Returns how far into a step of length span the event happens; negative if it cannot be found. */
 static double locate(struct run *run, size_t event, double span)
 {
     gsl_function function = {value_after, run};
@@ -293,7 +295,8 @@ static double locate(struct run *run, size_t event, double span)
     return gsl_root_fsolver_root(run->solver);
 }
 
-/* The first event in the step from run->from to y: y and *span are cut there. False: none. */
+/* Finds the first event in the step from run->from to y, and cuts y and *span there. Returns false if there
+ * is none. */
 static bool first_event(struct run *run, double y[], double *span, size_t *event, const char **wrong)
 {
     size_t events = LEAVE + (run->head - run->tail);
@@ -320,7 +323,7 @@ static bool first_event(struct run *run, double y[], double *span, size_t *event
     return any;
 }
 
-/* Fresh error scales, as the dominoes and energies may grow by decades along the row. */
+/* Sets new error scales, since dominoes and energies may grow by decades along the row. */
 static const char *set_control(struct run *run)
 {
     const struct direct_row *row = run->row;
@@ -334,7 +337,7 @@ static const char *set_control(struct run *run)
     return run->control ? 0 : "Out of memory.";
 }
 
-/* Not too long at first, and short enough that the forces are looked at often. */
+/* Returns the longest step: not too long at first, and short enough for frequent checks of the forces. */
 static double longest_step(const struct run *run, const double y[])
 {
     double swing = sqrt(run->row->height[run->head] / run->row->g);
@@ -342,7 +345,7 @@ static double longest_step(const struct run *run, const double y[])
     return fmin(run->target / y[OMEGA], swing) / LEAST_STEPS;
 }
 
-/* One step by the integrator, shortened until it succeeds. */
+/* Makes one step by the integrator, shortened until it succeeds. */
 static int advance(struct run *run, double *t, double *h, double y[])
 {
     int status = GSL_FAILURE;
@@ -360,14 +363,14 @@ static int advance(struct run *run, double *t, double *h, double y[])
     return status;
 }
 
-/* Integrates until something happens. */
+/* Integrates until an event happens. */
 static const char *move(struct run *run, double y[], size_t *event)
 {
     double t = 0, h = HUGE_VAL;
     const char *wrong = set_control(run);
 
     for (int i = 0; i < MOST_STEPS && !wrong; i++) {
-        double from[DIM] = {y[THETA], y[OMEGA], y[RUBBED]}, now = t;
+        double from[DIM] = {y[THETA], y[OMEGA], y[FRICTION_WORK]}, now = t;
 
         if (advance(run, &t, &h, y) != GSL_SUCCESS)
             return "The integration failed.";
@@ -384,7 +387,8 @@ static const char *move(struct run *run, double y[], size_t *event)
     return wrong ? wrong : "The head neither reaches the next domino nor comes to rest.";
 }
 
-/* The head strikes the next domino, upright: impulses at all contacts, and all of them hold afterwards. */
+/* Makes the head strike the next domino, upright: finds the impulses of all contacts, which all stay
+ * closed. */
 static const char *collide(struct run *run, double y[])
 {
     const struct direct_row *row = run->row;
@@ -393,7 +397,8 @@ static const char *collide(struct run *run, double y[])
     place(run, y[THETA], y[OMEGA]);
     struct direct_hit *hit = &run->hits[k];
 
-    *hit = (struct direct_hit){.time = run->began, .omega_before = y[OMEGA], .friction_work = y[RUBBED]};
+    *hit =
+        (struct direct_hit){.time = run->began, .omega_before = y[OMEGA], .friction_work = y[FRICTION_WORK]};
     hit->kinetic_before = kinetic(run);
     if (row->height[j] * cos(y[THETA]) > row->height[k])
         return "The tip passes above the top of the next domino.";
@@ -402,7 +407,7 @@ static const char *collide(struct run *run, double y[])
         gsl_vector_set(run->known, 2 * (i - run->tail), run->omega[i]);
     run->head = k;
     place(run, 0, 0);
-    if (run->contact[j].arm_on <= 0) /* the tip would slide, but friction holds it: all jams */
+    if (run->contact[j].arm_on <= 0) /* friction holds the tip, which would slide: the row jams */
         gsl_vector_set_zero(run->known);
     if (solve(run, run->omega) != GSL_SUCCESS)
         return "The collision is singular.";
@@ -415,7 +420,7 @@ static const char *collide(struct run *run, double y[])
     return 0;
 }
 
-/* Of domino j where it reaches the next one. */
+/* Returns the angle of domino j where it reaches the next one. */
 static double upright_angle(const struct direct_row *row, size_t j)
 {
     double h = row->height[j], gap = row->gap[j + 1];
@@ -423,7 +428,7 @@ static double upright_angle(const struct direct_row *row, size_t j)
     return atan2(gap, sqrt((h - gap) * (h + gap)));
 }
 
-/* Falls flat unless the next one is near enough. */
+/* Sets the end of the phase: flat, or at the next domino if that is near enough. */
 static void set_target(struct run *run)
 {
     const struct direct_row *row = run->row;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kernel's own functions in double, for tests of what the public ones are made of. */
+/* Functions of the kernel in double, for tests of the parts of the public functions. */
 #ifndef TEST_REQUEST_H
 #define TEST_REQUEST_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A finite row and what came of it, by the library and by Newton's equations (direct.h). */
+/* A finite row and its result, by the library and by Newton's equations (direct.h). */
 #ifndef TEST_RUN_H
 #define TEST_RUN_H
 
@@ -19,10 +19,11 @@ struct run {
 /* Runs the row with times. */
 enum dom_status run_row(struct run *run);
 
-/* Returns what the verdict alone says of how the row ends; fails the test where it has none. */
+/* Returns how the row ends, from the verdict alone; fails the test if there is no verdict. */
 enum dom_row_end row_end(struct run *run);
 
-/* What turns a single domino over its edge, in rad/s: half of I omega^2 lifts its middle. */
+/* Returns the angular velocity that turns a single domino over its edge, in rad/s: half of I omega^2 lifts
+ * its centre. */
 double push_over(const struct domq_domino *domino);
 
 /* Makes a row of count standard dominoes, each r times the one before, of 10 g at first, pushed three times

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What every unit test needs: cmocka, tables of reference digits, comparisons that say what they compared. */
+/* The tools of every unit test: cmocka, tables of reference digits, and comparisons that name what they
+ * compare. */
 #ifndef TEST_SUPPORT_H
 #define TEST_SUPPORT_H
 
@@ -16,7 +17,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* |value / expected - 1| <= bound, and exactly 0 where 0 is expected. */
+/* Checks |value / expected - 1| <= bound, and exactly 0 if 0 is expected. */
 #define assert_near(what, value, expected, bound) near_(what, value, expected, bound, __FILE__, __LINE__)
 
 static inline void near_(const char *what, double value, double expected, double bound, const char *file,
@@ -30,7 +31,7 @@ static inline void near_(const char *what, double value, double expected, double
     _fail(file, line);
 }
 
-/* The number of one public header is that of the other, to a relative difference; both may be NaN. */
+/* Checks that the two public headers give the same number to a relative difference; both may be NaN. */
 #define assert_in_both(what, value, wide, bound) same_(what, value, wide, bound, __FILE__, __LINE__)
 
 static inline void same_(const char *what, double value, domq_real wide, double bound, const char *file,
@@ -49,7 +50,7 @@ static inline void same_(const char *what, double value, domq_real wide, double 
 
 enum { CSV_COLUMNS = 32, CSV_LINE = 2048 };
 
-/* One row of a reference table at a time, fields by the names in the table's head. */
+/* One row of a reference table at a time, with fields by the names in the first line of the table. */
 struct csv {
     FILE *file;
     char head[CSV_LINE], row[CSV_LINE];
@@ -95,7 +96,7 @@ static inline const char *csv_text(const struct csv *csv, const char *name)
     return "";
 }
 
-/* NaN where the field is empty. */
+/* Returns the number in a field; NaN if it is empty. */
 static inline double csv_number(const struct csv *csv, const char *name)
 {
     const char *text = csv_text(csv, name);
@@ -110,7 +111,7 @@ static inline struct asked csv_train(const struct csv *csv)
     return train;
 }
 
-/* A seeded stream of numbers in [0, 1), the same on every machine (SplitMix64). */
+/* Returns the next number of a seeded stream in [0, 1), the same on every machine (SplitMix64). */
 static inline double random_unit(uint64_t *seed)
 {
     uint64_t z = *seed += 0x9e3779b97f4a7c15U;
@@ -124,7 +125,7 @@ static inline double random_log(uint64_t *seed, double lo, double hi)
     return lo * pow(hi / lo, random_unit(seed));
 }
 
-/* A train anywhere in the parameter space where r s <= 1, close to the reach one time in four. */
+/* Returns a random train of the parameter space with r s <= 1, close to the reach one time in four. */
 static inline struct asked random_train(uint64_t *seed)
 {
     struct asked train = asked_default();

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API: <domino.h> and <domino_quad.h> give the same numbers, bounds come where they are asked for,
- * NULL means the default, and the simple functions give what the others do.  What is refused is in
- * test_refusals.c.
+ * The public API: <domino.h> and <domino_quad.h> give the same numbers, bounds exist if they are requested,
+ * NULL means the default, and the simple functions give the same as the others. test_refusals.c checks
+ * errors.
  */
 #include "support.h"
 #include <float.h>
 
-/* A question to both headers. */
+/* A question for both headers. */
 struct both {
     struct dom_train train;
     struct dom_compute compute;
@@ -42,19 +42,20 @@ static struct both both_of(const double p[5], enum dom_precision precision, bool
     return b;
 }
 
-/* What numbers may differ by, relatively. */
+/* The relative difference of numbers that is allowed. */
 static const double rounding = DBL_EPSILON;
 
 #define SAME(member) assert_in_both(#member, d.member, q.member, rounding);
 
-/* The same of a member that has a bound where that is asked for; with friction it may be unknown. */
+/* Checks that a member and its bound, if it is requested, are the same; with friction the bound may be
+ * unknown. */
 #define SAME_BOUND(member)                                                                                   \
     SAME(member)                                                                                             \
     assert_in_both("the bound of " #member, d.error.member, q.error.member, rounding);                       \
     assert_true(b->compute.errors ? d.error.member >= 0 || isnan(d.member) || b->train.mu > 0                \
                                   : isnan(d.error.member));
 
-/* Asks both for a result, and compares the members that a list has. */
+/* Calls both functions for a result, and compares the members in a list. */
 #define FIND(name, type, MEMBERS)                                                                            \
     static enum dom_status both_##name(const struct both *b)                                                 \
     {                                                                                                        \
@@ -94,7 +95,7 @@ static const double rounding = DBL_EPSILON;
 #define LIMIT(X) X(r_max) SAME(ends) SAME(why)
 #define BEST(X)  X(s) X(r_max)
 
-/* clang-format off: to it these are no functions. */
+/* clang-format off: it does not know these as functions. */
 FIND(angles_find, angles, ANGLES)
 FIND_AT(contact_find, contact, CONTACT)
 FIND_AT(energy_find, energy, ENERGY)
@@ -110,7 +111,7 @@ FIND(limit_pair, limit, LIMIT)
 FIND(limit_best, best, BEST)
 /* clang-format on */
 
-/* Does something for every train in every precision that there is, with and without bounds. */
+/* Calls a check for every train in every precision of the machine, with and without bounds. */
 static void for_all(void (*check)(const struct both *b))
 {
     for (int i = 0; i < TRAINS; i++)
@@ -174,7 +175,7 @@ static void growth(void **state)
 
 enum { KEPT = 64 };
 
-/* What visitors see, from either header. */
+/* What the visitors of either header get. */
 struct seen {
     struct dom_link link[KEPT];
     struct dom_state state[KEPT];
@@ -245,7 +246,7 @@ static void check_chain(const struct both *b)
         struct dom_link d = seen.link[k];
         struct domq_link q = seenq.link[k];
         assert_int_equal(d.i, q.i);
-        bool bounds = b->compute.errors; /* geometry has bounds with friction, too */
+        bool bounds = b->compute.errors; /* geometry has bounds even with friction */
         SAME(theta)
         SAME(slope)
         SAME(arm_a)
@@ -331,7 +332,7 @@ static void walks(void **state)
     for_all(check_forces);
 }
 
-/* ---- NULL in the place of how to compute ---- */
+/* ---- NULL instead of how to compute ---- */
 
 #define SAME_AS_DEFAULT(member) assert_in_both(#member, d.member, q.member, rounding);
 #define DEFAULT(name, type, MEMBERS, ...)                                                                    \

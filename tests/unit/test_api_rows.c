@@ -3,7 +3,8 @@
 #include "support.h"
 #include <float.h>
 
-/* What numbers may differ by, relatively: a rounding, or what becomes of those in the sizes of a row. */
+/* The relative difference of numbers that is allowed: a rounding error, or the effect of those in the sizes
+ * of a row. */
 static double rounding = DBL_EPSILON;
 
 #define SAME(member) assert_in_both(#member, d.member, q.member, rounding)
@@ -36,7 +37,7 @@ static bool fall_seenq(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* The same row for both headers: of a train of this growth, pushed or not, with friction or not. */
+/* One row for both headers: of a train of this growth, pushed or not, with friction or not. */
 struct rows {
     struct dom_domino domino[ROW];
     struct domq_domino dominoq[ROW];
@@ -303,7 +304,7 @@ static void effect_same(const struct dom_effect *e, const struct domq_effect *eq
     }
 }
 
-/* Each effect is found under its number and under its name; the law without effects describes itself, too. */
+/* Checks that each effect has its number and its name, and that the law without effects has a description. */
 static void effects(void **state)
 {
     (void)state;
@@ -319,7 +320,8 @@ static void effects(void **state)
     DOM_EFFECTS(NAMED)
 }
 
-/* The law of motion of a train, and the first effect that is on: with none, and with each effect alone. */
+/* Checks the law of motion of a train, and the first effect that is on: without effects, and with each effect
+ * alone. */
 static void laws(void **state)
 {
     (void)state;

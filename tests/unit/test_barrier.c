@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The barrier is the global maximum: against brute force, and in the cases that trap a simpler search. */
+/* The barrier is the global maximum: checked by brute force, and in cases that are difficult for a simpler
+ * search. */
 #include "request.h"
 #include "support.h"
 #include <float.h>
 
-/* The highest of many tilts, dense near both ends of [0, theta_c] and around the falling off. */
+/* Returns the highest of many tilts, dense near both ends of [0, theta_c] and near the tilt where a domino
+ * detaches. */
 static double brute_force(const struct geometry *geometry, double theta_c)
 {
     double highest = 0;
@@ -27,9 +29,10 @@ static double brute_force(const struct geometry *geometry, double theta_c)
 }
 
 /*
- * The height of a barrier is met at its tilt: H there is at most H'' step^2 / 2 lower, where step is how far
- * the tilt may be from the top (TOP_TOL), and not higher.  Roundings are those that the sum reports, a few of
- * the height, and of a tilt on a slope at an edge of [0, theta_c].
+ * Returns how far the height of a barrier is from H at its tilt, beyond what is allowed. H there is at most
+ * H'' step^2 / 2 lower, where step is the possible distance of the tilt from the top (TOP_TOL), and not
+ * higher. Rounding errors are those that the sum reports, a few of the height, and those of a tilt on a slope
+ * at an end of [0, theta_c].
  */
 static double height_off(const struct geometry *geometry, double theta_c, const struct barrier *barrier)
 {
@@ -78,8 +81,9 @@ static void no_tilt_is_higher(void **state)
     assert_true(hills > 300);
 }
 
-/* H falls first and rises later: the paper's scan stops at 0 there. */
-static void barrier_behind_a_valley(void **state)
+/* Checks a barrier after a valley: H decreases first and increases later; the paper's search stops at 0
+ * there. */
+static void barrier_after_a_valley(void **state)
 {
     (void)state;
     struct asked train = asked_default();
@@ -100,7 +104,7 @@ static void barrier_behind_a_valley(void **state)
     assert_true(energy.dH < 0 && barrier.barrier > 0.006 && barrier.theta_m > 0.14);
 }
 
-/* Close together, with the paper's fuel, H rises up to the collision. */
+/* Checks trains of small separation with the paper's fuel, where H increases up to the collision. */
 static void barrier_at_the_end(void **state)
 {
     (void)state;
@@ -116,7 +120,7 @@ static void barrier_at_the_end(void **state)
     assert_near("theta_m", barrier.theta_m, angles.theta_c, 1e-15);
 }
 
-/* A thin domino at the reach climbs alone: hypot(1, d) - 1, which is 5e-17 for d = 1e-8. */
+/* Checks a thin domino at the reach, which climbs alone: hypot(1, d) - 1, which is 5e-17 for d = 1e-8. */
 static void barrier_of_one_domino(void **state)
 {
     (void)state;
@@ -138,7 +142,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_tilt_is_higher),
-        cmocka_unit_test(barrier_behind_a_valley),
+        cmocka_unit_test(barrier_after_a_valley),
         cmocka_unit_test(barrier_at_the_end),
         cmocka_unit_test(barrier_of_one_domino),
     };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What makes passes short: the far tail in closed form, chains that share a pass, and where one top is
- * enough. */
+/* What makes passes short: the far tail in closed form, chains that share a pass, and trains whose barrier
+ * has one top. */
 #include "request.h"
 #include "support.h"
 
@@ -8,7 +8,7 @@ enum { TRAINS = 400 };
 
 static const struct tilt upright = {0, 1, 0};
 
-/* A random endless train, and a tilt of its head before theta_c. */
+/* Returns a random endless train, and a tilt of its head before theta_c. */
 static struct geometry random_geometry(uint64_t *seed, double tol, struct tilt *head)
 {
     struct asked train = random_train(seed);
@@ -20,8 +20,8 @@ static struct geometry random_geometry(uint64_t *seed, double tol, struct tilt *
     return geometry;
 }
 
-/* Differences are relative to what the terms of the sum add up to, r^-(q i) h' theta_i' and so on: a pass
- * ends by those. */
+/* Checks that two sums agree relative to the absolute values of their terms, r^-(q i) h' theta_i' and so on,
+ * which decide where a pass ends. */
 static void assert_same(const char *what, const struct geometry *geometry, double a, double b, double scale,
                         double bound)
 {
@@ -30,8 +30,8 @@ static void assert_same(const char *what, const struct geometry *geometry, doubl
                  geometry->r, geometry->d, geometry->q, what, a, b, fabs(a - b) / scale, scale);
 }
 
-/* H2, H3, ... of the far tail are derivatives at theta_inf: the closed form must be the whole train to its
- * tolerance. */
+/* Checks that H2, H3, ... of the far tail are derivatives at theta_inf: the closed form is the whole train to
+ * its tolerance. */
 static void the_far_tail_is_the_train(void **state)
 {
     (void)state;
@@ -46,7 +46,7 @@ static void the_far_tail_is_the_train(void **state)
         assert_status(chain_energy_change(&geometry, head, &closed, NULL), DOM_OK);
         assert_status(energy_change_between(&fine, upright, head, half_of_tilt(head), PASS_ERROR, &whole, &e),
                       DOM_OK);
-        /* dH may cancel: then a pass is right to the rounding of its terms, as e says. */
+        /* dH may cancel: then a pass is right to the rounding errors of its terms, which e bounds. */
         assert_same("dH", &geometry, closed.dH, whole.dH, fabs(whole.dH) + e.dH / tol, 2 * tol);
         assert_same("H1", &geometry, closed.H1, whole.H1, fabs(whole.H1) + e.H1 / tol, 2 * tol);
         assert_same("J", &geometry, closed.J, whole.J, whole.J, 2 * tol + 1e-14);
@@ -56,8 +56,8 @@ static void the_far_tail_is_the_train(void **state)
     assert_true(shorter > TRAINS / 4);
 }
 
-/* What far_add says of the train behind two dominoes at theta_inf - e and theta_inf - 2 e, less what it is.
- */
+/* Finds the difference between far_add and the sums over the train, from two dominoes at theta_inf - e and
+ * theta_inf - 2 e on. */
 static void far_errors(const struct geometry *geometry, double e, struct sums *off)
 {
     double theta = tilt_angle(geometry->inf);
@@ -74,13 +74,13 @@ static void far_errors(const struct geometry *geometry, double e, struct sums *o
                          .dH = closed.dH.sum - between.dH};
 }
 
-/* By how many powers of e: 0 where the error is rounding. */
+/* Returns the order of an error in e; 0 if the error is rounding. */
 static double order_of(double coarse, double fine, double noise)
 {
     return fabs(fine) > noise ? log2(fabs(coarse / fine)) : 0;
 }
 
-/* Each series is right to its last term: the error falls with e^3, e^3, e and e^4. */
+/* Checks that each series is right to its last term: the errors decrease with e^3, e^3, e and e^4. */
 static void the_far_tail_has_its_order(void **state)
 {
     (void)state;
@@ -108,7 +108,7 @@ static void the_far_tail_has_its_order(void **state)
         }
 }
 
-/* One chain that serves twice, and two that share a pass, give what passes of their own do. */
+/* Checks that one chain with two uses, and two chains in one pass, give the same as separate passes. */
 static void shared_passes_are_the_same(void **state)
 {
     (void)state;
@@ -136,7 +136,7 @@ static void shared_passes_are_the_same(void **state)
     assert_true(both > TRAINS / 10);
 }
 
-/* H2 is the slope of H1, to the accuracy of a difference. */
+/* Checks that H2 is the slope of H1, to the accuracy of a difference. */
 static void H2_is_the_slope_of_H1(void **state)
 {
     (void)state;
@@ -152,7 +152,7 @@ static void H2_is_the_slope_of_H1(void **state)
         assert_status(chain_second_derivative_from(&geometry, upright, head, &at), DOM_OK);
         assert_status(chain_sum(&geometry, lo, &below), DOM_OK);
         assert_status(chain_sum(&geometry, hi, &above), DOM_OK);
-        if (below.n != above.n && geometry.detaches) /* somebody leaves in between: H'' jumps */
+        if (below.n != above.n && geometry.detaches) /* a domino detaches in between: H'' jumps */
             continue;
         double noise = 1e-15 * (fabs(at.H1) + geometry.reach) / h;
         assert_same("H2", &geometry, at.H2, (above.H1 - below.H1) / (2 * h), fabs(at.H2) + noise / 1e-4,
@@ -162,8 +162,9 @@ static void H2_is_the_slope_of_H1(void **state)
     assert_true(compared > TRAINS * 9 / 10);
 }
 
-/* Where one top is enough H is concave up to theta_u, and no barrier is higher than that of one domino. */
-static void one_top_where_it_is_said(void **state)
+/* Checks that H is concave up to theta_u if one top is enough, and that no barrier is higher than that of one
+ * domino. */
+static void one_top_if_concave(void **state)
 {
     (void)state;
     uint64_t seed = 34;
@@ -193,7 +194,7 @@ static void one_top_where_it_is_said(void **state)
     assert_true(single > TRAINS);
 }
 
-/* The passes of a limit are counted, not timed: a handful, where the scan of every sample took hundreds. */
+/* Counts the passes of a limit: a handful, while a scan of samples took hundreds. */
 static void limits_take_few_passes(void **state)
 {
     (void)state;
@@ -218,7 +219,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_far_tail_is_the_train),  cmocka_unit_test(the_far_tail_has_its_order),
         cmocka_unit_test(shared_passes_are_the_same), cmocka_unit_test(H2_is_the_slope_of_H1),
-        cmocka_unit_test(one_top_where_it_is_said),   cmocka_unit_test(limits_take_few_passes),
+        cmocka_unit_test(one_top_if_concave),         cmocka_unit_test(limits_take_few_passes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What answers seldom come to: dips of the margin, bounds of a stop, refusals, memory that runs out. */
+/* Rare answers: dips of the margin, bounds of a stop, errors, memory that runs out. */
 #include "parallel/workers.h"
 #include "support.h"
 #include <errno.h>
@@ -27,9 +27,9 @@ static double margin_at(struct asked t, double r)
 }
 
 /*
- * The margin may fall below 0 and come back within a few percent of r, less than the steps in which r is
- * raised.  Below the answer 20,000 samples see no margin < 0, just above it there is one, and farther up the
- * train goes on again: a search that overlooks the dip would end there.
+ * Checks a margin that falls below 0 and rises above it again within a few percent of r, less than the steps
+ * in which r is raised. Below the answer 20,000 samples find no margin < 0, just above the answer there is
+ * one, and farther up the train goes on again: a search that misses the dip would end there.
  */
 static void dips_of_the_margin(void **state)
 {
@@ -62,8 +62,8 @@ static void dips_of_the_margin(void **state)
 
 /* ---- Bounds ---- */
 
-/* Where a train stops: double against quad, within the bound, and the bound within a million of what it is.
- */
+/* Compares the tilt of a stop in double with quad: within the bound, and the bound within a million times the
+ * error. */
 static void bounds_of_a_stop(void **state)
 {
     (void)state;
@@ -80,7 +80,7 @@ static void bounds_of_a_stop(void **state)
         exact.tol = 1e-30;
         assert_status(ask_cycle_stop(&exact, &finer, NULL), DOM_OK);
         if (isnan((double)finer)) {
-            balanced++; /* a margin of 0 to rounding */
+            balanced++; /* a margin that is 0 to rounding */
             continue;
         }
         double off = fabs((double)(theta - finer));
@@ -93,7 +93,7 @@ static void bounds_of_a_stop(void **state)
     assert_true(sharp > stops / 2);
 }
 
-/* With friction there are none to be had, and none are told. */
+/* Checks that with friction there are no bounds. */
 static void no_bounds_with_friction(void **state)
 {
     (void)state;
@@ -111,7 +111,7 @@ static void no_bounds_with_friction(void **state)
     assert_true(isnan((double)at_error.kinetic) && at.kinetic > 0);
     assert_status(ask_cycle_omegasq(&t, 0.1, &value, &error), DOM_OK);
     assert_true(isnan((double)error) && value > 0);
-    t.r = 1.62; /* it stops */
+    t.r = 1.62; /* the train stops */
     error = 0;
     assert_status(ask_cycle_stop(&t, &value, &error), DOM_OK);
     assert_true(isnan((double)error) && value > 0);
@@ -119,7 +119,7 @@ static void no_bounds_with_friction(void **state)
 
 /* ---- Refusals ---- */
 
-/* The methods to compare with have no bounds, and not every answer. */
+/* Checks that the methods to compare with have no bounds, and not every answer. */
 static void methods_refuse(void **state)
 {
     (void)state;
@@ -144,7 +144,7 @@ static void methods_refuse(void **state)
     }
 }
 
-/* Where equal dominoes do not go on, and where growth ends at 1/s, the methods find the same. */
+/* Checks that the methods agree if equal dominoes do not go on, and if the growth ends at 1/s. */
 static void methods_at_the_ends(void **state)
 {
     (void)state;
@@ -176,7 +176,7 @@ static void methods_at_the_ends(void **state)
         assert_int_equal(limit.ends, DOM_END_REACH);
         assert_near("r_max", (double)limit.r_max, 1 / 0.95, 1e-15);
     }
-    /* The paper's plain sums have no end at r = 1. */
+    /* The paper's plain sums are infinite at r = 1. */
     t.r = 1;
     t.s = 0.4;
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_TOO_LONG);
@@ -213,7 +213,7 @@ static void counts_of_equal_dominoes(void **state)
     assert_true(isinf((double)count.dominoes) && isnan((double)count.last));
 }
 
-/* Where nobody waits any more the status is INTERRUPTED, and nothing was written. */
+/* Checks that an interrupt gives INTERRUPTED, and that nothing is written. */
 static void interrupted(void **state)
 {
     (void)state;
@@ -250,7 +250,7 @@ static void interrupted(void **state)
         p.parallel = p.parallel ? NULL : workers_tasks; /* also without a pool */
     }
     p.parallel = workers_tasks;
-    row.interrupt = NULL; /* the pool's flag alone */
+    row.interrupt = NULL; /* only the pool's flag */
     assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
     assert_true(limit.r_max == -1 && best.r_max == -1 && verdict.seconds == -1);
     assert_true(study.low == -1 && budget.sigma == -1);
@@ -258,7 +258,7 @@ static void interrupted(void **state)
 
 /* ---- Memory and threads that cannot be had: the linker sends the library's calls here ---- */
 
-static long calls_left = -1; /* until one fails; < 0: none does */
+static long calls_left = -1; /* allocations until one fails; < 0: none fails */
 static bool no_threads;
 
 void *__real_malloc(size_t size);
@@ -286,7 +286,8 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
     return no_threads ? EAGAIN : __real_pthread_create(thread, attributes, run, context);
 }
 
-/* One allocation after the other fails, until none is left: each is reported, and what was had is freed. */
+/* Lets one allocation after the other fail, until an answer needs no more: each failure is reported, and all
+ * memory is freed. */
 static void memory_runs_out(void **state)
 {
     (void)state;
@@ -306,7 +307,7 @@ static void memory_runs_out(void **state)
     enum { RUN, STUDY, BUDGET, QUESTIONS };
     for (int question = RUN; question < QUESTIONS; question++) {
         long failed = 0;
-        no_threads = question == STUDY; /* so that what fails is the same each time */
+        no_threads = question == STUDY; /* so that the same allocation fails each time */
         for (enum dom_status status = DOM_NO_MEMORY; status != DOM_OK; failed++) {
             calls_left = failed;
             status = question == RUN     ? ask_row_run(&row, true, NULL, NULL, &verdict)
@@ -315,11 +316,11 @@ static void memory_runs_out(void **state)
             calls_left = -1;
             assert_status(status, failed < 2000 && status != DOM_OK ? DOM_NO_MEMORY : DOM_OK);
             if (question == BUDGET && failed > 8)
-                break; /* its studies are as many as it takes */
+                break; /* a budget has as many studies as it needs */
         }
         assert_true(failed > 1);
     }
-    /* The study had no second thread, and told the same; so does one without a pool. */
+    /* The study had no second thread, and the same result; so has a study without a pool. */
     no_threads = false;
     for (int i = 0; i < 2; i++) {
         assert_status(ask_placement_study(&row, &p, &alone, NULL), DOM_OK);

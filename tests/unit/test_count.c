@@ -8,10 +8,10 @@ static domq_real rounded(domq_real x, enum dom_precision precision)
 }
 
 /*
- * first and r have so few bits that first r^k is exact in the widest type, and so is whether a height is
- * above it. One that is by more than the rounding of typed numbers, half a unit for each of 4 + k of them,
- * takes one domino more; one within that, or below, does not.  No more than a millionth of a domino is
- * forgiven.
+ * Checks heights near a power. first and r have so few bits that first r^k is exact in the widest type, so a
+ * height above it is known exactly. A height above it by more than the rounding of typed numbers, half a unit
+ * for each of 4 + k of them, takes one domino more; a height within that, or below, does not. No more than a
+ * millionth of a domino is allowed for.
  */
 static void heights_near_a_power(void **state)
 {
@@ -48,8 +48,8 @@ static void heights_near_a_power(void **state)
     assert_true(above > 5000 && meet > 2000);
 }
 
-/* 2^30 m from 1 m is met by 30 dominoes; 0.01 mm more takes 31, in double and, typed with more digits, in
- * quad. */
+/* Checks that 30 dominoes reach 2^30 m from 1 m; 0.01 mm more takes 31, in double and, typed with more
+ * digits, in quad. */
 static void a_bit_more_than_a_power(void **state)
 {
     (void)state;

@@ -67,7 +67,7 @@ static void row_holds(const struct domq_train *train, const struct domq_wish *w,
     assert_near("height", (double)domino[d->steps].height, (double)w->height, 1e-12);
 }
 
-/* Whatever is wished: the design has the safety by other functions, and no separation has it with a step
+/* Checks that a design has its safety by other functions, and that no separation has that safety with a step
  * less. */
 static void designs_hold(void **state)
 {
@@ -103,7 +103,7 @@ static void designs_hold(void **state)
     assert_true(fit >= 12 && limits[DOM_DESIGN_HALL] >= 2);
 }
 
-/* The number that an impossible wish needs makes it possible, and a little less does not. */
+/* Checks that the number that an impossible wish needs makes it possible, and that a little less does not. */
 static void needs_are_enough(void **state)
 {
     (void)state;
@@ -144,7 +144,7 @@ static void needs_are_enough(void **state)
     assert_true(isnan((double)d.s) && d.steps == 0);
 }
 
-/* Every row that is possible is as long as the shortest one, or longer. */
+/* Checks that every possible row is as long as the shortest one, or longer. */
 static void shortest_is_shortest(void **state)
 {
     (void)state;
@@ -166,7 +166,7 @@ static void shortest_is_shortest(void **state)
         }
 }
 
-/* Both headers design the same row. */
+/* Checks that both headers design the same row. */
 static void both_headers(void **state)
 {
     (void)state;

@@ -66,7 +66,7 @@ static void random_numbers(void **state)
     }
 }
 
-/* Ties, ends of the range, powers of two and ten with their neighbours, all nines. */
+/* Checks ties, ends of the range, powers of two and ten with their neighbours, and all nines. */
 static void hard_numbers(void **state)
 {
     (void)state;
@@ -87,7 +87,7 @@ static void hard_numbers(void **state)
             one_text(near[i]);
             one_shortest(near[i]);
         }
-        /* The same of floats. */
+        /* Checks floats in the same way. */
         one_shortest((double)nextafterf((float)power, 0));
         one_shortest((double)nextafterf((float)power, HUGE_VALF));
     }
@@ -109,7 +109,7 @@ static void print_quad(char *text, size_t size, int digits, domq_real value)
 }
 #endif
 
-/* Wider numbers in few digits, those close to a tie too, which no double tells. */
+/* Checks wider numbers in few digits, also those too close to a tie for a double. */
 static void quad_numbers(void **state)
 {
     (void)state;
@@ -129,7 +129,7 @@ static void quad_numbers(void **state)
     }
 }
 
-/* What csv and json write reads back to the same number. */
+/* Checks that what csv and json write reads back to the same number. */
 static void cells_return(void **state)
 {
     (void)state;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the library refuses, with which status, and that it writes nothing then. */
+/* Parameters outside their ranges: which status the library returns, and that it writes nothing then. */
 #include "support.h"
 
-/* The status that names a parameter of the lists. */
+/* Statuses of the parameters in the lists. */
 #define BAD_s   DOM_BAD_S
 #define BAD_r   DOM_BAD_R
 #define BAD_d   DOM_BAD_D
@@ -62,7 +62,7 @@ static void tilts_lie_in_the_cycle(void **state)
     assert_status(ask_energy_find(&train, angles.theta_c, &energy, NULL), DOM_OK);
 }
 
-/* (1) more than two million dominoes matter, (2) energies below the range of doubles. */
+/* Checks two limits: (1) more than two million dominoes matter, (2) energies below the range of doubles. */
 static void beyond_the_arithmetic(void **state)
 {
     (void)state;
@@ -93,7 +93,7 @@ static void interrupt_stops_the_work(void **state)
     assert_status(ask_limit_best(&train, &best, NULL), DOM_INTERRUPTED);
 }
 
-/* d > h: no domino tips over far enough to topple a larger one, at any separation. */
+/* Checks d > h: no domino tips over far enough to topple a larger one, at any separation. */
 static void thick_dominoes_do_not_grow(void **state)
 {
     (void)state;
@@ -161,7 +161,7 @@ static void metres_and_seconds(void **state)
     (void)state;
     struct asked train = asked_default();
     struct domq_scale scale = domq_scale_default();
-    /* (a1) by hand: sqrt((0.048^2 + 0.007^2) / (3 9.81 0.048)) s. */
+    /* (1; a1) by hand: sqrt((0.048^2 + 0.007^2) / (3 9.81 0.048)) s. */
     double tau = sqrt((0.048 * 0.048 + 0.007 * 0.007) / (3 * 9.81 * 0.048));
     assert_near("tau", domq_scale_tau(&scale, train.d), tau, 1e-15);
     /* Frictionless equal dominoes of 48 x 7 mm at a pitch of 20 mm run at 1.28427 m/s. */
@@ -170,7 +170,7 @@ static void metres_and_seconds(void **state)
     train.s = 13.0 / 48;
     assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
     assert_near("speed", ask_scale_speed(&scale, &train, duration), 1.28427, 5e-6);
-    /* In a growing train the way of a cycle is the pitch behind the next, larger domino. */
+    /* In a growing train the distance of a cycle is the pitch of the next, larger domino. */
     train.r = 1.5;
     assert_near("speed", ask_scale_speed(&scale, &train, 2), 1.5 * 0.020 / (2 * tau), 1e-14);
 }

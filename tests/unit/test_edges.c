@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Friction, rows and studies where they are hardest: thin dominoes, r s = 1, falls on the way, few rows. */
+/* Friction, rows and studies in difficult cases: thin dominoes, r s = 1, dominoes that detach on the way, few
+ * rows. */
 #include "run.h"
 #include "support.h"
 
@@ -14,7 +15,7 @@ static struct asked train_of(double s, double r, double d, double q, double tol)
     return train;
 }
 
-static struct asked rubbing(double s, double r, double d, double q, double mu)
+static struct asked friction_train(double s, double r, double d, double q, double mu)
 {
     struct asked t = train_of(s, r, d, q, (double)asked_default().tol);
     t.mu = mu;
@@ -22,14 +23,14 @@ static struct asked rubbing(double s, double r, double d, double q, double mu)
 }
 
 /*
- * The barrier of a thin domino is d^2 high at theta ~ d, and u moves by 1 behind it: in double as in quad,
- * whose digits are enough to see it in any case.
+ * Checks the barrier of a thin domino, d^2 high at theta ~ d, after which u changes by 1: double against
+ * quad, whose digits show it in any case.
  */
-static void thin_dominoes_rub(void **state)
+static void thin_dominoes_with_friction(void **state)
 {
     (void)state;
     for (double d = 1e-8; d < 1e-4; d *= 10) {
-        struct asked t = rubbing(0.01, 1, d, 4, 0.2);
+        struct asked t = friction_train(0.01, 1, d, 4, 0.2);
         struct domq_limit here, finer;
         assert_status(ask_limit_rmax(&t, &here, NULL, NULL), DOM_OK);
         t.precision = DOM_QUAD;
@@ -43,23 +44,25 @@ static void thin_dominoes_rub(void **state)
                  {1e-8, 18.099999466532033, 17.8721020258},
                  {1e-5, 8.9623097869442692, 13.3383189996}};
     for (size_t i = 0; i < sizeof lasts / sizeof *lasts; i++) {
-        struct asked t = rubbing(0.05, lasts[i].r, lasts[i].d, 4, 0.2);
+        struct asked t = friction_train(0.05, lasts[i].r, lasts[i].d, 4, 0.2);
         domq_real duration;
         assert_status(ask_cycle_duration(&t, &duration, NULL), DOM_OK);
         assert_near("duration", duration, lasts[i].duration, 1e-10);
     }
-    /* Next to nothing of friction changes no verdict. */
-    struct asked t = rubbing(0.0037017997688205753, 220.24133472332022, 3.0897702704938297e-09, 4, 1e-300);
+    /* Very little friction changes no verdict. */
+    struct asked t =
+        friction_train(0.0037017997688205753, 220.24133472332022, 3.0897702704938297e-09, 4, 1e-300);
     struct domq_barrier barrier;
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
 }
 
-/* Where a follower that has hardly any motion still rubs, and where little is left of C: every tolerance. */
+/* Checks every tolerance for a follower with hardly any motion that still rubs, and for a small remaining
+ * C. */
 static void small_tolerances(void **state)
 {
     (void)state;
     struct asked t =
-        rubbing(0.67106465029064566, 1.0144483424738877, 0.40982392700389025, 3, 0.081970815071836109);
+        friction_train(0.67106465029064566, 1.0144483424738877, 0.40982392700389025, 3, 0.081970815071836109);
     struct domq_barrier finest, barrier;
     t.tol = 1e-15;
     assert_status(ask_barrier_find(&t, &finest, NULL), DOM_OK);
@@ -82,8 +85,8 @@ static void alike(struct run *seen, size_t count)
 }
 
 /*
- * At r s = 1 the followers leave with the hit, and take no energy along: as just before, up to what they do
- * within sqrt(1 - r s) = 1e-7 of the way, over a barrier of 1e-2.
+ * Checks r s = 1, where the followers detach with the hit and carry no energy away: the motion is as just
+ * before the hit, up to changes within sqrt(1 - r s) = 1e-7 of the motion, over a barrier of 1e-2.
  */
 static void reached_with_the_last_tip(void **state)
 {
@@ -104,7 +107,7 @@ static void reached_with_the_last_tip(void **state)
     }
 }
 
-/* Touching dominoes hit at once; nothing locks that does not rub. */
+/* Checks touching dominoes, which hit at once; without friction nothing locks. */
 static void touching(void **state)
 {
     (void)state;
@@ -124,13 +127,13 @@ static void touching(void **state)
 }
 
 /*
- * A row of a train tends to the train where followers fall off on the way, too, and then with friction the
- * least margin is one of energy at the launch.
+ * Checks that a row of a train tends to the train even if followers detach on the way; with friction the
+ * smallest margin is then an energy at the launch.
  */
-static void falls_on_the_way(void **state)
+static void dominoes_detach_on_the_way(void **state)
 {
     (void)state;
-    struct asked t = rubbing(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
+    struct asked t = friction_train(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
     struct domq_scale scale = domq_scale_default();
     struct domq_barrier barrier;
     static struct run seen;
@@ -152,10 +155,10 @@ static void falls_on_the_way(void **state)
 }
 
 /*
- * One falls off while another has already left behind it: against Newton's equations, at gaps around the one
- * where the search for the barrier once met both.
+ * Checks a domino that detaches while one after it has already detached: against Newton's equations, at gaps
+ * near the one where the search for the barrier once met both.
  */
-static void falls_behind_a_fall(void **state)
+static void one_detaches_after_another(void **state)
 {
     (void)state;
     static struct run seen;
@@ -193,7 +196,7 @@ static void falls_behind_a_fall(void **state)
     }
 }
 
-/* What a verdict says where there is little to say. */
+/* Checks the verdicts of the simplest rows. */
 static void ends(void **state)
 {
     (void)state;
@@ -203,7 +206,8 @@ static void ends(void **state)
     assert_status(run_row(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
     assert_true(seen.verdict.seconds == seen.fall[3].time);
-    /* Without a push the first falls from its edge, and needs the floor from there on. */
+    /* Without a push the first domino falls from its edge, and needs the friction of the floor from there
+     * on. */
     alike(&seen, 2);
     seen.row.push = DOMQ_NAN;
     seen.row.floor = true;
@@ -214,8 +218,8 @@ static void ends(void **state)
     seen.row.push = DOMQ_NAN;
     seen.row.floor = true;
     assert_status(run_row(&seen), DOM_OK);
-    assert_true((double)seen.fall[0].floor_motion > 1); /* a rod needs any at cos theta = 1/3 */
-    /* Parts: the weakest of those that go on has no negative margin. */
+    assert_true((double)seen.fall[0].floor_motion > 1); /* a rod needs any friction at cos theta = 1/3 */
+    /* Parts: the weakest of the dominoes that go on has no negative margin. */
     alike(&seen, 6);
     seen.domino[1].gap = 0;
     seen.domino[3].gap = 0.048;
@@ -225,17 +229,17 @@ static void ends(void **state)
     assert_status(run_row(&seen), DOM_BAD_TOL);
 }
 
-/* Hit at its own hinge no domino can stay on the floor. */
+/* Checks that a domino that is hit at its own hinge cannot stay on the floor. */
 static void floor_at_the_reach(void **state)
 {
     (void)state;
-    struct asked t = rubbing(0.5, 2, 0.1, 3, 0);
+    struct asked t = friction_train(0.5, 2, 0.1, 3, 0);
     struct domq_floor floor;
     assert_status(ask_cycle_floor(&t, &floor), DOM_OK);
     assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
 }
 
-/* Chances of a budget from as few rows as do not tell, and where nobody can place well enough. */
+/* Checks budgets of too few rows, and of rows that cannot be placed well enough. */
 static void budgets(void **state)
 {
     (void)state;
@@ -252,8 +256,8 @@ static void budgets(void **state)
     p.sigma = budget.sigma;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_true(study.fall >= 160 && study.fall <= 161);
-    /* Of 200 rows of which 19 in 20 fall, at most 183 or at least 197 do so in less than 2.5 % of all cases.
-     */
+    /* Of 200 rows of which 19 in 20 fall, at most 183 or at least 197 do so in less than 2.5 % of all
+     * cases. */
     assert_status(ask_placement_budget(&seen.row, &p, 0.95, &budget), DOM_OK);
     p.sigma = budget.low;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
@@ -262,12 +266,12 @@ static void budgets(void **state)
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_in_range(study.fall, 183, 184);
     assert_status(ask_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PROBABILITY);
-    seen.row.push = 2; /* not over its edge */
+    seen.row.push = 2; /* the domino does not tip over its edge */
     assert_status(ask_placement_budget(&seen.row, &p, 0.5, &budget), DOM_STOPS);
 }
 
-/* Gaps are normal with the sigma that was asked for: rows of which a gap is just so wide are a known share.
- */
+/* Checks that gaps are normally distributed with the given sigma: the share of rows with one gap exactly so
+ * wide is known. */
 static void errors_are_normal(void **state)
 {
     (void)state;
@@ -275,7 +279,7 @@ static void errors_are_normal(void **state)
     struct domq_study study;
     struct domq_placement p = {.sigma = 0.001, .seed = 9, .rows = 20000};
     alike(&seen, 2);
-    /* It falls short where the gap is more than the height: one standard deviation away. */
+    /* The domino falls short if the gap is more than the height: one standard deviation away. */
     seen.domino[1].gap = 0.047;
     seen.row.push = 12;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
@@ -287,7 +291,7 @@ static void errors_are_normal(void **state)
 
 /* ---- Loose tolerances, and answers that nearly vanish: where a short cut once gave a wrong one ---- */
 
-/* The tolerance is that of the fuel, not of the terms that cancel in it: the verdict is right. */
+/* Checks that the tolerance is that of the fuel, not of the terms that cancel in it: the verdict is right. */
 static void nearly_no_fuel(void **state)
 {
     (void)state;
@@ -315,7 +319,8 @@ static void rubbing_limits_keep_their_tolerance(void **state)
     assert_near("r_max, mu 0.12", limit.r_max, 1.1718802774146955, 1e-12);
 }
 
-/* A thin domino's slowness is a peak at 0 on a wide range: two rules agreed on it by chance. */
+/* Checks the durations of thin dominoes, whose slowness is a peak at 0 on a wide range: two rules once agreed
+ * on it by chance. */
 static void durations_of_thin_dominoes(void **state)
 {
     (void)state;
@@ -330,7 +335,7 @@ static void durations_of_thin_dominoes(void **state)
     assert_near("duration", duration, 13.0849188, 1e-8);
 }
 
-/* Of a short way the time is its length over omega(0), however far away the top is. */
+/* Checks that the time of a short distance is its length over omega(0), however far away the top is. */
 static void times_of_short_ways(void **state)
 {
     (void)state;
@@ -354,7 +359,7 @@ static void the_reason_is_the_first(void **state)
     assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }
 
-/* A dom_parallel that begins with the last task, and leaves out as many as it is told. */
+/* Runs the last task first, and leaves out a given number: a dom_parallel. */
 static enum dom_status backwards(size_t count, dom_task *task, void *context, void *pool)
 {
     const size_t *left_out = pool;
@@ -363,7 +368,8 @@ static enum dom_status backwards(size_t count, dom_task *task, void *context, vo
     return DOM_OK;
 }
 
-/* The order of the batches changes no count, and a study of which some are left out is no answer. */
+/* Checks that the order of the batches changes no count, and that a study without some of them is no
+ * answer. */
 static void any_order(void **state)
 {
     (void)state;
@@ -385,7 +391,8 @@ static void any_order(void **state)
     assert_memory_equal(stops, others, sizeof stops);
 }
 
-/* Rows by their numbers, where they stop, which of them the model does not tell, and the interval of all. */
+/* Checks rows by their numbers, where they stop, which of them the model cannot decide, and the interval of
+ * all. */
 static void studies_add_up(void **state)
 {
     (void)state;
@@ -410,7 +417,7 @@ static void studies_add_up(void **state)
     p.seed = 6;
     assert_status(ask_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
     assert_true(part[0].fall != part[1].fall);
-    /* Without errors every row is the row itself: here the third cannot reach the next. */
+    /* Without errors every row is the row itself: in this row the third domino cannot reach the next. */
     p = (struct domq_placement){.rows = 50};
     seen.domino[3].gap = 0.05;
     assert_status(run_row(&seen), DOM_OK);
@@ -418,7 +425,7 @@ static void studies_add_up(void **state)
     assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
     assert_near("Clopper and Pearson", whole.high, 1 - pow(0.025, 1.0 / 50), 1e-10);
-    /* And here its tip passes above the next. */
+    /* In this row its tip passes above the next. */
     alike(&seen, 10);
     seen.domino[3].height *= 0.8;
     assert_status(run_row(&seen), DOM_OK);
@@ -431,7 +438,8 @@ static void studies_add_up(void **state)
     assert_near("Clopper and Pearson", whole.low, pow(0.025, 1.0 / 50), 1e-10);
 }
 
-/* Heights are normal as gaps are, and a higher domino is heavier by as much. */
+/* Checks that heights are normally distributed like gaps, and that a higher domino is heavier in
+ * proportion. */
 static void heights_are_normal(void **state)
 {
     (void)state;
@@ -440,7 +448,7 @@ static void heights_are_normal(void **state)
     struct domq_study study;
     struct domq_placement p = {.heights = 0.01, .seed = 9, .rows = ROWS};
     alike(&seen, 2);
-    /* It falls short where the first is lower than the gap: one standard deviation away. */
+    /* The first falls short if it is lower than the gap: one standard deviation away. */
     seen.domino[1].gap = seen.domino[0].height * (domq_real)0.99;
     seen.row.push = 12;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
@@ -474,12 +482,12 @@ static void heights_are_normal(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(thin_dominoes_rub),
+        cmocka_unit_test(thin_dominoes_with_friction),
         cmocka_unit_test(small_tolerances),
         cmocka_unit_test(reached_with_the_last_tip),
         cmocka_unit_test(touching),
-        cmocka_unit_test(falls_on_the_way),
-        cmocka_unit_test(falls_behind_a_fall),
+        cmocka_unit_test(dominoes_detach_on_the_way),
+        cmocka_unit_test(one_detaches_after_another),
         cmocka_unit_test(ends),
         cmocka_unit_test(floor_at_the_reach),
         cmocka_unit_test(budgets),

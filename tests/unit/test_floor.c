@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the floor must hold, on a fine grid, of a domino that falls alone: its motion is known in closed form.
- */
+/* The friction that the floor needs, on a fine grid, for a domino that falls alone, whose motion is known in
+ * closed form. */
 #include "support.h"
 
 enum { GRID = 4000 };
 
 static const double g = 9.81;
 
-/* |R_x| / R_z of a block with the angular velocity `push` when upright, at a tilt; infinite where it is
+/* Returns |R_x| / R_z of a block with the angular velocity `push` when upright, at a tilt; infinite if it is
  * lifted. */
 static double needed(double h, double d, double push, double theta)
 {
@@ -18,7 +18,8 @@ static double needed(double h, double d, double push, double theta)
     return force_z > 0 ? fabs(force_x) / force_z : (double)INFINITY;
 }
 
-/* The most on the way to a tilt; the grid sees a top by the parabola through three tilts. */
+/* Returns the largest value up to a tilt; between grid points a parabola through three tilts gives the
+ * top. */
 static double most_needed(double h, double d, double push, double end, int *tops)
 {
     double most = 0, before[2] = {0, 0};
@@ -44,8 +45,8 @@ static bool fall_seen(const struct domq_fall *fall, void *context)
 }
 
 /*
- * Two dominoes, of which the first is looked at; where it comes to rest before it hits the second it is left
- * out. A smooth maximum is right to a millionth.
+ * Checks the first of two dominoes; rows in which it comes to rest before it hits the second are left out. A
+ * smooth maximum is right to a millionth.
  */
 static void two_tops(void **state)
 {
@@ -76,7 +77,7 @@ static void two_tops(void **state)
             continue;
         double most = most_needed(h, d, push, asin(gap / h), &tops),
                bound = row.precision == DOM_FLOAT ? 1e-3 : 2e-6;
-        if (isinf(most) || most > 1e3) { /* where it is nearly lifted, digits are few */
+        if (isinf(most) || most > 1e3) { /* where the domino is nearly lifted, few digits are right */
             assert_true(fall.floor_motion > 500);
             continue;
         }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Trains whose dominoes rub, and what the floor must hold. */
+/* Trains with friction between dominoes, and the friction that the floor needs. */
 #include "support.h"
 #include <float.h>
 
-static struct asked rubbing_train(double s, double r, double mu)
+static struct asked friction_train(double s, double r, double mu)
 {
     struct asked train = asked_default();
     train.s = s;
@@ -12,11 +12,11 @@ static struct asked rubbing_train(double s, double r, double mu)
     return train;
 }
 
-/* Anywhere where a train with friction may go; r s <= 1. */
-static struct asked random_rubbing(uint64_t *seed, double s_least, double mu_most)
+/* Returns a random train with friction that may go on; r s <= 1. */
+static struct asked random_friction_train(uint64_t *seed, double s_least, double mu_most)
 {
     double s = random_log(seed, s_least, 1);
-    struct asked train = rubbing_train(s, 1 + (fmin(3, 1 / s) - 1) * random_unit(seed), 0);
+    struct asked train = friction_train(s, 1 + (fmin(3, 1 / s) - 1) * random_unit(seed), 0);
     train.d = random_log(seed, 0.01, 0.5);
     train.q = 1 + 4 * random_unit(seed);
     train.mu = random_log(seed, 1e-6, mu_most);
@@ -33,16 +33,15 @@ static _Noreturn void fail_train(const char *what, const struct asked *t, double
 /* ---- Digits ---- */
 
 /*
- * tests/reference/friction.csv: (A/2) w' + B w = C in 32-digit arithmetic (mpmath), A, B, C summed domino by
- * domino in angles with trigonometric functions until 1e-30; integrated over the pieces between the tilts
- * where a follower leaves by Gauss collocation with 10 stages (order 20), W and G side by side, 90 steps for
- * the points and 7 for r_max; the duration by the same nodes; r_max as the zero (secant, to 1e-20) of the
- * least w, at the zeros of C and at theta_c, of the cycle that repeats.  Against 60 and 4 steps no number
- * moved by more than 3e-15, most by less than 1e-19.
- *
- * At tol = 1e-13 the flow is right to tol / 8 and carries some 64 roundings in each sum: 1e-12.  r_max is
- * where the margin, about kinetic ~ 1e-2 ... 1e-3 in size, changes sign with a slope of the same order as
- * the kinetic energy: 1e-11 leaves a decade.
+ * Compares with tests/reference/friction.csv: (A/2) w' + B w = C in 32-digit arithmetic (mpmath), A, B, C
+ * summed domino by domino in angles with trigonometric functions until 1e-30; integrated over the pieces
+ * between the tilts where a follower detaches by Gauss collocation with 10 stages (order 20), W and G
+ * together, 90 steps for the points and 7 for r_max; the duration by the same nodes; r_max as the zero
+ * (secant, to 1e-20) of the smallest w, at the zeros of C and at theta_c, of the cycle that repeats. With 60
+ * and 4 steps no number changed by more than 3e-15, most by less than 1e-19. At tol = 1e-13 the flow is right
+ * to tol / 8 and has about 64 rounding errors in each sum: 1e-12. r_max is where the margin, about kinetic ~
+ * 1e-2 ... 1e-3 in size, changes sign with a slope of the order of the kinetic energy: 1e-11 leaves a factor
+ * of ten.
  */
 static void digits(void **state)
 {
@@ -73,13 +72,13 @@ static void digits(void **state)
     assert_int_equal(rows, 26);
 }
 
-/* van Leeuwen 2010, equal dominoes; to the printed digits. */
+/* Compares with van Leeuwen 2010, equal dominoes, to the printed digits. */
 static void front_speeds(void **state)
 {
     (void)state;
     static const double speed[][2] = {{0, 1.28427}, {0.1, 1.11545}, {0.2, 0.98392}, {0.5, 0.71678}};
     for (size_t i = 0; i < 4; i++) {
-        struct asked train = rubbing_train(13.0 / 48, 1, speed[i][0]);
+        struct asked train = friction_train(13.0 / 48, 1, speed[i][0]);
         struct domq_scale scale = domq_scale_default();
         domq_real duration;
         train.d = 7.0 / 48;
@@ -120,9 +119,9 @@ static const double some_trains[][4] = {
 };
 
 /*
- * (X(mu) - X(0)) / mu tends to a constant: from decade to decade its steps become ten times smaller.  In
- * quad, at tol = 1e-24, the noise of the last quotient is 1e-16 of X, and its step is some 1e-8.  r_max is
- * asked of the first three trains alone, at tol = 1e-20: it takes long.
+ * Checks that (X(mu) - X(0)) / mu tends to a constant: from decade to decade its steps become ten times
+ * smaller. In quad, at tol = 1e-24, the noise of the last quotient is 1e-16 of X, and its step is about 1e-8.
+ * Only the first three trains are checked for r_max, at tol = 1e-20, since it takes long.
  */
 static void no_friction_is_the_limit(void **state)
 {
@@ -131,7 +130,7 @@ static void no_friction_is_the_limit(void **state)
         skip();
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
         bool limits = i == 0;
-        struct asked train = rubbing_train(some_trains[i][0], some_trains[i][1], 0);
+        struct asked train = friction_train(some_trains[i][0], some_trains[i][1], 0);
         train.q = some_trains[i][2];
         train.d = some_trains[i][3];
         train.precision = DOM_QUAD;
@@ -159,12 +158,12 @@ static void no_friction_is_the_limit(void **state)
     }
 }
 
-/* mu = 0 and -0.0 are one, and enter nothing; friction is counted. */
+/* Checks that mu = 0 and mu = -0.0 are equal and enter no code of friction, and that friction is counted. */
 static void no_friction_is_never_entered(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
-        struct asked plain = rubbing_train(some_trains[i][0], some_trains[i][1], 0), train;
+        struct asked plain = friction_train(some_trains[i][0], some_trains[i][1], 0), train;
         struct dom_work work = {0};
         domq_real before[ANSWERS], after[ANSWERS];
         plain.q = some_trains[i][2];
@@ -189,7 +188,7 @@ static void no_friction_is_never_entered(void **state)
 
 enum { CHAIN_MOST = 4096 };
 
-/* A moving train at one tilt, as the public functions show it. */
+/* A moving train at one tilt, from the public functions. */
 struct chain {
     size_t n, forces;
     double theta[CHAIN_MOST], slope[CHAIN_MOST], weight[CHAIN_MOST], force[CHAIN_MOST], impulse[CHAIN_MOST];
@@ -220,11 +219,11 @@ static void chain_at(const struct asked *train, double theta, struct chain *c)
 }
 
 /*
- * Work of friction per angle of the head, in m g h / 2 of it: mu times the contact force times how fast the
- * tip moves on the leader's face, where it is p = h_follower cos(theta' - theta) - L_leader sin theta from
- * the hinge.
+ * Returns the work of friction per angle of the head, in m g h / 2 of the head: mu times the contact force
+ * times the speed of the tip on the leader's face, where the tip is p = h_follower cos(theta' - theta) -
+ * L_leader sin theta from the hinge.
  */
-static double rubbing_at(const struct asked *train, double theta)
+static double friction_work_at(const struct asked *train, double theta)
 {
     static struct chain c;
     double sum = 0, size = 1, r = train->r, L = (double)train->s + (double)train->d;
@@ -237,7 +236,7 @@ static double rubbing_at(const struct asked *train, double theta)
     return 2 * (double)train->mu * sum;
 }
 
-/* Gauss's ten points on `parts` equal parts. */
+/* Integrates by Gauss's ten points on `parts` equal parts. */
 static double integral(const struct asked *train, double lo, double hi, int parts)
 {
     static const double place[] = {0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
@@ -248,14 +247,16 @@ static double integral(const struct asked *train, double lo, double hi, int part
     for (int k = 0; k < parts; k++)
         for (int j = 0; j < 5; j++)
             for (int side = -1; side <= 1; side += 2)
-                sum += half * share[j] * rubbing_at(train, lo + (2 * k + 1) * half + side * half * place[j]);
+                sum += half * share[j] *
+                       friction_work_at(train, lo + (2 * k + 1) * half + side * half * place[j]);
     return sum;
 }
 
 /*
- * before - lost - climbed - rubbed = kinetic at every event, and rubbed is the work of friction.  Where a
- * follower leaves, the integrand has a kink, so the integral goes from event to event; what is left of it by
- * ten points on two parts, and by forces that are accelerations times small masses, is below 1e-9.
+ * Checks before - lost - climbed - friction_work = kinetic at every event, and that friction_work is the work
+ * of friction. Where a follower detaches, the integrand has a kink, so the integral goes from event to event.
+ * Its error, by ten points on two parts and by forces that are accelerations times small masses, is below
+ * 1e-9.
  */
 static void ledger_closes(void **state)
 {
@@ -263,7 +264,7 @@ static void ledger_closes(void **state)
     uint64_t seed = 51;
     int checked = 0, falls = 0;
     for (int i = 0; i < 150; i++) {
-        struct asked train = random_rubbing(&seed, 0.1, 2);
+        struct asked train = random_friction_train(&seed, 0.1, 2);
         struct domq_event events[DOM_EVENTS_MAX];
         struct domq_state s;
         int n;
@@ -280,27 +281,28 @@ static void ledger_closes(void **state)
             double open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
             if (!(fabs(open) <= 1e-12 * size))
                 fail_train("the ledger", &train, open, 0);
-            if (k > 0 && status == DOM_OK) /* the force at a stop needs care that a check should not */
+            if (k > 0 && status == DOM_OK) /* forces at a stop are ill-conditioned, and not checked */
                 friction_work += integral(&train, events[k - 1].theta, theta, 4);
             if (status == DOM_OK && !(fabs(friction_work - (double)s.friction_work) <= 1e-9 * size))
                 fail_train("the work of friction", &train, s.friction_work, friction_work);
             falls += events[k].kind == DOM_EVENT_FALL;
             checked++;
         }
-        if (status == DOM_OK) /* the hitting train is this one at theta_c, made smaller by r^-q */
+        if (status == DOM_OK) /* the hitting train is this train at theta_c, made smaller by r^-q */
             assert_near("before", s.before, pow(train.r, -train.q) * s.kinetic, 1e-9);
     }
     assert_true(checked > 150 && falls > 10);
 }
 
-/* Half the derivative of omegasq, by a central difference that is right to h^2 of its third derivative. */
+/* Checks that the acceleration is half the derivative of omegasq, by a central difference with an error of
+ * h^2 times its third derivative. */
 static void acceleration_is_the_slope_of_omega(void **state)
 {
     (void)state;
     uint64_t seed = 52;
     int checked = 0;
     for (int i = 0; i < 200; i++) {
-        struct asked train = random_rubbing(&seed, 0.05, 3);
+        struct asked train = random_friction_train(&seed, 0.05, 3);
         struct domq_event events[DOM_EVENTS_MAX];
         struct domq_state s;
         domq_real below, above;
@@ -329,7 +331,7 @@ static void acceleration_is_the_slope_of_omega(void **state)
 /* ---- Precision and tolerance ---- */
 
 /*
- * Float asks for 1e-5 and double for 1e-12.  A margin that is a small difference, or that is flat in r,
+ * Compares float at 1e-5 and double at 1e-12 with quad. A margin that is a small difference, or flat in r,
  * costs digits: two in kinetic, four in r_max.
  */
 static void precisions_agree(void **state)
@@ -341,7 +343,7 @@ static void precisions_agree(void **state)
         struct asked train = asked_default();
         struct domq_limit limit[3];
         struct domq_launch launch[3];
-        train.s = (float)(0.1 + 0.3 * random_unit(&seed)); /* what a float has exactly */
+        train.s = (float)(0.1 + 0.3 * random_unit(&seed)); /* numbers that a float has exactly */
         train.d = (float)(0.05 + 0.1 * random_unit(&seed));
         train.q = (float)(3 + random_unit(&seed));
         train.mu = (float)random_log(&seed, 1e-3, 1);
@@ -364,11 +366,12 @@ static void precisions_agree(void **state)
     assert_true(met > 4);
 }
 
-/* Near 1 - r s = 0.01 rounding leaves little of the sums in float; the scan for r_max passes there. */
+/* Checks float near 1 - r s = 0.01, where rounding leaves few digits of the sums; the scan for r_max gets
+ * there. */
 static void float_near_the_reach(void **state)
 {
     (void)state;
-    struct asked train = rubbing_train((double)0.54788214F, 1, (double)0.0312876888F);
+    struct asked train = friction_train((double)0.54788214F, 1, (double)0.0312876888F);
     struct domq_limit limit;
     struct domq_launch launch;
     train.d = 0.0992909595F;
@@ -382,7 +385,8 @@ static void float_near_the_reach(void **state)
     assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
 }
 
-/* Ten times the tolerance covers what launch and margin make of an error in the flow. */
+/* Checks that errors are within ten times the tolerance, which covers what launch and margin make of an error
+ * in the flow. */
 static void tolerance_is_kept(void **state)
 {
     (void)state;
@@ -390,14 +394,14 @@ static void tolerance_is_kept(void **state)
     uint64_t seed = 54;
     int checked = 0;
     for (int i = 0; i < 150; i++) {
-        struct asked train = random_rubbing(&seed, 0.02, 2);
+        struct asked train = random_friction_train(&seed, 0.02, 2);
         struct domq_launch exact, rough;
         if (ask_launch_find(&train, &exact, NULL) != DOM_OK)
             continue;
         for (int k = 0; k < 4; k++) {
             train.tol = tols[k];
             assert_status(ask_launch_find(&train, &rough, NULL), DOM_OK);
-            /* An error of G counts by how much of a cycle's energy carries over to the next. */
+            /* An error of G counts by the part of a cycle's energy that carries over to the next. */
             double errs = fabs((double)(rough.kinetic / exact.kinetic) - 1);
             if (!(errs <= 10 * tols[k] * (double)train.r))
                 fail_train("kinetic at a tolerance", &train, rough.kinetic, exact.kinetic);
@@ -407,11 +411,12 @@ static void tolerance_is_kept(void **state)
     assert_true(checked > 100);
 }
 
-/* tol = 1e-15 is allowed, so it is answered with friction too: series never die below their rounding. */
+/* Checks that tol = 1e-15, which is allowed, has an answer with friction too: series never get below their
+ * rounding errors. */
 static void smallest_tolerance(void **state)
 {
     (void)state;
-    struct asked train = rubbing_train(0.4, 1.3, 0.1);
+    struct asked train = friction_train(0.4, 1.3, 0.1);
     struct domq_launch launch, finest;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
     train.tol = domq_arithmetic(DOM_DOUBLE)->tol_floor;
@@ -419,13 +424,13 @@ static void smallest_tolerance(void **state)
     assert_near("kinetic", finest.kinetic, launch.kinetic, 1e-12);
 }
 
-/* J(0) takes more dominoes than the sums with S_i, which fall off faster. */
+/* Checks that J(0) is complete: it needs more dominoes than the sums with S_i, which decrease faster. */
 static void inertia_is_whole(void **state)
 {
     (void)state;
     uint64_t seed = 55;
     for (int i = 0; i < 200; i++) {
-        struct asked train = random_rubbing(&seed, 5e-3, 3);
+        struct asked train = random_friction_train(&seed, 5e-3, 3);
         struct domq_launch launch;
         struct domq_energy energy;
         if (i == 0)
@@ -449,7 +454,7 @@ static void inertia_is_whole(void **state)
 static void refusals(void **state)
 {
     (void)state;
-    struct asked train = rubbing_train(0.4, 1.3, 0.1);
+    struct asked train = friction_train(0.4, 1.3, 0.1);
     struct domq_launch launch;
     struct domq_barrier barrier;
     struct domq_limit limit;
@@ -472,13 +477,13 @@ static void refusals(void **state)
         assert_status(ask_launch_find(&train, &launch, NULL), DOM_BAD_MU);
         assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_BAD_MU);
     }
-    /* It locks, also where the sums behind such a hit would have no end. */
-    train = rubbing_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);
+    /* The train locks, even where the sums after such a hit would be infinite. */
+    train = friction_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);
     train.d = 0.61451534241036898;
     train.q = 2.9636499594514638;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_LOCKS);
-    /* The struck domino is hit at Y / r, and dragged down at mu d: it locks where they meet. */
-    train = rubbing_train(0.5, 1, 1);
+    /* The struck domino is hit at Y / r, and pulled down at mu d: the train locks where the two are equal. */
+    train = friction_train(0.5, 1, 1);
     train.d = 0.1;
     double edge = sqrt(1 / (0.01 + 0.25)); /* sqrt(1 - r^2 s^2) / r = mu d */
     train.r = edge * (1 - 1e-6);
@@ -489,18 +494,18 @@ static void refusals(void **state)
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_LOCKS);
     assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_LOCKS);
     /* Equal dominoes that lock have no growth. */
-    train = rubbing_train(0.25, 1, 100);
+    train = friction_train(0.25, 1, 100);
     train.d = 0.0167772;
     assert_status(ask_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
     assert_true(limit.ends == DOM_END_NONE && isnan((double)limit.r_max));
     assert_status(why, DOM_LOCKS);
 }
 
-/* Friction takes all fuel at a small separation: ask_limit_rmax says so, too. */
+/* Checks trains of small separation in which friction takes all fuel, also by ask_limit_rmax. */
 static void friction_takes_the_fuel(void **state)
 {
     (void)state;
-    struct asked train = rubbing_train(0.01, 1, 1);
+    struct asked train = friction_train(0.01, 1, 1);
     struct domq_launch launch;
     struct domq_barrier barrier;
     struct domq_limit limit;
@@ -514,8 +519,9 @@ static void friction_takes_the_fuel(void **state)
 }
 
 /*
- * Never NaN with OK; statuses that have a meaning; the same verdict from each function.  One train in a few
- * hundred may be so close to its limit that the difference is lost: see verdicts_at_the_limit.
+ * Checks random trains: never NaN with OK; only statuses with a meaning; the same verdict from each function.
+ * One train in a few hundred may be so close to its limit that the difference is lost: see
+ * verdicts_at_the_limit.
  */
 static void anywhere(void **state)
 {
@@ -523,7 +529,7 @@ static void anywhere(void **state)
     uint64_t seed = 56;
     int met[64] = {0}, lost = 0;
     for (int i = 0; i < 2000; i++) {
-        struct asked train = random_rubbing(&seed, i % 10 ? 1e-2 : 1e-3, 3);
+        struct asked train = random_friction_train(&seed, i % 10 ? 1e-2 : 1e-3, 3);
         struct domq_launch launch;
         struct domq_barrier b;
         enum dom_status begins = ask_launch_find(&train, &launch, NULL);
@@ -550,14 +556,15 @@ static void anywhere(void **state)
     assert_true(met[DOM_OK] > 100 && met[DOM_STOPS] > 100 && met[DOM_LOCKS] > 5 && lost < 20);
 }
 
-/* r_max falls with mu, never is the reach, and parts those that go on from those that stop by 1e-6 of r. */
+/* Checks that r_max decreases with mu, is never the reach, and separates trains that go on from trains that
+ * stop by 1e-6 of r. */
 static void growth_falls_with_friction(void **state)
 {
     (void)state;
     uint64_t seed = 57;
     int met = 0, none = 0;
     for (int i = 0; i < 60; i++) {
-        struct asked train = random_rubbing(&seed, 0.02, 3);
+        struct asked train = random_friction_train(&seed, 0.02, 3);
         double before = INFINITY, mu = train.mu;
         for (int k = 0; k < 3; k++) {
             struct domq_limit limit;
@@ -583,12 +590,12 @@ static void growth_falls_with_friction(void **state)
     assert_true(met > 60 && none > 5);
 }
 
-/* Within 1e-9 of r_max, where little is left of the margin, there is a verdict as without friction. */
+/* Checks that within 1e-9 of r_max, where the margin is tiny, there is a verdict as without friction. */
 static void verdicts_at_the_limit(void **state)
 {
     (void)state;
     for (int i = 0; i < 4; i++) {
-        struct asked train = rubbing_train(0.2 + 0.1 * i, 1, 0.1 * i);
+        struct asked train = friction_train(0.2 + 0.1 * i, 1, 0.1 * i);
         struct domq_limit limit;
         struct domq_barrier barrier;
         assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
@@ -606,14 +613,15 @@ static double needed(double x, double z)
     return z > 0 ? fabs(x) / z : (double)INFINITY;
 }
 
-/* Newton's law for the middle of block i: mass times what `motion` gives it, less contacts and weight. */
+/* Finds the force on the hinge by Newton's law for the centre of block i: mass times the acceleration from
+ * `motion`, minus contacts and weight. */
 static double hinge_needs(const struct asked *train, const struct chain *c, size_t i, const double *push,
                           double x, double z, double weight)
 {
     double size = pow(train->r, -(double)i), mass = c->weight[i] / size, d = train->d, mu = train->mu,
            tausq = (1 + d * d) / 3;
     double X = mass * x / tausq, Z = mass * (z / tausq + weight);
-    for (size_t k = i > 0 ? i - 1 : 0; k <= i; k++) { /* it pushes its leader, and is pushed */
+    for (size_t k = i > 0 ? i - 1 : 0; k <= i; k++) { /* the block pushes its leader, and is pushed */
         double N = isnan(push[k]) ? 0
                    : k == i       ? push[k]
                                   : -push[k],
@@ -630,7 +638,8 @@ static double centre(const struct asked *train, const struct chain *c, size_t i,
     return size * (up ? y + d * x : x - d * y) / 2;
 }
 
-/* The most that a hinge needs at a tilt: accelerations of the middles by differences of their places. */
+/* Returns the most that a hinge needs at a tilt: accelerations of the centres by differences of their
+ * places. */
 static double floor_at(const struct asked *train, double theta, double h)
 {
     static struct chain at, below, above;
@@ -653,7 +662,8 @@ static double floor_at(const struct asked *train, double theta, double h)
     return most;
 }
 
-/* The same of impulses, from the angular velocities of all dominoes before and after. */
+/* Returns the most that a hinge needs of impulses, from the angular velocities of all dominoes before and
+ * after. */
 static double floor_hit(const struct asked *train, double theta_c)
 {
     static struct chain at, old;
@@ -663,7 +673,7 @@ static double floor_hit(const struct asked *train, double theta_c)
     chain_at(train, theta_c, &old);
     assert_status(ask_cycle_omegasq(train, 0, &w_0, NULL), DOM_OK);
     assert_status(ask_cycle_omegasq(train, theta_c, &w_c, NULL), DOM_OK);
-    /* The model ends with the first that has less than a thousandth of the head's motion. */
+    /* The model ends with the first domino that has less than a thousandth of the head's motion. */
     for (size_t i = 0; i < at.n && i < at.forces && i <= old.n && (i == 0 || at.slope[i - 1] > 1e-3); i++) {
         double change = at.slope[i] * sqrt((double)w_0) -
                         (i == 0 ? 0 : old.slope[i - 1] * sqrt((double)(train->r * w_c)));
@@ -673,14 +683,14 @@ static double floor_hit(const struct asked *train, double theta_c)
     return most;
 }
 
-/* Against Newton's law at a few hundred tilts: right to the distance of two of them, squared. */
+/* Compares with Newton's law at a few hundred tilts: the error is the square of the distance of two tilts. */
 static void floor_holds(void **state)
 {
     (void)state;
     uint64_t seed = 58;
     int checked = 0, lifted = 0, by_head = 0;
     for (int i = 0; i < 60; i++) {
-        struct asked train = random_rubbing(&seed, 0.1, 1);
+        struct asked train = random_friction_train(&seed, 0.1, 1);
         struct domq_floor floor;
         struct domq_barrier barrier;
         struct domq_angles angles;

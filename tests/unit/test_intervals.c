@@ -2,8 +2,8 @@
 /* The intervals of studies, of any size, against tails of the binomial distribution, summed term by term. */
 #include "support.h"
 
-/* ln n! by Stirling's series, whose first term left out is below 1e-20 from 40 on; lgammal has fewer digits.
- */
+/* Returns ln n! by Stirling's series, whose first omitted term is below 1e-20 from 40 on; lgammal has fewer
+ * digits. */
 static long double log_factorial(size_t count)
 {
     long double n = (long double)count, sum = 0, per = 1 / (n * n);
@@ -16,7 +16,7 @@ static long double log_factorial(size_t count)
     return (n + 0.5L) * logl(n) - n + logl(2 * 3.14159265358979323846L) / 2 + sum;
 }
 
-/* The chance of at most k of n, or with more, of at least k; each has the probability p. */
+/* Returns the probability of at most k of n, or if `more`, of at least k; each has the probability p. */
 static long double tail(size_t k, size_t n, long double p, bool more)
 {
     long double of_k = log_factorial(n) - log_factorial(k) - log_factorial(n - k) + (long double)k * logl(p) +
@@ -33,9 +33,9 @@ static long double tail(size_t k, size_t n, long double p, bool more)
 }
 
 /*
- * An end of the interval is where the tail has 2.5 %.  The logarithms lose the digits of their size, 5e-20
- * times 4e8 for twenty million rows; the ends keep 1e-15, which moves the tail by no more than ten times the
- * rows as much.
+ * Checks that the tail is 2.5 % at both ends of the interval. The logarithms lose the digits of their size,
+ * 5e-20 times 4e8 for twenty million rows; the ends keep 1e-15, which changes the tail by at most ten times
+ * the number of rows times that.
  */
 static void check_interval(size_t rows, size_t fall, size_t unknown)
 {
@@ -78,7 +78,7 @@ static void any_size(void **state)
     }
 }
 
-/* All fall, or none: the ends are 0.025^(1/n), and 1 less that. */
+/* Checks that all or none give the ends 0.025^(1/n), and 1 minus that. */
 static void all_or_none(void **state)
 {
     (void)state;

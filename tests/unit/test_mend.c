@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What saves a row that does not fall: gaps and pushes against the verdicts around them, and a plain search.
- */
+/* What saves a row that does not fall: gaps and pushes, compared with the verdicts near them and with a plain
+ * search. */
 #include "run.h"
 #include "support.h"
 
@@ -30,7 +30,7 @@ static bool falls_pushed(const struct run *run, double push)
     return row_end(&other) == DOM_ROW_FALLS;
 }
 
-/* A gap wider than the domino before it is tall: as wide as that is what mends it. */
+/* Checks a gap wider than the domino before it is tall: a gap as wide as that height saves the row. */
 static void a_gap_too_wide(void **state)
 {
     (void)state;
@@ -46,7 +46,7 @@ static void a_gap_too_wide(void **state)
     assert_near("until", mends[0].until, 0.048, 1e-12);
 }
 
-/* Nothing has to be mended in a row that falls, and one domino has no gap. */
+/* Checks that a row that falls has no changes, and that one domino has no gap. */
 static void nothing_to_mend(void **state)
 {
     (void)state;
@@ -60,7 +60,7 @@ static void nothing_to_mend(void **state)
     assert_int_equal(mend(&run), 0);
 }
 
-/* A row of random sizes with one gap that is too wide or too narrow, which mostly does not fall. */
+/* Makes a row of random sizes with one gap that is too wide or too narrow; most of these do not fall. */
 static void random_row(struct run *run, uint64_t *seed)
 {
     size_t count = 3 + (size_t)(6 * random_unit(seed)),
@@ -77,8 +77,8 @@ static void random_row(struct run *run, uint64_t *seed)
 }
 
 /*
- * With each gap that is named all fall, also a third of the way to where they no longer do; two units of the
- * seventh digit closer to what it was they do not.
+ * Checks that all fall with each named gap, also a third of the way to the gap where they no longer do; and
+ * that they do not two units of the seventh digit nearer to the old gap.
  */
 static void mended_rows_fall(void **state)
 {
@@ -118,8 +118,8 @@ static void mended_rows_fall(void **state)
     assert_true(mended > 40 && lost > 5 && ended > 5);
 }
 
-/* Every gap of the row in 500 steps up and down: none saves it with a smaller change than the first one
- * named. */
+/* Tries every gap of the row in 500 steps up and down: none saves the row with a smaller change than the
+ * first named one. */
 static void no_smaller_change(void **state)
 {
     (void)state;
@@ -153,7 +153,8 @@ static void progress_seen(size_t done, size_t of, void *context)
     *before = done == of ? 1000 : done;
 }
 
-/* Of a long row the gap after the last that is hit is looked at, and 30 before it. */
+/* Checks a long row, in which only the gap after the last domino that is hit, and 30 before that one, are
+ * tried. */
 static void a_long_row(void **state)
 {
     (void)state;
@@ -173,7 +174,7 @@ static void a_long_row(void **state)
 
 /* ---- A push ---- */
 
-/* One domino falls with what turns it over its edge. */
+/* Checks that one domino falls with the push that turns it over its edge. */
 static void over_its_edge(void **state)
 {
     (void)state;
@@ -186,7 +187,7 @@ static void over_its_edge(void **state)
         assert_status(ask_row_push(&run.row, 100, &push), DOM_OK);
         assert_true(push >= edge * (1 - 1e-12) && push <= 1.002 * edge);
     }
-    /* Stronger than what is needed it is what it was. */
+    /* A push stronger than needed is returned unchanged. */
     run.row.push = 2 * edge;
     assert_status(ask_row_push(&run.row, 100, &push), DOM_OK);
     assert_true(push == run.row.push);
@@ -196,8 +197,8 @@ static void over_its_edge(void **state)
     assert_true(isnan((double)push));
 }
 
-/* All fall with it, and not with 0.2 % less; in a row that leans on the second before it is over its edge,
- * too. */
+/* Checks that all fall with the weakest push, and not with 0.2 % less; also in a row that leans on the second
+ * domino before it is over its edge. */
 static void the_weakest_push(void **state)
 {
     (void)state;
@@ -227,7 +228,7 @@ static void the_weakest_push(void **state)
     assert_true(found > 20 && none > 5);
 }
 
-/* Nothing is written where the status is not DOM_OK. */
+/* Checks that nothing is written if the status is not DOM_OK. */
 static void refusals(void **state)
 {
     (void)state;

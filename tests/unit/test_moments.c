@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* All tilts of a row at a time: at hits, between them by energy and by their own derivative, and at the end.
- */
+/* All tilts of a row at a time: at hits, between hits by energy and by their own derivative, and at the
+ * end. */
 #include "run.h"
 #include "support.h"
 
 enum { FRAMES = 400, DOMINOES = 24 };
 
-/* What was seen at the times that were asked for. */
+/* The states at the requested times. */
 struct seen {
     size_t count, dominoes;
     double time[FRAMES], tilt[FRAMES][DOMINOES], omega[FRAMES][DOMINOES];
@@ -39,7 +39,7 @@ static enum dom_status watch(struct run *run, const domq_real *times, size_t cou
     return domq_row_watch(&row, &compute, times, count, moment_seen, seen, &run->verdict);
 }
 
-/* Potential and kinetic energy of all dominoes, in J. */
+/* Returns the potential and kinetic energy of all dominoes, in J. */
 static double energy(const struct run *run, const double *tilt, const double *omega)
 {
     double sum = 0;
@@ -52,7 +52,8 @@ static double energy(const struct run *run, const double *tilt, const double *om
     return sum;
 }
 
-/* The free height between the tip of domino k and the face of its leader, 0 where it leans on it. */
+/* Returns the free height between the tip of domino k and the face of its leader, 0 if it leans on the
+ * leader. */
 static double clearance(const struct run *run, const double *tilt, size_t k)
 {
     const struct domq_domino *own = &run->domino[k], *leader = &run->domino[k + 1];
@@ -60,7 +61,7 @@ static double clearance(const struct run *run, const double *tilt, size_t k)
     return ((double)leader->gap + d) * cos(tilt[k + 1]) - d - (double)own->height * sin(turn);
 }
 
-/* Rows that fall and rows that stop, with uneven dominoes, some of which detach. */
+/* Makes rows that fall and rows that stop, with uneven dominoes, some of which detach. */
 static void rows(struct run *run, int i)
 {
     static const double s[] = {0.3, 0.4, 0.55, 0.4, 0.6}, r[] = {1, 1.3, 1.6, 2.1, 1.5},
@@ -86,7 +87,7 @@ static void agrees_with_hits(void **state)
         for (size_t k = 0; k < run.falls; k++) {
             assert_near("time", seen.time[k], (double)times[k], 0);
             assert_int_equal(seen.head[k], k + 1);
-            /* One may detach in the very moment. */
+            /* One may detach at that moment. */
             assert_true(seen.moving[k] <= run.fall[k].moving && seen.moving[k] + 1 >= run.fall[k].moving);
             assert_near("a domino that is just hit", seen.tilt[k][k], 0, 1e-7);
             assert_near("its omega", seen.omega[k][k], (double)run.fall[k].omega, 1e-9);
@@ -166,7 +167,7 @@ static void ends(void **state)
     }
 }
 
-/* A stop, by Newton's second law near it: what is left of the way is half the deceleration times t^2. */
+/* Checks a stop by Newton's second law near it: the remaining distance is half the deceleration times t^2. */
 static void comes_to_rest(void **state)
 {
     (void)state;
@@ -204,7 +205,7 @@ static void tips_before_the_first_hit(void **state)
     assert_near("omega", rise / h, (seen.omega[2][0] + seen.omega[3][0]) / 2, 1e-5);
     assert_near("where it hits", sin(seen.tilt[4][0]), (double)(run.domino[1].gap / run.domino[0].height),
                 1e-12);
-    /* The next one so near that the first leans on it before it tips over. */
+    /* The next domino is so near that the first leans on it before it tips over. */
     run.domino[1].gap = 1e-3;
     assert_status(watch(&run, times, 5, &seen), DOM_OK);
     assert_int_equal(run.verdict.end, DOM_ROW_LEANS);
@@ -227,7 +228,7 @@ static void refuses(void **state)
     assert_status(watch(&run, back, 1, &seen), DOM_BAD_COUNT);
 }
 
-/* In float, to what it has of digits, and in quad. */
+/* Checks float, to its digits, and quad. */
 static void in_all_precisions(void **state)
 {
     (void)state;

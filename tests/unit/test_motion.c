@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cycle as it runs: events, times, the ledger of energy, accelerations and contact forces. */
+/* One cycle in time: events, times, the balance of energy, accelerations and contact forces. */
 #include "support.h"
 #include <float.h>
 
-/* Trains that complete their cycle or stop in it; none without fuel. */
+/* Makes the next train that completes its cycle or stops in it; trains without fuel are skipped. */
 static bool next_train(uint64_t *seed, struct asked *train, struct domq_event *events, int *count)
 {
     *train = random_train(seed);
@@ -46,7 +46,7 @@ static void events_are_in_order(void **state)
             falls += events[k].kind == DOM_EVENT_FALL;
             tops += events[k].kind == DOM_EVENT_TOP;
             if (events[k].kind == DOM_EVENT_FALL) {
-                /* Its leader has come to theta_leave, it lies at theta_f. */
+                /* Its leader has reached theta_leave, and the domino has theta_f. */
                 struct domq_contact c = {.theta_1 = events[k].theta};
                 for (size_t j = 1; j < events[k].domino; j++)
                     assert_status(ask_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c, NULL),
@@ -60,7 +60,7 @@ static void events_are_in_order(void **state)
     assert_true(stops > 10 && hits > 10 && falls > 10 && tops > 10);
 }
 
-/* before - lost - climbed = kinetic, at every event and between them. */
+/* Checks before - lost - climbed = kinetic, at every event and between events. */
 static void ledger_closes(void **state)
 {
     (void)state;
@@ -90,7 +90,7 @@ static void ledger_closes(void **state)
     assert_true(checked > 300);
 }
 
-/* With the paper's fuel energy comes from nowhere: the ledger shows how much. */
+/* Checks that the balance with the paper's fuel is not closed: the fuel adds energy. */
 static void ledger_of_the_paper_is_open(void **state)
 {
     (void)state;
@@ -143,7 +143,7 @@ static bool force_seen(const struct domq_force *force, void *context)
     if (force->i == 0)
         s->head = (double)force->force;
     s->force = fmin(s->force, (double)force->of_own);
-    /* Domino i weighs r^(q-1) less than the one before it: its mass times height is r^-q. */
+    /* Domino i has r^(q-1) times less mass than the one before: its mass times height is r^-q. */
     if (!isnan((double)force->force))
         assert_near("of its own weight", force->of_own,
                     force->force * pow(s->train->r, (s->train->q - 1) * (double)force->i), 1e-12);
@@ -152,8 +152,8 @@ static bool force_seen(const struct domq_force *force, void *context)
 }
 
 /*
- * The head obeys its own equation of motion with the force that comes up the chain, and all forces and
- * impulses are positive: in the frictionless cycle dominoes stay in contact.
+ * Checks that the head obeys its own equation of motion with the force of its follower, and that all forces
+ * and impulses are positive: in the frictionless cycle dominoes stay in contact.
  */
 static void forces_hold_the_train_together(void **state)
 {
@@ -187,7 +187,7 @@ static void forces_hold_the_train_together(void **state)
     assert_true(checked > 300);
 }
 
-/* Time and tilt are each other's inverse; the whole is the duration. */
+/* Checks that time and tilt are inverse functions, and that the time of the last tilt is the duration. */
 static void tilt_inverts_time(void **state)
 {
     (void)state;
@@ -217,8 +217,8 @@ static void tilt_inverts_time(void **state)
 }
 
 /*
- * d time / d theta is 1 / omega, by a central difference; just before a stop, where omega grows like a square
- * root, twice the distance over omega is left.  With friction and without.
+ * Checks that d time / d theta is 1 / omega, by a central difference, with friction and without. Just before
+ * a stop, where omega grows like a square root, the remaining time is twice the distance over omega.
  */
 static void time_is_the_sum_of_slowness(void **state)
 {
@@ -260,7 +260,7 @@ static void time_is_the_sum_of_slowness(void **state)
     assert_true(passed > 60 && stopped > 15 && friction_work > 5);
 }
 
-/* Of a train that stops just below the top: double against quad. */
+/* Compares trains that stop just below the top: double against quad. */
 static void stops_to_the_digit(void **state)
 {
     (void)state;
@@ -291,7 +291,7 @@ static void stops_to_the_digit(void **state)
     assert_status(ask_cycle_state(&none, 1, &s, NULL), DOM_BAD_TILT);
 }
 
-/* The bounds of a state hold against quad. */
+/* Checks the bounds of a state against quad. */
 static void bounds_hold(void **state)
 {
     (void)state;

@@ -26,7 +26,7 @@ static struct asked train_of(double s, double q, double mu)
     return train;
 }
 
-/* n boxes, each r times the one before, where the first is as high as 1 and g = 1. */
+/* Returns true if n boxes fall, each r times the one before, with the first of height 1 and g = 1. */
 static bool falls(struct row *row, const struct asked *train, double r, size_t n, double push)
 {
     for (size_t k = 0; k < n; k++) {
@@ -44,8 +44,9 @@ static bool falls(struct row *row, const struct asked *train, double r, size_t n
 }
 
 /*
- * Right below it falls, right above it stops.  The push is so strong, and the row so long, that its own limit
- * is that of the train to 1e-10; the integrator keeps 1e-13 of a step.
+ * Checks that the row falls just below the train's growth and stops just above it. The push is so strong, and
+ * the row so long, that the row's own limit is that of the train to 1e-10; the integrator keeps 1e-13 in a
+ * step.
  */
 static void largest_growths(void **state)
 {
@@ -68,7 +69,7 @@ static void largest_growths(void **state)
     }
 }
 
-/* Of the last but one; the row has forgotten its push. */
+/* Checks the duration of the last cycle but one, when the row has forgotten its push. */
 static void durations(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The solvers against one list of problems, the nasty ones included. */
+/* The solvers with one list of problems, including difficult ones. */
 #include "precision/kernel.inc"
 #include "support.h"
 #include <float.h>
@@ -56,7 +56,7 @@ static void roots(void **state)
     for (size_t i = 0; i < sizeof problems / sizeof *problems; i++) {
         double x = DOMQ_NAN;
         assert_int_equal(num_root(problems[i].f, NULL, problems[i].lo, problems[i].hi, 0, &x), NUM_OK);
-        if (problems[i].f != flat) /* nine-fold: the values underflow around it */
+        if (problems[i].f != flat) /* a ninefold root: the values underflow near it */
             assert_near("root", x, problems[i].x, problems[i].bound);
         else
             assert_near("flat root", x, 1, 1e-12);
@@ -109,7 +109,7 @@ static double near_stop(double x, void *c)
     return 1 / sqrt(margin + x * x);
 }
 
-/* The peak of a train that nearly stops: the integral over [0, 1] is asinh(1 / sqrt(margin)). */
+/* Checks the peak of a train that nearly stops: the integral over [0, 1] is asinh(1 / sqrt(margin)). */
 static void integrals(void **state)
 {
     (void)state;
@@ -135,7 +135,8 @@ static double count_call(double x, void *context)
     return c->f(x, c->context);
 }
 
-/* Of ours, or of GSL's Brent, from the bracket to 1e-13; the root is asserted. */
+/* Returns the number of calls of our solver, or of GSL's Brent, from the bracket to 1e-13; checks the
+ * root. */
 static size_t root_calls(num_function *f, double lo, double hi, double expected, bool gsl)
 {
     struct counted c = {.f = f};
@@ -221,7 +222,7 @@ struct peak {
     size_t calls;
 };
 
-/* A peak inside, on a slope that is not flat. */
+/* Returns a peak inside, on a slope that is not flat. */
 static double peaked(double x, void *context)
 {
     struct peak *p = context;
@@ -236,8 +237,9 @@ static double peaked_integral(const struct peak *p, double x)
 }
 
 /*
- * However narrow a peak is, the same few evaluations to 1e-12, where qag's grow; with its width unknown still
- * the integral.  Away from x = 0 a width below 1e-3 is rounded itself.
+ * Checks that the number of evaluations to 1e-12 does not depend on the width of a peak, while that of qag
+ * grows; with an unknown width the integral is still right. Away from x = 0 a width below 1e-3 is rounded
+ * itself.
  */
 static void peaks(void **state)
 {
@@ -273,7 +275,7 @@ static void peaks(void **state)
 /* ---- The linear equation: G and v known in closed form ---- */
 
 struct linear {
-    double a; /* how close to the real axis its singularity is */
+    double a; /* distance of its singularity from the real axis */
     int kind;
     size_t calls;
 };
@@ -326,14 +328,14 @@ static void linear_everywhere(void **state)
     for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
         struct linear l = linears[i];
         solution.panels = 0;
-        /* In two parts, as behind an edge. */
+        /* In two parts, as after an edge. */
         assert_int_equal(num_linear_solve(linear_rate, &l, 0, 0.4, 1e-13, &solution), NUM_OK);
         assert_int_equal(num_linear_solve(linear_rate, &l, 0.4, 1, 1e-13, &solution), NUM_OK);
         double most = linear_v(&l, 1);
         for (double x = 1e-12; x <= 1; x = x < 1e-3 ? 3 * x : x + 0.0101) {
             double ln_G, v;
             num_linear_at(&solution, x, &ln_G, &v);
-            /* v is known relative to how far it moves. */
+            /* The error of v is relative to the range of v. */
             assert_true(fabs(ln_G - log(linear_G(&l, x))) < 1e-12);
             if (!(fabs(v - linear_v(&l, x)) <= 2e-12 * fabs(most)))
                 fail_msg("problem %zu: v(%g) = %.17g, expected %.17g", i, x, v, linear_v(&l, x));
@@ -373,7 +375,7 @@ static bool linear_nan(double x, void *context, struct num_rate *rate)
     return true;
 }
 
-/* Not smooth: a jump takes panels until there are no more. */
+/* Not smooth: a jump takes all panels that there are. */
 static bool linear_jump(double x, void *context, struct num_rate *rate)
 {
     (void)context;
@@ -391,7 +393,7 @@ static void linear_failures(void **state)
     solution.panels = 0;
     double ln_G, v;
     enum num_status status = num_linear_solve(linear_jump, NULL, 0, 1, 1e-12, &solution);
-    /* Either it is met, or refused; never a wrong number. */
+    /* Either the answer is right, or it is an error; never a wrong number. */
     if (status == NUM_OK) {
         num_linear_at(&solution, 1, &ln_G, &v);
         assert_near("across a jump", v, 2.0 / 3 + 2.0 / 3, 1e-9);

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What must hold for every train, whatever its digits: identities, limits, monotony, continuity. */
+/* Properties of every train that do not depend on digits: identities, limits, monotony, continuity. */
 #include "request.h"
 #include "support.h"
 #include <float.h>
 
 enum { TRAINS = 400 };
 
-/* J(0) = 1 + r^-(q+1) J(theta_c) (d8), and the train at 0 is the one at theta_c, shifted by one. */
+/* Checks J(0) = 1 + r^-(q+1) J(theta_c) (50; d8), and that the train at 0 is the train at theta_c, shifted by
+ * one. */
 static void inertia_shifts_by_one(void **state)
 {
     (void)state;
@@ -24,8 +25,9 @@ static void inertia_shifts_by_one(void **state)
 }
 
 /*
- * dH/dtheta is the sum that the barrier search uses: the three-point difference quotient of dH has an
- * error of h^2 |H'''| / 6, plus rounding of 1e-16 / h.  H''' is large where a follower is about to leave.
+ * Checks that dH/dtheta is the sum that the barrier search uses: the three-point difference quotient of dH
+ * has an error of h^2 |H'''| / 6, plus rounding errors of 1e-16 / h. H''' is large where a follower is about
+ * to detach.
  */
 static void slope_is_derivative_of_energy(void **state)
 {
@@ -56,8 +58,8 @@ static void slope_is_derivative_of_energy(void **state)
 }
 
 /*
- * The differences, summed term by term, agree with the difference of two sums of h, to the rounding of
- * the latter: 1e-14 of the sum of weights.
+ * Checks that the differences, summed term by term, agree with the difference of two sums of h, to the
+ * rounding errors of these sums: 1e-14 of the sum of weights.
  */
 static void energy_agrees_with_its_definition(void **state)
 {
@@ -79,7 +81,7 @@ static void energy_agrees_with_its_definition(void **state)
                 H[k] += link.weight * (t.y + geometry.d * t.x);
                 size += link.weight;
                 if (!link.leads) {
-                    /* Fallen off before, they stand at theta_f in both sums, down to no weight. */
+                    /* Dominoes that detached before have theta_f in both sums, down to a weight of 0. */
                     for (double w = link.weight * geometry.weight; n < 4000; n++, w *= geometry.weight) {
                         H[k] += w * (geometry.f.y + geometry.d * geometry.f.x);
                         size += w;
@@ -89,7 +91,7 @@ static void energy_agrees_with_its_definition(void **state)
                 link_next(&link);
             }
         }
-        /* What 4000 dominoes leave out is below rounding here, since s >= 3e-3. */
+        /* What 4000 dominoes leave out is below rounding errors here, since s >= 3e-3. */
         if (!(fabs(H[1] - H[0] - sums.dH) <= 4e-15 * size * (1 + geometry.d)))
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: dH %.17g, by definition %.17g",
                      (double)train.s, (double)train.r, (double)train.d, (double)train.q, theta, sums.dH,
@@ -97,7 +99,7 @@ static void energy_agrees_with_its_definition(void **state)
     }
 }
 
-/* At r = 1, and where r s = 1. */
+/* Checks that the fuels agree at r = 1, and where r s = 1. */
 static void fuels_agree_where_they_must(void **state)
 {
     (void)state;
@@ -110,7 +112,7 @@ static void fuels_agree_where_they_must(void **state)
         if (!(fabs((double)(fuels.exact - fuels.paper)) <= 1e-13 * (1 + train.d))) /* up to 7000 terms */
             fail_msg("r = 1, s %.17g d %.17g: exact %.17g paper %.17g", (double)train.s, (double)train.d,
                      (double)fuels.exact, (double)fuels.paper);
-        /* At the reach every follower falls off at once, at pi/2; s is a power of 2 so that r s = 1. */
+        /* At the reach every follower detaches at once, at pi/2; s is a power of 2 so that r s = 1. */
         train.s = ldexp(1, -i % 8);
         train.r = 1 / train.s;
         assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
@@ -119,8 +121,8 @@ static void fuels_agree_where_they_must(void **state)
     }
 }
 
-/* Energy is conserved along the cycle: J w + dH = K (c3), and the cycle ends with the speed that starts it.
- */
+/* Checks that energy is conserved along the cycle, J w + dH = K (21; c3), and that the cycle ends with the
+ * speed with which the next one begins. */
 static void cycle_closes(void **state)
 {
     (void)state;
@@ -142,7 +144,7 @@ static void cycle_closes(void **state)
                         1e-13 * (1 + fabs((double)(energy.dH / launch.kinetic))));
         if (ask_cycle_omegasq(&train, angles.theta_c, &w, NULL) != DOM_OK)
             continue;
-        /* (c4) and (c5): J(0) omega(0) = (J(0) - 1) sqrt(r) omega(theta_c). */
+        /* (22; c4) and (23; c5): J(0) omega(0) = (J(0) - 1) sqrt(r) omega(theta_c). */
         double T = pow(train.r, -(train.q + 1)), J_c = 0;
         assert_status(ask_energy_find(&train, angles.theta_c, &energy, NULL), DOM_OK);
         J_c = energy.J;
@@ -154,7 +156,8 @@ static void cycle_closes(void **state)
     assert_true(closed > TRAINS / 4);
 }
 
-/* At the reach the follower is gone at once, but the collision has happened: omega(0) is the launch. */
+/* Checks a train at the reach: the follower has detached at once, but after the collision, so omega(0) is
+ * that of the launch. */
 static void cycle_begins_at_the_reach(void **state)
 {
     (void)state;
@@ -176,7 +179,7 @@ static void cycle_begins_at_the_reach(void **state)
     }
 }
 
-/* Cycles converge: from any other speed the collision law leads to the stationary one. */
+/* Checks that cycles converge: from any other speed the collision law leads to the stationary one. */
 static void train_forgets_its_push(void **state)
 {
     (void)state;
@@ -195,7 +198,7 @@ static void train_forgets_its_push(void **state)
     assert_near("stationary omega0sq", w, launch.omegasq, 1e-13);
 }
 
-/* At r_max the margin is 0, just below it is positive, just above it is negative. */
+/* Checks that the margin is 0 at r_max, positive just below and negative just above. */
 static void margin_vanishes_at_the_limit(void **state)
 {
     (void)state;
@@ -217,7 +220,7 @@ static void margin_vanishes_at_the_limit(void **state)
     assert_true(met > 10);
 }
 
-/* What is left of the energy is as sure as tol says, however small a part of the whole it is. */
+/* Checks that the remaining energy has the tolerance tol, however small a part of the whole it is. */
 static void small_margins_keep_their_digits(void **state)
 {
     (void)state;
@@ -237,14 +240,14 @@ static void small_margins_keep_their_digits(void **state)
     }
 }
 
-/* Where only two dominoes matter the pair, pushed at r_max of the train, is the train. */
+/* Checks that, if only two dominoes matter, the pair with the train's push has the margin of the train. */
 static void pair_is_train_of_two(void **state)
 {
     (void)state;
     for (double q = 3; q <= 4; q++) {
         struct asked train = asked_default();
         struct domq_limit whole, pair;
-        train.s = q == 3 ? 0.52 : 0.6; /* followers leave before the next collision, H has its top late */
+        train.s = q == 3 ? 0.52 : 0.6; /* followers detach before the next hit, and H has its top late */
         train.q = q;
         assert_status(ask_limit_rmax(&train, &whole, NULL, NULL), DOM_OK);
         assert_status(ask_limit_pair(&train, &pair, NULL), DOM_OK);
@@ -252,7 +255,7 @@ static void pair_is_train_of_two(void **state)
     }
 }
 
-/* A domino that has not tipped over its edge before it hits is still held by whoever holds it (b0). */
+/* Checks (5; b0): a domino that has not tipped over its edge before it hits does not push the next one. */
 static void pairs_tip_over_before_they_hit(void **state)
 {
     (void)state;
@@ -269,13 +272,13 @@ static void pairs_tip_over_before_they_hit(void **state)
     assert_true(ends[DOM_END_NONE] > TRAINS / 10 && ends[DOM_END_BARRIER] > TRAINS / 10);
 }
 
-/* Below (b0) no pair succeeds, and soon above it none does any more: a scan of r must not step over the band.
- */
+/* Checks narrow bands: below (5; b0) no pair succeeds, and a little above it none does any more; a scan of r
+ * must not step over the band. */
 static void pairs_succeed_in_narrow_bands(void **state)
 {
     (void)state;
     static const double band[][4] = {
-        /* s, d, q, and its end */
+        /* s, d, q, and the end of the band */
         {0.41043361309668785, 0.32266631706171017, 1.6758005526800597, 1.6906981},
         {0.20984676777913347, 0.14262314360317227, 2.344918696588473, 1.2175004},
         {0.01161971101033242, 0.00780759682969328, 1.9981531957259211, 1.5718772}};
@@ -291,7 +294,8 @@ static void pairs_succeed_in_narrow_bands(void **state)
     }
 }
 
-/* A massive tail is worse than a hollow one; closer to the best separation is better. */
+/* Checks that solid trains grow less than hollow ones, and that a separation closer to the best one is
+ * better. */
 static void growth_is_monotone(void **state)
 {
     (void)state;
@@ -308,7 +312,7 @@ static void growth_is_monotone(void **state)
     }
 }
 
-/* No domino effect at all for s <= 2 d^3 / (1 - d^2): 0.0063378 for the standard domino. */
+/* Checks that there is no domino effect for s <= 2 d^3 / (1 - d^2): 0.0063378 for the standard domino. */
 static void no_fuel_below_a_separation(void **state)
 {
     (void)state;
@@ -329,7 +333,7 @@ static void no_fuel_below_a_separation(void **state)
     assert_true(fuels.exact > 0 && fuels.paper > 0);
 }
 
-/* tol really decides: fewer dominoes at a larger one, and the error keeps below it. */
+/* Checks that a larger tol needs fewer dominoes, and that the error stays below tol. */
 static void tolerance_decides_the_work(void **state)
 {
     (void)state;
@@ -357,7 +361,7 @@ static void tolerance_decides_the_work(void **state)
         assert_true(total[k] > total[k - 1]);
 }
 
-/* Where the train stops, the energy is used up. */
+/* Checks that the energy is used up where the train stops. */
 static void train_stops_where_its_energy_ends(void **state)
 {
     (void)state;
@@ -379,7 +383,7 @@ static void train_stops_where_its_energy_ends(void **state)
     assert_true(isnan(stop));
 }
 
-/* margin -> 0: the duration grows like ln(1 / margin), by equal steps for equal ratios. */
+/* Checks margin -> 0: the duration grows like ln(1 / margin), by equal steps for equal ratios. */
 static void duration_diverges_logarithmically(void **state)
 {
     (void)state;
@@ -398,7 +402,7 @@ static void duration_diverges_logarithmically(void **state)
     assert_status(ask_cycle_duration(&train, &duration[0], NULL), DOM_STOPS);
 }
 
-/* Bounds cost nothing where nobody asks for them, and change no digit where somebody does. */
+/* Checks that bounds take no work unless they are requested, and change no digit of the answer. */
 static void bounds_are_extra(void **state)
 {
     (void)state;
@@ -441,7 +445,7 @@ static void bounds_are_extra(void **state)
     assert_true(barriers > 30 && limits > 10);
 }
 
-/* The three precisions agree as far as the poorer of two reaches. */
+/* Checks that the precisions agree to the digits of the poorer one. */
 static void precisions_agree(void **state)
 {
     (void)state;

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Every quantity of the model against reference digits (tests/reference, computed with 40 digits).
- *
- * Bounds.  At tol = 1e-15 the points are well conditioned, with condition numbers up to about 100 (the
- * slope just before a follower leaves, "wide"; the weights r^-qi of 6000 dominoes, "very-close"), so
- * 100 to 200 units of 2^-53 is what conditioning allows: 3e-14.  The durations are printed with 14
- * digits: 1e-13.  At the default tol = 1e-12 the same comparisons hold to tol.
+ * Bounds: at tol = 1e-15 the points are well conditioned, with condition numbers up to about 100 (the slope
+ * just before a follower detaches, "wide"; the weights r^-qi of 6000 dominoes, "very-close"), so conditioning
+ * allows 100 to 200 units of 2^-53: 3e-14. The durations are printed with 14 digits: 1e-13. At the default
+ * tol = 1e-12 the same comparisons are right to tol.
  */
 #include "support.h"
 
@@ -61,7 +60,7 @@ static void check_dynamics(const struct csv *csv, struct asked train, const stru
     assert_status(ask_launch_find(&train, &launch, NULL), P > 0 ? DOM_OK : DOM_NO_FUEL);
     enum dom_status verdict = ask_barrier_find(&train, &barrier, NULL);
     assert_near("barrier", barrier.barrier, csv_number(csv, "barrier"), bounds->digits);
-    /* A maximum that is flat fixes its place only through the zero of H', as well as H' is conditioned. */
+    /* The place of a flat maximum comes from the zero of H', and has the conditioning of H'. */
     assert_near("theta_m", barrier.theta_m, csv_number(csv, "theta_m"), 10 * bounds->digits);
     if (P <= 0) {
         assert_status(verdict, DOM_NO_FUEL);
@@ -117,7 +116,8 @@ static void points_to_the_default_tolerance(void **state)
     check_points(&usual);
 }
 
-/* r_max: 1e-13 away from 1/s (there the margin is steep), and the same at the reach, where it is 1/s. */
+/* Checks r_max: to 1e-13 away from 1/s (there the margin is steep), and also at the reach, where it is
+ * 1/s. */
 static void largest_growth(void **state)
 {
     (void)state;
@@ -155,7 +155,7 @@ static void largest_growth_of_a_pair(void **state)
     assert_int_equal(rows, 18);
 }
 
-/* The separations are known to 6 digits, the growths to 7. */
+/* Checks the best separations, known to 6 digits, and their growths, known to 7. */
 static void best_separation(void **state)
 {
     (void)state;
@@ -187,10 +187,10 @@ static void best_separation(void **state)
 }
 
 /*
- * Followers that fall off at small angles: sin theta_f cancels if it is 1 minus something, and so does
- * the energy of the one that leaves if it is a difference of cosines.  Digits from 256-bit arithmetic.
+ * Checks followers that detach at small angles: sin theta_f would cancel as 1 minus a number, and so would
+ * the energy of the detaching follower as a difference of cosines. Digits from 256-bit arithmetic.
  */
-static void falling_off_at_small_angles(void **state)
+static void detaching_at_small_angles(void **state)
 {
     (void)state;
     struct asked train = asked_default();
@@ -224,7 +224,7 @@ static void falling_off_at_small_angles(void **state)
     assert_near("dH", energy.dH, 0.003549098981117767, 4e-15);
 }
 
-/* Where the barrier curve meets r = 1/s (six digits known for the exact fuel). */
+/* Checks where the barrier curve meets r = 1/s (six digits known for the exact fuel). */
 static void barrier_curve_meets_reach(void **state)
 {
     (void)state;
@@ -249,7 +249,7 @@ int main(void)
         cmocka_unit_test(points_to_the_default_tolerance),
         cmocka_unit_test(largest_growth),
         cmocka_unit_test(largest_growth_of_a_pair),
-        cmocka_unit_test(falling_off_at_small_angles),
+        cmocka_unit_test(detaching_at_small_angles),
         cmocka_unit_test(best_separation),
         cmocka_unit_test(barrier_curve_meets_reach),
     };

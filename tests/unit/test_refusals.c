@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Each status DOM_BAD_... is returned by every function that gets the bad parameter, and names it. */
+/* Errors of parameters: each status DOM_BAD_... is returned by every function that gets the bad parameter,
+ * and names it. */
 #include "support.h"
 
 static bool returned[DOM_INTERRUPTED + 1];
 
-/* Fails unless the status is the expected one, which is then known to be returned by something. */
+/* Fails unless the status is the expected one, and notes that some function has returned it. */
 #define assert_named(status, expected)                                                                       \
     do {                                                                                                     \
         enum dom_status status_ = (status);                                                                  \
@@ -42,7 +43,7 @@ static bool never_fall(const struct dom_fall *fall, void *context)
 
 /* ---- Every function of a train ---- */
 
-/* A result of any of them. */
+/* A result of any of the functions. */
 union result {
     struct dom_angles angles;
     struct dom_contact contact;
@@ -59,7 +60,7 @@ union result {
     struct dom_best best;
 };
 
-/* Functions by number; the last three have an r of their own, the last an s, too. */
+/* Numbers of the functions; the last three find r themselves, and the last one s, too. */
 enum { LIMITS = 18, BEST = 20, FUNCTIONS };
 
 static enum dom_status ask(int function, const struct dom_train *t, const struct dom_compute *c,
@@ -131,7 +132,7 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
     assert_status(domq_train_check(&wide, &wide_compute), expected);
 }
 
-/* Numbers outside a range. */
+/* Lists numbers outside a range. */
 #define OUTSIDE(lowest, highest)                                                                             \
     nextafter(lowest, -(double)INFINITY), nextafter(highest, (double)INFINITY), (double)NAN,                 \
         (double)INFINITY, -(double)INFINITY
@@ -222,7 +223,7 @@ static void tilts_and_times(void **state)
 
 enum { ROW = 4, BAD_ONE = 2 };
 
-/* A row that falls, in which a test makes one number a bad one. */
+/* A row that falls, of which a test changes one number to a bad one. */
 struct some_row {
     struct dom_domino domino[ROW];
     struct dom_row row;
@@ -236,7 +237,7 @@ static void row_make(struct some_row *r)
     r->row = (struct dom_row){.domino = r->domino, .count = ROW, .g = scale.g, .push = (double)NAN};
 }
 
-/* Makes the same row for each growth. */
+/* Writes an equal row for each growth. */
 static void row_copy(double r, struct dom_domino *domino, size_t count, void *context)
 {
     (void)r;
@@ -270,7 +271,7 @@ static void row_refused(const struct dom_row *row, const struct dom_compute *com
     if (domino)
         assert_int_equal(verdict.domino, domino);
     searches_refused(row, compute, expected);
-    if (expected == DOM_BAD_GAP) /* a study narrows or widens gaps itself, and takes one below 0 as 0 */
+    if (expected == DOM_BAD_GAP) /* a study changes gaps itself, and treats one below 0 as 0 */
         return;
     assert_named(dom_placement_study(row, compute, &placement, &study, NULL), expected);
     assert_int_equal(study.rows, 7);
@@ -301,7 +302,7 @@ static void rows(void **state)
             row_refused(&r.row, NULL, 0, DOM_BAD_PUSH);
         compute.tol = bad[k];
         row_make(&r);
-        struct dom_verdict verdict; /* a study takes any tolerance that is too fine as 1e-9 */
+        struct dom_verdict verdict; /* a study treats any finer tolerance as 1e-9 */
         assert_named(dom_row_run(&r.row, &compute, true, never_fall, NULL, &verdict), DOM_BAD_TOL);
         searches_refused(&r.row, &compute, DOM_BAD_TOL);
         compute = dom_compute_default();
@@ -323,7 +324,7 @@ static void rows(void **state)
     row_refused(&r.row, &compute, 0, DOM_BAD_PRECISION);
 }
 
-/* What bounds the searches for a growth and for a push. */
+/* Checks the limits of the searches for a growth and for a push. */
 static void searches(void **state)
 {
     (void)state;
@@ -385,7 +386,7 @@ static void counts(void **state)
     assert_true(count.dominoes == -1);
 }
 
-/* Runs last. */
+/* Checks that every status has occurred; runs last. */
 static void all_were_returned(void **state)
 {
     (void)state;

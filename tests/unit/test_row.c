@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finite rows of any dominoes: against Newton's equations (direct.h), the endless train, and energy. */
+/* Finite rows of any dominoes: against Newton's equations (direct.h), the endless train, and the balance of
+ * energy. */
 #include "run.h"
 #include "support.h"
 #include <float.h>
@@ -8,7 +9,8 @@ enum { MOST = ROW_MOST };
 
 static const double g = 9.81;
 
-/* Equal, growing, shrinking or uneven; pushed from just below to far above what turns one over. */
+/* Makes a row: equal, growing, shrinking or uneven; pushed from just below to far above the push that turns
+ * one domino over. */
 static void random_row(struct run *run, uint64_t *seed, int kind)
 {
     static const double mus[] = {0, 0.1, 0.4}, pushes[] = {0.98, 1.02, 1.5, 4, 15};
@@ -46,8 +48,8 @@ static void near_here(const char *what, const struct run *run, size_t k, double 
 }
 
 /*
- * The integrator keeps 1e-13 of a step, and the row 1e-12; what is left of a small margin carries that of
- * the whole kinetic energy, so the bound grows as it shrinks.
+ * Compares a row with Newton's equations. The integrator keeps 1e-13 in a step, and the row 1e-12. A small
+ * margin has the error of the whole kinetic energy, so the bound grows as the margin shrinks.
  */
 static void compare(const struct run *run, const struct newton *n, size_t hits)
 {
@@ -60,7 +62,7 @@ static void compare(const struct run *run, const struct newton *n, size_t hits)
         near_here("omega", run, k, f->omega, h->omega, h->omega, bound);
         near_here("kinetic", run, k, f->kinetic, h->kinetic, h->kinetic, bound);
         near_here("lost", run, k, f->lost, h->kinetic_before - h->kinetic, h->kinetic_before, bound);
-        near_here("rubbed", run, k, friction_work, h->friction_work, h->kinetic_before + friction_work,
+        near_here("friction_work", run, k, friction_work, h->friction_work, h->kinetic_before + friction_work,
                   bound);
         friction_work += (double)f->friction_work;
         if (f->kinetic > 0)
@@ -95,7 +97,7 @@ static void newton_agrees(void **state)
         double least = n.result.least_force;
         if (v->end == DOM_ROW_PARTS) { /* Newton's contacts pull from there on */
             assert_true(least < 0);
-        } else if (least < 0) { /* the model looks at a few tilts only */
+        } else if (least < 0) { /* the model checks only a few tilts */
             size_t at = n.result.least_at - 1;
             double weight = n.mass[at] * g;
             if (least < -0.02 * weight)
@@ -130,8 +132,8 @@ static void newton_agrees(void **state)
 }
 
 /*
- * Contact may open before a head comes to rest: Newton's equations have -0.019 weights between 1 and 2 before
- * head 2 rests.
+ * Checks a contact that opens before a head comes to rest: Newton's equations have -0.019 weights between 1
+ * and 2 before head 2 rests.
  */
 static void contact_opens_before_a_stop(void **state)
 {
@@ -151,7 +153,8 @@ static void contact_opens_before_a_stop(void **state)
     assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_PARTS));
 }
 
-/* Where masses differ much a fast head leaves its followers behind: contact opens though nothing stops. */
+/* Checks a fast head that runs ahead of its followers, since masses differ much: a contact opens although
+ * nothing stops. */
 static void contact_opens_without_a_stop(void **state)
 {
     (void)state;
@@ -183,10 +186,11 @@ static void contact_opens_without_a_stop(void **state)
 /* ---- Against the endless train ---- */
 
 /*
- * Domino k, in its own units, tends to a cycle of the train.  An error of omega^2 keeps the share (J(0) - 1)
- * / (J(0) r^q) from one to the next (c4), and what the missing rest of the train would do keeps r^-q
- * theta_1'(theta_inf): the larger of the two is the rate (without friction; friction only makes it smaller).
- * At the end what 50 dominoes of that rate leave is left, or 1e-11, which the tolerance of margins explains.
+ * Checks that domino k, in its own units, tends to a cycle of the train. An error of omega^2 has the factor
+ * (J(0) - 1) / (J(0) r^q) from one domino to the next (22; c4), and the effect of the missing rest of the
+ * train has the factor r^-q theta_1'(theta_inf): the larger factor is the rate (without friction; friction
+ * makes it smaller). After 50 dominoes the error is that power of the rate, or 1e-11, which the tolerance of
+ * margins explains.
  */
 static void uniform_rows_become_the_train(void **state)
 {
@@ -198,7 +202,7 @@ static void uniform_rows_become_the_train(void **state)
                                      {0.6, 1.5, 4, 0},
                                      {0.4, 1.5, 4, 0.1},
                                      {0.3, 1, 3, 0.3},
-                                     /* the top stands behind the tilt where the follower has left */
+                                     /* the top is after the tilt where the follower has detached */
                                      {0.54, 1.85, 3, 0}};
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
         static struct run run;
@@ -246,7 +250,7 @@ static void uniform_rows_become_the_train(void **state)
 
 /* ---- Energy ---- */
 
-/* Of `moving` dominoes up to the head k at a tilt. */
+/* Returns the potential energy of `moving` dominoes up to the head k at a tilt. */
 static double potential(const struct run *run, size_t k, size_t moving, double theta)
 {
     double sum = 0;
@@ -260,7 +264,8 @@ static double potential(const struct run *run, size_t k, size_t moving, double t
     }
 }
 
-/* What a head has, less friction and what the dominoes rise, is what the next hit finds; where none drops. */
+/* Checks that the energy of a head, minus friction and the rise of the dominoes, is the energy before the
+ * next hit; in rows where none detaches. */
 static void energy_is_kept(void **state)
 {
     (void)state;
@@ -278,7 +283,7 @@ static void energy_is_kept(void **state)
             double open = (double)(f->kinetic - f->friction_work - next->kinetic - next->lost) - rises;
             double size = (double)f->kinetic + fabs(rises);
             if (!(fabs(open) <= 1e-12 * size) || next->lost < 0 || f->friction_work < -1e-12 * size)
-                fail_msg("domino %zu: open %g of %g, lost %g, rubbed %g", k + 1, open, size,
+                fail_msg("domino %zu: open %g of %g, lost %g, friction_work %g", k + 1, open, size,
                          (double)next->lost, (double)f->friction_work);
             assert_near("the margin", f->kinetic - f->barrier, f->margin, 1e-9);
             if (run.row.mu == 0)
@@ -309,7 +314,7 @@ static void ends(void **state)
     run.domino[3].gap = run.domino[2].height * (1 + 1e-9);
     check_end(&run, DOM_ROW_MISSES, 3);
     make_row(&run, 5, 0.4, 1, 0);
-    run.domino[3].height *= sqrt(1 - 0.16) * (1 - 1e-9); /* the tip comes in at h cos theta_c */
+    run.domino[3].height *= sqrt(1 - 0.16) * (1 - 1e-9); /* the tip arrives at h cos theta_c */
     check_end(&run, DOM_ROW_PASSES, 3);
     make_row(&run, 5, 0.4, 1, 0);
     run.domino[3].height *= sqrt(1 - 0.16) * (1 + 1e-9);
@@ -318,7 +323,8 @@ static void ends(void **state)
     make_row(&run, 5, 0.4, 2, 0);
     run.row.push = 1.01 * push_over(run.domino);
     check_end(&run, DOM_ROW_STOPS, 2);
-    /* A tip leans where it touches before its edge: sin theta_c <= sin theta_u = d / sqrt(1 + d^2). */
+    /* A domino leans if it touches the next before its edge: sin theta_c <= sin theta_u = d / sqrt(1 +
+     * d^2). */
     double d = 7.0 / 48, touches = d / hypot(1, d);
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 2, touches * (1 + side * 1e-9), 1, 0);
@@ -326,14 +332,14 @@ static void ends(void **state)
         assert_status(run_row(&run), DOM_OK);
         assert_int_equal(run.verdict.end, side < 0 ? DOM_ROW_LEANS : DOM_ROW_STOPS);
     }
-    /* From its edge the middle falls by this much. */
+    /* From its edge the centre falls by this height. */
     make_row(&run, 2, 0.4, 1, 0);
     run.row.push = DOMQ_NAN;
     assert_status(run_row(&run), DOM_OK);
     double falls = (hypot(1, d) - sqrt(1 - 0.16) - d * 0.4) * (double)run.domino[0].height / 2;
     assert_near("of the tip", run.fall[1].kinetic + run.fall[1].lost, (double)run.domino[0].mass * g * falls,
                 1e-13);
-    /* It locks where mu d is more than the height of the blow, h cos theta_c. */
+    /* The row locks if mu d is more than the height of the collision, h cos theta_c. */
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 3, 0.4, 1, sqrt(1 - 0.16) / d * (1 + side * 1e-6));
         run.row.push = 30 * push_over(run.domino);
@@ -348,7 +354,8 @@ static void ends(void **state)
     check_end(&run, DOM_ROW_FALLS, 1);
 }
 
-/* One domino turns over by (1/2) I omega^2 = m g (sqrt(h^2 + d^2) - h) / 2; twenty bits are bisected. */
+/* Checks that one domino turns over with (1/2) I omega^2 = m g (sqrt(h^2 + d^2) - h) / 2, by bisection to
+ * twenty bits. */
 static void push_just_enough(void **state)
 {
     (void)state;
@@ -363,7 +370,7 @@ static void push_just_enough(void **state)
         assert_status(run_row(&run), DOM_OK);
         *(run.verdict.end == DOM_ROW_FALLS ? &hi : &lo) = middle;
     }
-    assert_near("push", hi, edge, 1e-13); /* kinetic and barrier are some ten roundings each */
+    assert_near("push", hi, edge, 1e-13); /* kinetic and barrier have about ten rounding errors each */
     run.row.push = 0;
     check_end(&run, DOM_ROW_STOPS, 1);
     assert_near("short by", run.verdict.short_by,
@@ -371,8 +378,8 @@ static void push_just_enough(void **state)
 }
 
 /*
- * With friction, which a single domino does not feel, and without: a push that soon ends,
- * (1/2) I omega^2 = m g d theta / 2.
+ * Checks a push that soon ends, (1/2) I omega^2 = m g d theta / 2, with friction, which a single domino does
+ * not feel, and without.
  */
 static void rests_after_a_slight_push(void **state)
 {
@@ -448,7 +455,7 @@ static bool is_finite(const struct domq_fall *f, void *context)
     return true;
 }
 
-/* Whatever the sizes: answered without NaN, and then as quad does; or refused. */
+/* Checks rows of any size: the answer has no NaN and agrees with quad, or it is an error. */
 static void sizes(enum dom_precision precision, double s, double r, double h, double mass, size_t count,
                   bool answered)
 {
@@ -498,7 +505,7 @@ static void long_and_tall(void **state)
     sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 40, true);
 }
 
-/* Where m h^2 or h^2 is beyond the range of the precision: an answer that is right, or none. */
+/* Checks m h^2 or h^2 beyond the range of the precision: a right answer, or an error. */
 static void beyond_the_range(void **state)
 {
     (void)state;
@@ -509,7 +516,8 @@ static void beyond_the_range(void **state)
     sizes(DOM_DOUBLE, 0.3, 1, 1e-100, 1e-250, 20, false);
 }
 
-/* The weakest has the least margin over barrier; without times the verdict has the same bits. */
+/* Checks that the weakest domino has the smallest margin over barrier, and that the verdict has the same bits
+ * without times. */
 static void verdict_sums_up(void **state)
 {
     (void)state;
@@ -549,8 +557,8 @@ static void verdict_sums_up(void **state)
 }
 
 /*
- * The energy that a head needs is the row's alone, however fast it comes: also where somebody falls off on
- * the way, and what is needed behind that tilt is told in energy at the launch.
+ * Checks that the energy that a head needs depends on the row alone, not on the speed of the head: also if a
+ * domino detaches on the way; energy needed after that tilt is counted as energy at the launch.
  */
 static void barriers_do_not_depend_on_the_push(void **state)
 {
@@ -560,7 +568,7 @@ static void barriers_do_not_depend_on_the_push(void **state)
     int checked = 0, behind = 0;
     for (int i = 0; i < 1000; i++) {
         random_row(&slow, &seed, i % 4);
-        if (i % 4 == 0) { /* near the reach the top stands behind the tilt where the follower has left */
+        if (i % 4 == 0) { /* near the reach the top is after the tilt where the follower has detached */
             double s = 0.3 + 0.5 * random_unit(&seed);
             make_row(&slow, 5, s, (1 - random_log(&seed, 1e-4, 0.1)) / s, slow.row.mu / 20);
         }
@@ -571,7 +579,7 @@ static void barriers_do_not_depend_on_the_push(void **state)
         assert_status(run_row(&fast), DOM_OK);
         for (size_t k = 0; k < slow.falls && k < fast.falls; k++) {
             const struct domq_fall *a = &slow.fall[k], *b = &fast.fall[k];
-            if (a->margin < 0) /* what is behind a stop nobody has looked at */
+            if (a->margin < 0) /* the run ends at a stop: nothing after it is computed */
                 break;
             if (!(fabs((double)(a->barrier - b->barrier)) <= 1e-10 * (double)b->kinetic))
                 fail_msg("domino %zu of row %d: %.17g and %.17g", k + 1, i, (double)a->barrier,
@@ -584,8 +592,8 @@ static void barriers_do_not_depend_on_the_push(void **state)
     assert_true(checked > 1000 && behind > 20);
 }
 
-/* A domino that weighs next to nothing does not end a sum: behind it stand others that weigh as before. */
-static void light_dominoes_hide_nobody(void **state)
+/* Checks that a domino of almost no weight does not end a sum: those after it weigh as before. */
+static void light_dominoes_end_no_sum(void **state)
 {
     (void)state;
     static struct run rough, fine;
@@ -613,7 +621,7 @@ static void light_dominoes_hide_nobody(void **state)
     assert_true(checked > 200);
 }
 
-/* As many units as the tolerance asks for, over what is left of the smallest margin. */
+/* Returns the tolerance over the smallest margin, as a bound of the difference. */
 static void precisions_agree(void **state)
 {
     (void)state;
@@ -622,7 +630,7 @@ static void precisions_agree(void **state)
     for (int i = 0; i < 12; i++) {
         random_row(&run[0], &seed, i % 4);
         run[0].row.count = run[0].row.count < 8 ? run[0].row.count : 8;
-        for (size_t k = 0; k < run[0].row.count; k++) { /* what a float has exactly */
+        for (size_t k = 0; k < run[0].row.count; k++) { /* numbers that a float has exactly */
             struct domq_domino *d = &run[0].domino[k];
             *d = (struct domq_domino){(float)d->height, (float)d->thickness, (float)d->gap, (float)d->mass};
         }
@@ -651,7 +659,8 @@ static void precisions_agree(void **state)
     }
 }
 
-/* Of a long uniform row the floor needs what it needs of the train; the struck domino by its formula. */
+/* Checks a long uniform row, which needs as much friction of the floor as the train; and the struck domino by
+ * its formula. */
 static void floor_of_the_train(void **state)
 {
     (void)state;
@@ -675,7 +684,7 @@ static void floor_of_the_train(void **state)
         assert_int_equal(f->floor_hit_domino, f->domino - floor.hit_domino);
         assert_int_equal(work.entered[DOM_EFFECT_floor], 40);
         assert_int_equal(run.fall[0].floor_domino, 1);
-        assert_true(run.fall[0].floor_hit == 0); /* it was not hit */
+        assert_true(run.fall[0].floor_hit == 0); /* the first domino was not hit */
     }
 }
 
@@ -696,7 +705,7 @@ int main(void)
         cmocka_unit_test(beyond_the_range),
         cmocka_unit_test(verdict_sums_up),
         cmocka_unit_test(barriers_do_not_depend_on_the_push),
-        cmocka_unit_test(light_dominoes_hide_nobody),
+        cmocka_unit_test(light_dominoes_end_no_sum),
         cmocka_unit_test(precisions_agree),
         cmocka_unit_test(floor_of_the_train),
     };

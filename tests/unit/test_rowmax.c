@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The largest growth of a finite row: against the pair, the endless train, and the verdicts on both sides. */
+/* The largest growth of a finite row: compared with the pair, the endless train, and the verdicts on both
+ * sides. */
 #include "run.h"
 #include "support.h"
 
@@ -40,7 +41,7 @@ static struct domq_row_growth growth_of(struct family *f, const struct asked_row
     return growth;
 }
 
-/* How the family's row ends at the growth r. */
+/* Returns how the family's row ends at the growth r. */
 static enum dom_row_end ends_at(struct family *f, const struct asked_row *row, double r)
 {
     static struct run run;
@@ -49,7 +50,7 @@ static enum dom_row_end ends_at(struct family *f, const struct asked_row *row, d
     return row_end(&run);
 }
 
-/* Two dominoes, the first of which just tips over, are the pair of the paper. */
+/* Checks that two dominoes, the first of which just tips over, are the pair of the paper. */
 static void two_are_the_pair(void **state)
 {
     (void)state;
@@ -69,8 +70,8 @@ static void two_are_the_pair(void **state)
     assert_true(limited > 2);
 }
 
-/* What a strong push adds to domino k of a long row shrinks like a power of r: the endless train is what is
- * left. */
+/* Checks long rows: the effect of a strong push on domino k decreases like a power of r, so the limit is that
+ * of the endless train. */
 static void long_rows_are_the_train(void **state)
 {
     (void)state;
@@ -85,7 +86,7 @@ static void long_rows_are_the_train(void **state)
     }
 }
 
-/* All fall at r_max, and not at a little more; in every precision it is the same number. */
+/* Checks that all fall at r_max and not at a little more, with the same number in every precision. */
 static void falls_up_to_it(void **state)
 {
     (void)state;
@@ -126,7 +127,8 @@ static void falls_up_to_it(void **state)
     assert_true(stopped > 20 && reached > 3);
 }
 
-/* One that is pushed over falls at any growth; equal ones that lean from the start do at none. */
+/* Checks that a row of one pushed domino falls at any growth, and that equal dominoes that lean from the
+ * start do not. */
 static void at_the_ends(void **state)
 {
     (void)state;
@@ -139,7 +141,7 @@ static void at_the_ends(void **state)
     growth = growth_of(&f, &row);
     assert_true(isnan((double)growth.r_max) && growth.ends == DOM_ROW_LEANS);
     assert_int_equal(f.made, 1);
-    /* Where equal ones are the most that is asked for, they are the answer. */
+    /* If equal dominoes are the largest growth allowed, that growth is the answer. */
     f = family_of(1, 7.0 / 48, 4);
     row = row_of(1, 6);
     growth = growth_of(&f, &row);
@@ -153,7 +155,7 @@ static void flat_make(domq_real r, struct domq_domino *domino, size_t count, voi
         domino[0].thickness = 0;
 }
 
-/* Nothing is written where the status is not DOM_OK. */
+/* Checks that nothing is written if the status is not DOM_OK. */
 static void refusals(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows that stop: what they are short of, held against the potential energy of the dominoes on a fine grid,
- * and where they stop under much friction, held against Newton's equations (direct.h).
+ * Rows that stop: the energy that is missing, compared with the potential energy of the dominoes on a fine
+ * grid; and where they stop under much friction, compared with Newton's equations (direct.h).
  */
 #include "run.h"
 #include "support.h"
@@ -10,7 +10,7 @@ enum { MOST = 8, GRID = 4000 };
 
 static const double g = 9.81;
 
-/* m g h / 2 of the first is 1. */
+/* Makes a row in which m g h / 2 of the first domino is 1. */
 static void blocks_row(struct run *run, double size[][3], size_t count, double push, double mu)
 {
     double unit = 2 / (g * size[0][0] * size[0][0] * size[0][0] * size[0][1]);
@@ -22,9 +22,9 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
 }
 
 /*
- * The highest rise of the potential energy of the first `moving` dominoes up to the head k, on a grid of its
- * tilt.  Whoever is turned back by its leader has fallen off, and stays as high as it was, and so do those
- * that lean on it.
+ * Returns the largest rise of the potential energy of the first `moving` dominoes up to the head k, on a grid
+ * of its tilt. A domino that would be turned back by its leader has detached: it keeps its height, and so do
+ * those that lean on it.
  */
 static double highest_energy_change(const struct run *run, size_t k, size_t moving)
 {
@@ -56,7 +56,7 @@ static double highest_energy_change(const struct run *run, size_t k, size_t movi
     return top;
 }
 
-/* The two rows that were told apart: 0.0938 and 0.4332, where one is short by more for the weaker push. */
+/* Checks two rows that once differed: 0.0938 and 0.4332, where one lacks more energy with the weaker push. */
 static void short_of_the_highest(void **state)
 {
     (void)state;
@@ -87,8 +87,9 @@ static void random_row(struct run *run, uint64_t *seed, double push, double mu)
 }
 
 /*
- * Without friction, in every precision.  The grid sees a top by the parabola through three of its tilts,
- * wrong by their distance to the third power, or the second where somebody falls off between them: 1e-7.
+ * Checks rows without friction, in every precision. The grid gives the top by the parabola through three of
+ * its tilts, with an error of the third power of their distance, or the second if a domino detaches between
+ * them: 1e-7.
  */
 static void short_of_the_highest_everywhere(void **state)
 {
@@ -117,7 +118,7 @@ static void short_of_the_highest_everywhere(void **state)
     assert_true(stops > 400 && behind > 50);
 }
 
-/* What a head needs depends on the row alone: also where it stops. */
+/* Checks that the energy that a head needs depends on the row alone, also where the row stops. */
 static void a_stop_needs_what_a_fall_needs(void **state)
 {
     (void)state;
@@ -148,8 +149,8 @@ static void a_stop_needs_what_a_fall_needs(void **state)
 
 /* ---- At the reach ---- */
 
-/* r = 1/s, rounded in the widest type, is reached in every precision, as by a train; a gap wider by 1e-5 is
- * not. */
+/* Checks that r = 1/s, rounded in the widest type, is reached in every precision, as by a train, and that a
+ * gap wider by 1e-5 is not. */
 static void rounded_reach_is_reached(void **state)
 {
     (void)state;
@@ -169,7 +170,7 @@ static void rounded_reach_is_reached(void **state)
                                      .precision = (enum dom_precision)(i % 3)};
         assert_status(run_row(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
-        train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, but for what is close */
+        train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, except for close cases */
         near = run;
         ask_row_of_train(&train, &scale, 1, near.domino, 6);
         assert_status(run_row(&near), DOM_OK);
@@ -191,9 +192,9 @@ static void rounded_reach_is_reached(void **state)
 /* ---- Much friction ---- */
 
 /*
- * Under much friction arms vanish on the way (Painleve), which lets no motion pass; but mostly a row is at
- * rest before.  What Newton's equations say of hits and of rest is the verdict, in every precision, and no
- * row is an error.  A head that arrives at a locked tilt in motion has no answer there: Newton's equations
+ * Checks much friction, where arms become 0 on the way (Painleve) and no motion passes; but most rows are at
+ * rest before. The verdict agrees with the hits and the rest of Newton's equations, in every precision, and
+ * no row is an error. A head that arrives at a locked tilt in motion is left out: there Newton's equations
  * are singular.
  */
 static void much_friction(void **state)
@@ -204,7 +205,7 @@ static void much_friction(void **state)
     uint64_t seed = 73;
     int falls = 0, stops = 0, locked = 0, jams = 0;
     for (int i = 0; i < 20000; i++) {
-        bool light = i % 4 == 0; /* what pushes is light, and lies flat in the end */
+        bool light = i % 4 == 0; /* light followers, which lie flat in the end */
         random_row(&run, &seed, random_log(&seed, 3, 60), random_log(&seed, 0.5, 5));
         run.row.count = light ? 2 : run.row.count;
         run.domino[1].thickness *= light ? 2 : 1;
@@ -243,8 +244,8 @@ static void much_friction(void **state)
     assert_true(falls > 500 && stops > 2000 && locked > 30);
 }
 
-/* Tipped over its edge, a light domino meets a thick one, which stops; no energy would carry it past the
- * lock. */
+/* Checks a light domino, tipped over its edge, that meets a thick one, which stops; no energy would carry it
+ * past the lock. */
 static void stops_before_a_lock(void **state)
 {
     (void)state;

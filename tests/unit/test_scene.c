@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a picture: that they touch where the model says, overlap nowhere and lie on the ground. */
+/* The dominoes of a picture: they touch where the model says, overlap nowhere and are on the ground. */
 #include "support.h"
 #include <float.h>
 
@@ -10,7 +10,7 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.43, 2.1, 7.0 / 48, 3}, {0.54, 1.84, 7.0 / 48, 3},
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
-/* The shell's functions of a train that is asked like the others here. */
+/* Call the shell's functions with a train in the form of these tests. */
 static enum dom_status asked_scene(const struct asked *asked, domq_real theta, struct scene *scene)
 {
     const struct domq_train train = asked_train(asked);
@@ -67,8 +67,9 @@ static _Noreturn void fail_view(const struct view *v, int k, const char *what, d
 }
 
 /*
- * Roundings of the corners of domino k, in heights of the head.  Its hinge is a sum of k terms and its tilt
- * comes down a chain of k links, each of which adds a few roundings to the tilt and to the place.
+ * Returns the rounding errors of the corners of domino k, in heights of the head. Its hinge is a sum of k
+ * terms and its tilt comes along a chain of k links, each of which adds a few rounding errors to the tilt and
+ * to the place.
  */
 static double roundings(const struct view *v, int k)
 {
@@ -76,12 +77,12 @@ static double roundings(const struct view *v, int k)
     return DBL_EPSILON * (k + 1) * (fabs(own->foot) + own->height * (1 + (double)v->train.d));
 }
 
-enum { DOTS = 100 }; /* a domino so many times smaller than the head is a dot, and the last that is drawn */
+enum { DOTS = 100 }; /* a domino this many times smaller than the head is a dot, and the last that is drawn */
 
 /*
- * Places of domino k may be off by this.  The chain ends where what is left of it weighs less than the
- * tolerance, and from there on dominoes lie at theta_f: the first of them, unless it is a dot itself, is off
- * by a tenth of a dot where 10,000 of those are as high as the head.
+ * Returns the allowed error of the place of domino k. The chain ends where the rest of it weighs less than
+ * the tolerance, and from there on dominoes have theta_f. The first of these, unless it is a dot itself, is
+ * wrong by a tenth of a dot if 10,000 of them are as high as the head.
  */
 static double allowed(const struct view *v, int k)
 {
@@ -104,7 +105,7 @@ static struct point from_to(struct point a, struct point b)
     return (struct point){b.x - a.x, b.y - a.y};
 }
 
-/* A contact is the upper front edge of the follower, on the back face of the leader. */
+/* Checks that each contact is the upper front edge of the follower, on the back face of the leader. */
 static void contacts_are_on_back_faces(void **state)
 {
     (void)state;
@@ -130,7 +131,7 @@ static void contacts_are_on_back_faces(void **state)
                 fail_view(&v, i, "the contact is beyond the face", up, 1);
             here++;
         }
-        /* Where followers fall off, the head may be alone by then. */
+        /* If followers detach, the head may be alone by then. */
         assert_true(here > 0 || v.angles.detaches || v.scene.count == 3);
         contacts += here;
     }
@@ -138,7 +139,7 @@ static void contacts_are_on_back_faces(void **state)
     assert_true(contacts > 5 * TILTS * (SOME + RANDOM));
 }
 
-/* Returns by how much two dominoes are apart along a side of one of them; < 0 where they overlap. */
+/* Returns the distance of two dominoes along a side of one of them; < 0 if they overlap. */
 static double gap_between(const struct drawn *a, const struct drawn *b)
 {
     double widest = -(double)INFINITY;
@@ -178,7 +179,8 @@ static void dominoes_do_not_overlap(void **state)
     assert_true(pairs > 10 * TILTS * (SOME + RANDOM));
 }
 
-/* Each is r times smaller than its leader, and stands (s + d) of its leader's height behind it. */
+/* Checks that each domino is r times smaller than its leader, and (s + d) of the leader's height away from
+ * it. */
 static void sizes_and_places_are_those_of_the_train(void **state)
 {
     (void)state;
@@ -219,7 +221,8 @@ static bool tilt_seen(const struct domq_link *link, const struct domq_link *erro
     return tilts->count < DOMINOES;
 }
 
-/* As the chain tells them, at the library's own tolerance of 1e-12; behind it none is more upright. */
+/* Checks tilts against those of the chain, at the library's own tolerance of 1e-12; dominoes after the last
+ * are not more upright. */
 static void tilts_are_those_of_the_chain(void **state)
 {
     (void)state;
@@ -245,7 +248,8 @@ static void tilts_are_those_of_the_chain(void **state)
     assert_true(compared > 5 * TILTS * (SOME + RANDOM));
 }
 
-/* The head has the next one before it until theta_c, and then hits it at the height cos theta_c. */
+/* Checks that the head is before the next domino until theta_c, and then hits it at the height cos
+ * theta_c. */
 static void the_head_hits_at_the_end(void **state)
 {
     (void)state;
@@ -260,7 +264,7 @@ static void the_head_hits_at_the_end(void **state)
             assert_true(isnan(next->contact.x) && isnan(next->contact.y));
             continue;
         }
-        /* Its face is s r in front of the hinge of the head, which is rounded like the hinge of the next. */
+        /* Its face is at s r before the hinge of the head, which is rounded like the hinge of the next. */
         assert_near("x", next->contact.x, (double)(v.train.s * v.train.r), 8 * DBL_EPSILON);
         assert_near("z", next->contact.y, cos(v.theta), 8 * DBL_EPSILON);
         hits++;
@@ -268,8 +272,8 @@ static void the_head_hits_at_the_end(void **state)
     assert_int_equal(hits, SOME + RANDOM);
 }
 
-/* Once the first follower has fallen off, the head is free and all behind it lie. */
-static void what_has_fallen_off_lies(void **state)
+/* Checks that after the first follower has detached, the head is free and all followers lie. */
+static void what_has_detached_lies(void **state)
 {
     (void)state;
     struct asked train = asked_default();
@@ -302,7 +306,8 @@ static bool force_seen(const struct domq_force *force, void *context)
     return forces->count < DOMINOES;
 }
 
-/* Every contact presses, with the force that the library gives it; where none is, there is no force. */
+/* Checks that every contact has the force that the library gives, and that there is no force without a
+ * contact. */
 static void forces_press_where_dominoes_touch(void **state)
 {
     (void)state;
@@ -347,7 +352,7 @@ int main(void)
         cmocka_unit_test(sizes_and_places_are_those_of_the_train),
         cmocka_unit_test(tilts_are_those_of_the_chain),
         cmocka_unit_test(the_head_hits_at_the_end),
-        cmocka_unit_test(what_has_fallen_off_lies),
+        cmocka_unit_test(what_has_detached_lies),
         cmocka_unit_test(forces_press_where_dominoes_touch),
         cmocka_unit_test(no_scene_beyond_the_cycle),
     };

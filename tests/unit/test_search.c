@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the searches for limits once missed: dips of the margin, narrow bands, tops between two separations.
- */
+/* Cases that searches for limits once missed: dips of the margin, narrow bands, tops between two
+ * separations. */
 #include "support.h"
 
 static struct asked train_of(double s, double d, double q, double mu, enum dom_precision precision)
@@ -16,8 +16,8 @@ static struct asked train_of(double s, double d, double q, double mu, enum dom_p
 }
 
 /*
- * The first root, from sums in 30 digits of an independent program, given to 10.  Where the margin only just
- * falls below 0 float does not see it.
+ * Checks the first root, from sums in 30 digits of an independent program, given to 10. A margin only just
+ * below 0 does not show in float.
  */
 static void the_first_root_counts(void **state)
 {
@@ -44,7 +44,7 @@ static void the_first_root_counts(void **state)
     }
 }
 
-/* Bands that begin and end between samples a factor e^(1/8) apart. */
+/* Checks bands that begin and end between samples a factor e^(1/8) apart. */
 static void narrow_bands_of_pairs(void **state)
 {
     static const struct {
@@ -62,7 +62,7 @@ static void narrow_bands_of_pairs(void **state)
         }
 }
 
-/* Smooth tops are known to tol: where samples alone decide, to its root. */
+/* Checks that smooth tops are known to tol: samples alone would give only its square root. */
 static void the_best_separation_to_its_digits(void **state)
 {
     static const struct {
@@ -79,7 +79,7 @@ static void the_best_separation_to_its_digits(void **state)
     }
 }
 
-/* Thick dominoes grow only above s = 0.9, if at all. */
+/* Checks thick dominoes, which grow only above s = 0.9, if at all. */
 static void thick_dominoes_grow_at_wide_gaps(void **state)
 {
     (void)state;
@@ -96,7 +96,7 @@ static void thick_dominoes_grow_at_wide_gaps(void **state)
     }
 }
 
-/* Two tops between s = 0.9^k and its neighbours: the higher one counts. */
+/* Checks two tops between s = 0.9^k and its neighbours: the higher one counts. */
 static void the_higher_of_two_tops(void **state)
 {
     (void)state;
@@ -107,7 +107,7 @@ static void the_higher_of_two_tops(void **state)
     assert_near("best r_max", best.r_max, 29.8327373, 1e-8);
 }
 
-/* Out of reach within the work that a search may take: refused, and not after minutes. */
+/* Checks a search that would take more than the allowed work: an error, and soon. */
 static void too_much_work_is_refused(void **state)
 {
     (void)state;
@@ -119,7 +119,8 @@ static void too_much_work_is_refused(void **state)
     assert_true(work.dominoes < 20000000);
 }
 
-/* Thin dominoes at tiny gaps need hundreds of thousands of followers at r = 1, but few where they matter. */
+/* Checks thin dominoes at tiny gaps, which need hundreds of thousands of followers at r = 1, but few where
+ * they matter. */
 static void thin_dominoes_are_quick(void **state)
 {
     (void)state;

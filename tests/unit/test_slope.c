@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A floor that slopes, against a table from 40-digit arithmetic, against Newton's equations (direct.h), and
- * in its limits.
+ * A floor that slopes: compared with a table from 40-digit arithmetic, with Newton's equations (direct.h),
+ * and in its limits.
  */
 #include "direct.h"
 #include "support.h"
@@ -43,7 +43,7 @@ struct row {
     struct domq_domino domino[MOST];
 };
 
-/* A row of n boxes of unequal shape, each about r times the one before. */
+/* Makes a row of n boxes of unequal shape, each about r times the one before. */
 static void row_make(struct row *row, double r, double s, size_t n)
 {
     for (size_t k = 0; k < n; k++) {
@@ -103,7 +103,7 @@ static void rows_against_newton(void **state)
     }
 }
 
-/* Right below the largest growth a long row falls, right above it stops. */
+/* Checks that a long row falls just below the largest growth, and stops just above it. */
 static void limits_against_newton(void **state)
 {
     (void)state;
@@ -130,7 +130,8 @@ static void limits_against_newton(void **state)
     }
 }
 
-/* What a cycle begins with, climbs and loses is what it moves with. */
+/* Checks the balance of energy: that at the beginning of a cycle, minus what is climbed and lost, is the
+ * kinetic energy. */
 static void ledger_closes(void **state)
 {
     (void)state;
@@ -145,7 +146,7 @@ static void ledger_closes(void **state)
     }
 }
 
-/* A slope too small to be seen changes no bit. */
+/* Checks that a tiny slope changes no bit. */
 static void level_is_the_limit(void **state)
 {
     (void)state;
@@ -176,7 +177,7 @@ static bool floor_seen(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* The floor under a domino that tips over, until it hits the next, by Newton's law for its middle. */
+/* Checks the floor under a domino that tips over, until it hits the next, by Newton's law for its centre. */
 static void floor_under_the_first(void **state)
 {
     (void)state;
@@ -207,7 +208,7 @@ static void floor_under_the_first(void **state)
     }
 }
 
-/* A domino tips alpha earlier, and one that does not stand upright is an error. */
+/* Checks that a domino tips alpha earlier, and that a slope on which none is stable is an error. */
 static void slopes_that_do_not_hold(void **state)
 {
     (void)state;

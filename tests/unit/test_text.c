@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where quotes, commands and comments of a line end. */
+/* The ends of quotes, commands and comments in a line. */
 #include "support.h"
 
 #include "language/text.h"
@@ -35,10 +35,10 @@ static void commands_end(void **state)
         {"# all of it", ";", 0},
         {"rmax # why", ";", 5},
         {"rmax\t#", ";", 5},
-        {"rmax#1", ";", 6}, /* no comment */
+        {"rmax#1", ";", 6}, /* not a comment */
         {"save \"a;b #c\"; x", ";", 13},
         {"save \"a\"\";b\"; x", ";", 12},
-        {"save \"a\"#b; x", ";", 10}, /* nor that */
+        {"save \"a\"#b; x", ";", 10}, /* not a comment either */
         {"save \"a; b # c", ";", 14}, /* never closed */
         {"print 5\";\" ; x", ";", 11},
     };

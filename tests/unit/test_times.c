@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Times, tops and verdicts of one cycle where they are hard to compute: near the launch and near the stop,
- * where the barrier vanishes, where a rough tolerance hides the sign of the margin.
+ * where the barrier is 0, and where a rough tolerance hides the sign of the margin.
  */
 #include "support.h"
 
@@ -20,13 +20,13 @@ static void fail_train(const char *what, const struct asked *t, double theta, do
              (int)t->precision, theta, value, expected);
 }
 
-/* The largest growth that the reach allows in every precision. */
+/* Returns the largest growth that the reach allows in every precision. */
 static double within_reach(const struct asked *train)
 {
     return (1 - 1e-14) / (double)train->s;
 }
 
-/* A train that stops in its cycle. */
+/* Makes a train that stops in its cycle. */
 static bool stopping(uint64_t *seed, struct asked *train, domq_real *stop)
 {
     *train = random_train(seed);
@@ -36,15 +36,15 @@ static bool stopping(uint64_t *seed, struct asked *train, domq_real *stop)
     return ask_cycle_stop(train, stop, NULL) == DOM_OK && isfinite((double)*stop);
 }
 
-/* A part of the way to the stop: near the launch, near the stop, or between. */
+/* Returns a part of the distance to the stop: near the launch, near the stop, or between. */
 static double part_of(uint64_t *seed, int kind)
 {
     double close = random_log(seed, 1e-12, 0.5);
     return kind == 0 ? close : kind == 1 ? 1 - close : kind == 2 ? 1 : random_unit(seed);
 }
 
-/* The times of trains that stop are within their bounds of those in quad; the bounds are no wider than they
- * must. */
+/* Checks that the times of trains that stop are within their bounds of those in quad, and that the bounds are
+ * not too wide. */
 static void times_before_a_stop(void **state)
 {
     (void)state;
@@ -64,8 +64,8 @@ static void times_before_a_stop(void **state)
         if (status != DOM_OK)
             fail_train(dom_status_text(status), &train, theta, 0, 0);
         struct asked fine = in_quad(train);
-        /* Rounding may have set the double's stop behind the true one: that is the time of the stop itself.
-         */
+        /* Rounding may place the stop in double after the true one: then the time is that of the stop
+         * itself. */
         domq_real end;
         assert_status(ask_cycle_stop(&fine, &end, NULL), DOM_OK);
         assert_status(ask_cycle_state(&fine, theta < end ? theta : end, &there, NULL), DOM_OK);
@@ -82,7 +82,7 @@ static void times_before_a_stop(void **state)
     assert_true(checked > 150 && loosest < 1e-9);
 }
 
-/* Soon after the launch of a train that stops the time is theta / omega(0). */
+/* Checks that soon after the launch of a train that stops the time is theta / omega(0). */
 static void first_moment(void **state)
 {
     (void)state;
@@ -96,13 +96,14 @@ static void first_moment(void **state)
             train.precision = (enum dom_precision)p;
             train.tol = domq_arithmetic(train.precision)->tol_default;
             assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
-            /* The head slows down by a share of about 11 theta. */
+            /* The head slows down by a part of about 11 theta. */
             assert_near("time", (double)s.time, theta / sqrt((double)launch.omegasq),
                         fmax(20 * theta, p == DOM_FLOAT ? 1e-5 : 1e-12));
         }
 }
 
-/* In every precision, with friction and without, at r s = 1 too: a train that stops has its events. */
+/* Checks that a train that stops has its events in every precision, with friction and without, also at r s
+ * = 1. */
 static void stops_have_times(void **state)
 {
     (void)state;
@@ -138,7 +139,7 @@ static void stops_have_times(void **state)
     assert_true(stops > 200 && at_reach > 50 && friction_work > 80);
 }
 
-/* Slight motions with friction that are used up at once: double and float against quad. */
+/* Checks slight motions with friction that end at once: double and float against quad. */
 static void slight_motions(void **state)
 {
     (void)state;
@@ -157,13 +158,13 @@ static void slight_motions(void **state)
         train.tol = domq_arithmetic(train.precision)->tol_default;
         assert_status(ask_cycle_events(&train, events, &n), DOM_STOPS);
         assert_int_equal(n, m);
-        /* The energy is what is left of a fuel 1e5 times as large. */
+        /* The energy is a difference of fuels 1e5 times as large. */
         assert_near("stop", (double)events[n - 1].theta, (double)expected[n - 1].theta, 1e5 * train.tol);
         assert_near("time", (double)events[n - 1].time, (double)expected[n - 1].time, 1e5 * train.tol);
     }
 }
 
-/* The growth at which the top leaves theta = 0, by halving. */
+/* Returns the growth at which the top moves away from theta = 0, by halving. */
 static double vanishing(struct asked train)
 {
     double lo = 1, hi = 1 / (double)train.s;
@@ -176,8 +177,7 @@ static double vanishing(struct asked train)
     return lo;
 }
 
-/* Where the barrier vanishes, H' is 0 to rounding at the launch: the bound of theta_m covers what that hides.
- */
+/* Checks that the bound of theta_m covers a barrier of 0, where H' is 0 to rounding at the launch. */
 static void tops_that_vanish(void **state)
 {
     (void)state;
@@ -196,7 +196,7 @@ static void tops_that_vanish(void **state)
         assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
         status = ask_barrier_find(&fine, &expected, NULL);
         assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
-        /* Two tops as high as each other, to rounding, are another matter. */
+        /* Two tops of the same height, to rounding, are another matter. */
         if (fabs((double)(b.theta_m - expected.theta_m)) > 1e-3)
             continue;
         double off = fabs((double)(b.theta_m - expected.theta_m));
@@ -226,8 +226,7 @@ static void top_of_one_train(void **state)
     assert_true(fabs((double)(b.theta_m - expected.theta_m)) <= error.theta_m && error.theta_m < 1e-13);
 }
 
-/* What each function of the cycle says of a train: DOM_OK, DOM_STOPS, or another reason to have no verdict.
- */
+/* Checks the verdict of each function of the cycle: DOM_OK, DOM_STOPS, or another status. */
 static void one_verdict(const struct asked *train, enum dom_status expected)
 {
     struct domq_angles angles;
@@ -253,7 +252,7 @@ static void one_verdict(const struct asked *train, enum dom_status expected)
     assert_status(status, expected);
     assert_status(ask_cycle_state(train, angles.theta_c, &s, NULL), expected);
     assert_int_equal(events[n - 1].kind, expected == DOM_OK ? DOM_EVENT_HIT : DOM_EVENT_STOP);
-    if (expected == DOM_STOPS) { /* it comes as far as its stop, and no farther */
+    if (expected == DOM_STOPS) { /* the train reaches its stop, and no farther tilt */
         assert_status(ask_cycle_omegasq(train, stop, &w, NULL), DOM_OK);
         assert_true(w == 0);
         assert_status(ask_cycle_state(train, stop, &s, NULL), DOM_OK);
@@ -262,7 +261,7 @@ static void one_verdict(const struct asked *train, enum dom_status expected)
     }
 }
 
-/* Near r_max the verdict is that of quad, at any tolerance, in every function. */
+/* Checks that near r_max the verdict is that of quad, at any tolerance, in every function. */
 static void verdicts_near_the_limit(void **state)
 {
     (void)state;
@@ -296,7 +295,7 @@ static void verdicts_near_the_limit(void **state)
     assert_true(goes > 25 && stops > 25);
 }
 
-/* A cycle as a table has the times and tilts that single answers give. */
+/* What the table of a cycle and single answers give: the same times and tilts. */
 struct seen {
     const struct asked *train;
     int rows, events;
@@ -348,7 +347,7 @@ static void tables_and_answers(void **state)
     assert_true(tables > 50);
 }
 
-/* The smallest contact force is that of many forces along the cycle. */
+/* Checks that the smallest contact force is that of many forces along the cycle. */
 static bool force_seen(const struct domq_force *f, void *context)
 {
     double *least = context;
@@ -380,7 +379,7 @@ static void least_forces(void **state)
             assert_status(ask_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
         if (isinf(least) || least > 1e6)
             continue;
-        /* Between 500 tilts it may be smaller by what a parabola leaves. */
+        /* Between 500 tilts the force may be smaller by the error of a parabola. */
         if (found.force > least + 1e-5 + 1e-5 * fabs(least) ||
             found.force < least - 0.02 * fabs(least) - 1e-3)
             fail_train("least force", &train, (double)found.theta, (double)found.force, least);

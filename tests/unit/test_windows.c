@@ -87,7 +87,7 @@ static void the_verdict_changes_at_the_ends(void **state)
     assert_true(fall > 10 && stop > 5 && open > 5 && narrow > 5 && none > 5);
 }
 
-/* A gap as wide as the domino before it is tall is the widest; a wider one is not reached over. */
+/* Checks that the widest gap is as wide as the domino before it is tall; a wider one is out of reach. */
 static void the_reach_ends_it(void **state)
 {
     (void)state;
@@ -107,7 +107,7 @@ static void progress_seen(size_t done, size_t of, void *context)
     *before = done;
 }
 
-/* Nothing is asked of a single domino, and progress is told of every gap. */
+/* Checks that a single domino has no window, and that progress is reported for every gap. */
 static void few_gaps(void **state)
 {
     (void)state;

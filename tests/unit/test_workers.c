@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shell's pool of threads, as the library is given it: each task once, whatever the number of threads. */
+/* The shell's pool of threads as the library uses it: each task runs once, for any number of threads. */
 #include "parallel/workers.h"
 #include "support.h"
 #include <stdatomic.h>
@@ -9,7 +9,7 @@ enum { TASKS = 5000 };
 struct tally {
     atomic_int runs[TASKS];
     atomic_size_t begun;
-    size_t raise_at; /* the flag goes up when so many have begun */
+    size_t raise_at; /* the flag is raised after this many tasks have begun */
     volatile sig_atomic_t flag;
 };
 
@@ -38,7 +38,7 @@ static void each_task_once(void **state)
         }
 }
 
-/* Once its flag is up the pool gives out no more, and says that some are missing. */
+/* Checks that the pool starts no task after its flag is raised, and reports that some are missing. */
 static void an_interrupt_ends_it(void **state)
 {
     (void)state;

@@ -9,19 +9,20 @@
 #include <unistd.h>
 
 /*
- * The engine integrates by the symplectic Euler rule, of first order, and meets contacts and joints by
- * impulses, iterating.  What has penetrated stays: to push it out would move boxes off their hinges.  What
- * hinges drift is pulled back slowly against a step, since the pull is a velocity that the boxes keep. Before
- * a hit steps become short, so that it is neither late nor deep.  After it they stay so: the engine scales
- * the impulses of the last step with the length of the step, and would strike again.
+ * The engine integrates by the symplectic Euler rule, of first order, and computes contacts and joints by
+ * impulses, iterating. Boxes that penetrate stay so: to push them apart would move them off their hinges. The
+ * drift of hinges is pulled back slowly compared with a step, since the boxes keep the velocity of the pull.
+ *
+ * Before a hit steps become short, so that the hit is neither late nor deep. After the hit they stay short:
+ * the engine scales the impulses of the last step with the length of the step, and would strike again.
  */
-static const double hinge_rate = 50;               /* in 1 / sqrt(height / g) of the foremost */
-static const double shortest = 1.0 / 1024;         /* step over the whole one */
-static const double brakes = 0.9;                  /* a step goes so far of the way to the next hit */
+static const double hinge_rate = 50;               /* in 1 / sqrt(height / g) of the foremost box */
+static const double shortest = 1.0 / 1024;         /* shortest step over the normal one */
+static const double brakes = 0.9;                  /* a step goes this part of the way to the next hit */
 static const double lies = 1.5707;                 /* rad */
-static const double rests = 1e-5, for_good = 0.1;  /* so slow for so long, in that unit: it stops */
+static const double rests = 1e-5, for_good = 0.1;  /* so slow for this time, in that unit: the row stops */
 static const double parallel = 0.999;              /* a cosine */
-static const size_t most_steps = 20 * 1000 * 1000; /* a hundred times what a row takes */
+static const size_t most_steps = 20 * 1000 * 1000; /* a hundred times as many as a row takes */
 enum { CALM = 2, HARDER = 50 };                    /* short steps after a hit; their iterations */
 enum { FOREMOST = 4 };                             /* boxes whose depth and drift are noted */
 
@@ -33,11 +34,11 @@ struct scene {
     cpShape *shape[ENGINE_MOST];
     cpConstraint *hinge[ENGINE_MOST], *floor[ENGINE_MOST];
     cpVect corner[ENGINE_MOST]; /* of the hinges */
-    size_t count, head;         /* boxes that stand in the space; the foremost that was hit */
+    size_t count, head;         /* boxes in the space; number of the foremost box that was hit */
     double now;
 };
 
-/* The engine counts angles from x to y, and boxes fall towards x. */
+/* Returns the tilt of box k. The engine counts angles from x to y, and boxes fall towards x. */
 static double tilt(const struct scene *s, size_t k)
 {
     return -cpBodyGetAngle(s->body[k]);
@@ -54,7 +55,7 @@ static cpShapeFilter neighbours(size_t k)
     return cpShapeFilterNew(CP_NO_GROUP, 1u << k % 4, 1u << (k + 1) % 4 | 1u << (k + 3) % 4);
 }
 
-/* The next box, upright on a floor that lets it turn to the front only, until it lies. */
+/* Adds the next box, upright on a floor that lets it turn only to the front, until it lies. */
 static void stand(struct scene *s)
 {
     size_t k = s->count++;
@@ -85,7 +86,7 @@ static void push(struct scene *s)
     cpBodySetVelocity(s->body[0], cpvmult(cpvperp(arm), -s->row->push));
 }
 
-/* Two boxes touch.  When the next after the head does for the first time, it is hit. */
+/* Notes that two boxes touch. The first touch of the box next to the head is a hit. */
 static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 {
     struct scene *s = data;
@@ -137,7 +138,7 @@ static void clear(struct scene *s)
     cpSpaceFree(s->space);
 }
 
-/* Until the tip of the head is at the face of the next box, if it goes on as now. */
+/* Returns the time until the tip of the head reaches the face of the next box, at the present speed. */
 static double time_to_hit(const struct scene *s)
 {
     size_t k = s->head;
@@ -152,7 +153,7 @@ static double time_to_hit(const struct scene *s)
     return speed > 0 ? left / speed : (double)INFINITY;
 }
 
-/* How far hinges have drifted, and how fast they are pulled back. */
+/* Finds how far hinges have drifted, and sets how fast they are pulled back. */
 static void look_at_hinges(struct scene *s, double unit)
 {
     for (size_t k = 0; k < s->count; k++) {
@@ -162,7 +163,7 @@ static void look_at_hinges(struct scene *s, double unit)
         if (k + FOREMOST > s->head)
             s->fall->drift = fmax(s->fall->drift, cpvdist(at, s->corner[k]) / box->height);
         cpConstraintSetErrorBias(s->hinge[k],
-                                 exp(-hinge_rate / unit)); /* what is left of it after a second */
+                                 exp(-hinge_rate / unit)); /* the part that is left after one unit of time */
         cpConstraintSetErrorBias(s->floor[k], exp(-hinge_rate / unit));
     }
 }

@@ -8,7 +8,7 @@
 const double scene_still = 1e-4, scene_finest = 3200, scene_allowed = 3, scene_bracket = 4e-5;
 
 static const double coarsest = 100; /* steps */
-static const double march = 0.05;   /* r rises so until a row stops */
+static const double march = 0.05;   /* r is raised by this step until a row stops */
 static const int iterations = 20;
 static const double stature = 7.0 / 48; /* thickness over height */
 
@@ -75,7 +75,7 @@ static bool hit(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* The time of each hit goes to *next and on, unless that is NULL. */
+/* Returns true if the dominoes fall. The time of each hit is written to *next and on, unless next is NULL. */
 static bool dominoes_fall(const struct scene *scene, double r, void *next)
 {
     struct scene at = *scene;
@@ -119,8 +119,8 @@ static double bisect(const struct scene *scene, falls *fall, void *context, doub
 }
 
 /*
- * Raised from 1, in steps that become small near r s = 1, where the next is out of reach: a row that falls
- * again beyond a gap does not count.
+ * Finds the largest r at which the row falls, raised from 1 in steps that become small near r s = 1, where
+ * the next box is out of reach: a row that falls again after an interval in which it does not is not counted.
  */
 static double largest(const struct scene *scene, falls *fall, void *context, double width)
 {
@@ -133,7 +133,7 @@ static double largest(const struct scene *scene, falls *fall, void *context, dou
     return bisect(scene, fall, context, r, next, width);
 }
 
-/* Near a first answer; the bracket moves if that was wrong. */
+/* Finds the growth again near a first answer; moves the bracket if that was wrong. */
 static double again(const struct scene *scene, falls *fall, void *context, double r, double off, double width)
 {
     double lo = r - off, hi = r + off;
@@ -156,7 +156,8 @@ double scene_growth_of_row(const struct scene *scene)
 
 /* ---- The engine, refined ---- */
 
-/* What the engine gives with found->steps; of coarser ones found->value, and its change, unless it is 0. */
+/* Finds the engine's value with found->steps. found->value is that of coarser steps, and found->change its
+ * change, unless it is 0. */
 typedef double answer(const struct scene *scene, struct found *found);
 
 static double growth(const struct scene *scene, struct found *found)
@@ -169,7 +170,7 @@ static double growth(const struct scene *scene, struct found *found)
     return again(scene, boxes_fall, found, found->value, off, scene_bracket);
 }
 
-/* Those before the last one hit: their sum of tau (a1), of solid blocks. */
+/* Returns the sum of tau (1; a1) of the boxes before the last one that was hit, for solid blocks. */
 static double taus(const struct scene *scene)
 {
     double sum = 0;
@@ -197,7 +198,8 @@ static double duration(const struct scene *scene, struct found *found)
     return duration_of(scene, 1, found);
 }
 
-/* Of an error of first order each halving leaves half, and one change may be small by chance. */
+/* Halves the steps until the value is settled. Each halving leaves half of an error of first order, and one
+ * change may be small by chance. */
 static void refine(const struct scene *scene, answer *ask, bool extrapolate, struct found *found)
 {
     double earlier = (double)INFINITY;
@@ -219,7 +221,7 @@ static void refine(const struct scene *scene, answer *ask, bool extrapolate, str
     } while (!(found->change <= scene_still * found->value) && found->steps < scene_finest);
 }
 
-/* Twice the iterations and two more dominoes. */
+/* Returns the scene with twice the iterations and two more dominoes. */
 static struct scene more_of(const struct scene *scene)
 {
     struct scene more = *scene;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Does the world agree?  The same rows in a rigid-body engine and in the model: the largest growth at which
- * they fall, and how long a cycle lasts.
+ * Compares the model with a rigid-body engine: the largest growth at which the same rows fall, and how long a
+ * cycle lasts.
  */
 #include "../hard/workers.h"
 #include "scene.h"
@@ -9,12 +9,13 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A value that the last halving changed by so much more than scene_still is not one. */
+/* A value that the last halving changed by this many times scene_still does not count. */
 static const double unsettled = 5;
 
 static const double masses[] = {3, 4}, frictions[] = {0, 0.2};
 
-/* So many, and pushed so strongly, that the last have forgotten it: row and train agree. */
+/* Enough dominoes, and a strong enough push, that the last ones have forgotten the push: row and train
+ * agree. */
 static const struct {
     double s, push;
     size_t count;
@@ -39,7 +40,7 @@ enum {
 struct answer {
     struct scene scene;
     struct found found;       /* by the engine */
-    double row, exact, paper; /* by the model; paper NaN where it has no answer */
+    double row, exact, paper; /* by the model; paper NaN if it has no answer */
     bool again;               /* with bevelled edges */
     struct found bevelled;
 };
@@ -116,7 +117,7 @@ static const char *blocks(const struct scene *scene)
     return scene->r == 1 ? "equal" : scene->q == masses[0] ? "hollow" : "massive";
 }
 
-/* Which formula of the fuel is within what is allowed. */
+/* Returns the formula of the fuel that is within the allowed difference. */
 static const char *supports(const struct found *found, const struct answer *a)
 {
     bool exact = agrees(found, a->exact), paper = agrees(found, a->paper);
@@ -181,9 +182,9 @@ static void print_durations(const struct answer *answers)
 
 struct tally {
     int wrong, again;
-    int differ, paper; /* scenes in which the two fuels do; of those, for the paper's */
-    double most;       /* deviation of what is to agree */
-    double again_most; /* of blocks where fallen ones push */
+    int differ, paper; /* scenes in which the two fuels differ; those of them that agree with the paper's */
+    double most;       /* largest deviation of values that must agree */
+    double again_most; /* the same of blocks where fallen ones push */
     double depth, drift;
 };
 
