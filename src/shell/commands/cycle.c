@@ -4,27 +4,29 @@
 #include "language/quad.h"
 #include "session/parameters.h"
 
-/* Why there is no fuel: a single domino has none, or the smaller ones behind do not pay for the head. */
+/* Returns why falling sets no energy free: of a single domino, or since the smaller ones do not lift the
+ * head. */
 static const char *no_fuel(const struct session *session)
 {
     struct domq_fuels fuels;
     if (domq_law(&session->train)->dissipates)
-        return "no domino effect: friction and the dominoes in front take up all that a cycle sets free; "
-               "'rmax' tells how large r may be";
+        return "no domino effect: friction and the larger dominoes take up all the energy that a cycle sets "
+               "free; 'rmax' shows how large r may be";
     if (domq_fuel_find(&session->train, &session->compute, &fuels) == DOM_OK && fuels.paper > 0)
-        return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes behind "
-               "give less than the head takes up; 'rmax' tells how large r may be";
-    return "no domino effect: the fuel P is not positive, a fallen domino lies no lower than it stood (s is "
+        return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes give "
+               "less "
+               "energy than the head takes up; 'rmax' shows how large r may be";
+    return "no domino effect: the fuel P is not positive, a fallen domino is as high as an upright one (s is "
            "too small for this d)";
 }
 
 static const struct column thetac_columns[] = {
-    {"theta_c", "rad", "the head hits the next: sin theta_c = r s (a2)", 0},
-    {"theta_u", "rad", "a single domino tips over: tan theta_u = d (b1)", 0},
-    {"theta_inf", "rad", "far followers rest: cos theta_inf = d/(s+d) (A16)", 0},
-    {"theta_f", "rad", "last angle that a follower reaches: (A18), or theta_inf", 0},
-    {"theta_leave", "rad", "a follower falls off when its leader is here", 0},
-    {"falls_off", "", "are followers too short to lean to the end? (A17)", 9},
+    {"theta_c", "rad", "the head hits the next: sin theta_c = r s (2; a2)", 0},
+    {"theta_u", "rad", "a single domino tips over: tan theta_u = d (4; b1)", 0},
+    {"theta_inf", "rad", "far followers rest: cos theta_inf = d/(s+d) (40; A16)", 0},
+    {"theta_f", "rad", "last angle that a follower reaches: (42; A18), or theta_inf", 0},
+    {"theta_leave", "rad", "a follower detaches when its leader is here", 0},
+    {"falls_off", "", "yes if followers are too short to lean to the end (41; A17)", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -41,8 +43,8 @@ static bool run_thetac(struct session *session, const struct call *call)
 
 static const struct column theta1_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
-    {"theta_1", "rad", "tilt of its follower (b8)", 0},
-    {"slope", "", "d theta_1 / d theta = a / b (b10)", 0},
+    {"theta_1", "rad", "tilt of its follower (12; b8)", 0},
+    {"slope", "", "d theta_1 / d theta = a / b (14; b10)", 0},
     {"arm_a", "h", "arm of the contact force on the head", 0},
     {"arm_b", "h", "arm of the contact force on the follower", 0},
     {NULL, NULL, NULL, 0},
@@ -56,7 +58,7 @@ static bool run_theta1(struct session *session, const struct call *call)
     enum dom_status status = domq_contact_find(&session->train, &compute, theta, &c);
     if (status != DOM_OK)
         return session_status(session, status);
-    const char *why = isnan(c.arm_a) ? "the follower has fallen off: it lies at theta_f" : NULL;
+    const char *why = isnan(c.arm_a) ? "the follower has detached: it lies at theta_f" : NULL;
     return answer_row(
         call->answer,
         ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
@@ -65,11 +67,11 @@ static bool run_theta1(struct session *session, const struct call *call)
 
 static const struct column chain_columns[] = {
     {"i", "", "number of the domino, 0 is the head", 5},
-    {"theta_i", "rad", "its tilt (A2)", 0},
-    {"slope_i", "", "d theta_i / d theta (A9)", 0},
+    {"theta_i", "rad", "its tilt (27; A2)", 0},
+    {"slope_i", "", "d theta_i / d theta (33; A9)", 0},
     {"arm_a", "h", "arm of the force from its follower", 0},
     {"arm_b", "h", "arm of that force on the follower", 0},
-    {"weight", "", "r^(-q i), its share in the energy (c1)", 0},
+    {"weight", "", "r^(-q i), its share in the energy (19; c1)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -90,9 +92,9 @@ static bool run_chain(struct session *session, const struct call *call)
 
 static const struct column energy_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
-    {"dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (c1)", 0},
-    {"J", "", "inertia: kinetic energy = J tau^2 omega^2 (c2)", 0},
-    {"J0", "", "the same at theta = 0 (d8, corrected)", 0},
+    {"dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0},
+    {"J", "", "inertia: kinetic energy = J tau^2 omega^2 (20; c2)", 0},
+    {"J0", "", "the same at theta = 0 (50; d8, corrected)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -108,9 +110,9 @@ static bool run_energy(struct session *session, const struct call *call)
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P, the one in use ('show fuel'), less what friction takes of it", 0},
-    {"fuel_exact", "mgh/2", "from the energy balance of one cycle", 0},
-    {"fuel_paper", "mgh/2", "closed form of (c7), 1 - cos theta_f - d sin theta_f", 0},
+    {"fuel", "mgh/2", "P, as 'set fuel' chooses it, less what friction takes of it", 0},
+    {"fuel_exact", "mgh/2", "from the balance of energy over one cycle", 0},
+    {"fuel_paper", "mgh/2", "the paper's closed form, 1 - cos theta_f - d sin theta_f (25; c7)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -124,7 +126,7 @@ static bool run_fuel(struct session *session, const struct call *call)
     struct cell exact = CELL_OF(f, exact), paper = CELL_OF(f, paper);
     struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
-    if (domq_law(&session->train)->dissipates) { /* what friction leaves of it */
+    if (domq_law(&session->train)->dissipates) { /* less what friction takes */
         status = domq_launch_find(&session->train, &session->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return session_status(session, status);
@@ -135,7 +137,7 @@ static bool run_fuel(struct session *session, const struct call *call)
 
 enum { REASON_SIZE = 160 };
 
-/* "the train stops at theta = ..., below the barrier", into reason. */
+/* Writes where the train stops into reason. */
 static const char *stop_reason(const struct session *session, char *reason, size_t size)
 {
     struct domq_value stop;
@@ -143,31 +145,32 @@ static const char *stop_reason(const struct session *session, char *reason, size
     struct output_style style = session_style(session);
     int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
     if (domq_cycle_stop(&session->train, &session->compute, &stop) == DOM_OK && isfinite(stop.value))
-        snprintf(
-            reason, size,
-            "no domino effect: the kinetic energy is below the barrier, the train stops at theta = %s %s",
-            quad_text(style_angle(&style, stop.value), digits, text), style_angle_unit(&style));
+        snprintf(reason, size,
+                 "no domino effect: the train has too little energy, and stops at theta = %s %s, below the "
+                 "barrier",
+                 quad_text(style_angle(&style, stop.value), digits, text), style_angle_unit(&style));
     else
-        snprintf(reason, size, "no domino effect: the kinetic energy is below the barrier");
+        snprintf(reason, size,
+                 "no domino effect: the train has too little energy, and stops below the barrier");
     return reason;
 }
 
-/* Why a cycle is not completed; NULL where it is. */
+/* Returns why a cycle is not completed, or NULL if it is. */
 static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])
 {
     return status == DOM_NO_FUEL ? no_fuel(session)
            : status == DOM_STOPS ? stop_reason(session, reason, REASON_SIZE)
            : status == DOM_LOCKS
                ? "no domino effect: friction locks the collision, the force on the struck domino "
-                 "passes behind its hinge and cannot turn it; a smaller r s or mu leaves it free"
+                 "points past its hinge and cannot turn it; a smaller r s or mu leaves it free"
                : NULL;
 }
 
 static const struct column launch_columns[] = {
-    {"omega0sq", "", "tau^2 omega(0)^2 after the collision (c6)", 0},
+    {"omega0sq", "", "tau^2 omega(0)^2 after the collision (24; c6)", 0},
     {"omega0", "rad/s", "omega(0), angular velocity of the head", 0},
     {"kinetic", "mgh/2", "kinetic energy, J(0) tau^2 omega(0)^2", 0},
-    {"J0", "", "inertia of the train, J(0) (d8, corrected)", 0},
+    {"J0", "", "inertia of the train, J(0) (50; d8, corrected)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -192,7 +195,7 @@ static bool run_launch(struct session *session, const struct call *call)
 
 static const struct column omega_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
-    {"omegasq", "", "tau^2 omega(theta)^2 (c3)", 0},
+    {"omegasq", "", "tau^2 omega(theta)^2 (21; c3)", 0},
     {"omega", "rad/s", "omega(theta), angular velocity of the head", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -215,10 +218,10 @@ static bool run_omega(struct session *session, const struct call *call)
 
 static const struct column barrier_columns[] = {
     {"theta_m", "rad", "where the train is highest", 0},
-    {"barrier", "mgh/2", "to climb: the maximum of H(theta) - H(0)", 0},
-    {"kinetic", "mgh/2", "what there is for it, J(0) tau^2 omega(0)^2", 0},
-    {"margin", "mgh/2", "kinetic - barrier, >= 0 to go on (c8, corrected)", 0},
-    {"verdict", "", "goes on, stops, locks (friction), or no fuel", 7},
+    {"barrier", "mgh/2", "the energy that it needs: the maximum of H(theta) - H(0)", 0},
+    {"kinetic", "mgh/2", "the energy that it has: its motion, J(0) tau^2 omega(0)^2", 0},
+    {"margin", "mgh/2", "kinetic - barrier, at least 0 to go on (26; c8, corrected)", 0},
+    {"verdict", "", "goes on, stops, locks (friction), or no fuel (no energy)", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -236,6 +239,7 @@ static bool run_barrier(struct session *session, const struct call *call)
                           : status == DOM_LOCKS ? "locks"
                                                 : "no fuel";
     answer_holds(call->answer, status == DOM_OK);
+    verdict_train_say(session, call->answer, status, &b);
     return answer_row(call->answer,
                       ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
                           cell_word(verdict)),
@@ -244,7 +248,7 @@ static bool run_barrier(struct session *session, const struct call *call)
 
 static const struct column duration_columns[] = {
     {"duration", "tau", "t_f / tau, from one collision to the next", 0},
-    {"tau", "s", "unit of time (a1), of a solid block: sqrt((h^2+d^2)/(3gh))", 0},
+    {"tau", "s", "unit of time (1; a1), of a solid block: sqrt((h^2+d^2)/(3gh))", 0},
     {"seconds", "s", "t_f; the next cycle lasts sqrt(r) times as long", 0},
     {"speed", "m/s", "of the front in this cycle, (s+d) r h / t_f", 0},
     {NULL, NULL, NULL, 0},
@@ -275,7 +279,7 @@ const struct command cycle_commands[] = {
      .synonyms = "angles collision",
      .train = true,
      .summary = "the angles that bound a cycle",
-     .equation = "(a2) (b1) (A16) (A17) (A18)",
+     .equation = "(2; a2) (4; b1) (40; A16) (41; A17) (42; A18)",
      .example = "thetac",
      .see = "theta1 chain",
      .principal = "theta_c",
@@ -285,7 +289,7 @@ const struct command cycle_commands[] = {
      .train = true,
      .argument = {{TILT}},
      .summary = "the follower that leans on the head at tilt T",
-     .equation = "(b8) (b10)",
+     .equation = "(12; b8) (14; b10)",
      .example = "theta1 10 deg",
      .see = "thetac chain",
      .principal = "theta_1",
@@ -294,8 +298,8 @@ const struct command cycle_commands[] = {
      .synonyms = "profile shape lean",
      .train = true,
      .argument = {{TILT}},
-     .summary = "every domino that matters behind the head at tilt T",
-     .equation = "(A2) (A6) (A9)",
+     .summary = "every domino that matters after the head at tilt T",
+     .equation = "(27; A2) (31; A6) (33; A9)",
      .help = "How many matter depends on 'tol': see 'help tol'.",
      .example = "set tol 1e-3; chain 0.1",
      .see = "theta1 energy",
@@ -306,7 +310,7 @@ const struct command cycle_commands[] = {
      .train = true,
      .argument = {{TILT}},
      .summary = "potential energy and inertia of the train at tilt T",
-     .equation = "(c1) (c2) (d8)",
+     .equation = "(19; c1) (20; c2) (50; d8)",
      .example = "energy 0.1",
      .see = "barrier omega",
      .principal = "dH",
@@ -315,10 +319,11 @@ const struct command cycle_commands[] = {
      .synonyms = "energy",
      .train = true,
      .summary = "the energy that one cycle sets free",
-     .equation = "(c7)",
-     .help = "(c7) of the paper has two right-hand sides. The sum over the train is the energy balance; "
-             "the closed form that the paper computes with equals it only for r = 1, since the weights "
-             "r^(-q i) spoil the telescoping. 'set fuel paper' gives the paper's figures.",
+     .equation = "(25; c7)",
+     .help = "The paper gives the fuel twice (25; c7). The sum over the train is the balance of energy; the "
+             "closed "
+             "form that the paper computes with equals it only for r = 1, since it leaves out the weights "
+             "r^(-q i). 'set fuel paper' gives the paper's figures.",
      .example = "fuel",
      .see = "launch rmax",
      .principal = "fuel",
@@ -327,7 +332,7 @@ const struct command cycle_commands[] = {
      .synonyms = "impact hit start",
      .train = true,
      .summary = "the collision: with which speed a cycle begins",
-     .equation = "(c4) (c5) (c6)",
+     .equation = "(22; c4) (23; c5) (24; c6)",
      .example = "launch",
      .see = "fuel barrier",
      .principal = "omega0sq",
@@ -337,7 +342,7 @@ const struct command cycle_commands[] = {
      .train = true,
      .argument = {{TILT}},
      .summary = "angular velocity of the head at tilt T",
-     .equation = "(c3)",
+     .equation = "(21; c3)",
      .example = "omega 0.1",
      .see = "launch duration",
      .principal = "omega",
@@ -346,9 +351,9 @@ const struct command cycle_commands[] = {
      .synonyms = "stop topple climb energy",
      .train = true,
      .summary = "what the train must climb, and whether it can",
-     .equation = "(c8)",
+     .equation = "(26; c8)",
      .help = "The barrier is the highest point of the whole cycle: near r s = 1 the train falls first, and "
-             "must climb when its pushing follower has left.",
+             "must climb when the follower that pushes it has detached.",
      .example = "barrier",
      .see = "launch rmax",
      .principal = "barrier",
@@ -358,7 +363,7 @@ const struct command cycle_commands[] = {
      .synonyms = "time fast velocity seconds",
      .train = true,
      .summary = "how long a cycle lasts, and how fast the front runs",
-     .equation = "(a1) (c3)",
+     .equation = "(1; a1) (21; c3)",
      .help =
          "The seconds are those of solid blocks; a hollow box has a larger moment of inertia, and is slower.",
      .example = "duration",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands that go through one cycle: as a table, and event by event. */
+/* Commands that go through cycles: as a table, and event by event. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -11,18 +11,19 @@ static const struct column walk_columns[] = {
     {"event", "", "the last one that was passed", 6},
     {"theta", "rad", "tilt of the head", 0},
     {"t", "s", "time since the launch of this cycle", 0},
-    {"omega", "rad/s", "angular velocity of the head (c3)", 0},
+    {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
     {"before", "mgh/2", "kinetic energy before the collision", 0},
-    {"lost", "mgh/2", "of that in the collision (c4)", 0},
+    {"lost", "mgh/2", "of that in the collision (22; c4)", 0},
     {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},
-    {"fallen", "mgh/2", "the part of that from dominoes that fell off since", 0},
+    {"fallen", "mgh/2", "the part of that from dominoes that detached since", 0},
     {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
     {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
     {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* The walk of the session's train, begun if there is none; *begun tells.  False: an error was reported. */
+/* Begins the walk of the session's train if there is none; *begun is then true.  False: an error was
+ * reported. */
 static bool walk_ready(struct session *session, struct answer *answer, bool *begun)
 {
     struct walk *w = &session->walk;
@@ -30,10 +31,10 @@ static bool walk_ready(struct session *session, struct answer *answer, bool *beg
     if (walk_now(session))
         return true;
     if (w->count > 0)
-        answer_say(answer, "The parameters have changed: the walk begins anew.");
+        answer_say(answer, "The parameters have changed: the walk begins again.");
     *w = (struct walk){
         .train = session->train, .compute = session->compute, .tol = session->compute.tol, .cycle = 1};
-    /* Its sentences have six digits: they are to be right at any tolerance. */
+    /* The sentences have six digits, which are right at any tolerance. */
     w->compute.tol = quad_smaller(
         w->compute.tol, quad_larger(domq_arithmetic(w->compute.precision)->tol_floor, (domq_real)1e-9));
     w->verdict = domq_cycle_events(&w->train, &w->compute, w->events, &w->count);
@@ -74,12 +75,12 @@ static bool walk_answer(struct session *session, const struct call *call)
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
-        answer_say(a, "The ledger is open by %.4g %s: the paper's fuel is no balance of energy.",
+        answer_say(a, "The ledger is open by %.4g %s, since the paper's fuel is not a balance of energy.",
                    (double)(open * u.energy), u.energy_unit);
     return true;
 }
 
-/* One event on; false, with *done, where there is none. */
+/* Moves the walk one event on; false if there is none. */
 static bool walk_forward(struct walk *w)
 {
     if (w->event + 1 < w->count) {
@@ -116,17 +117,18 @@ static bool walk_end(struct session *session, bool forward)
     if (!forward)
         return session_no_answer(session, "this is the launch of the first cycle; 'step' goes on");
     return w->verdict == DOM_STOPS
-               ? session_no_answer(session, "the train has stopped, it comes no further; 'why' says more, "
-                                            "'goto launch' begins again")
+               ? session_no_answer(session,
+                                   "the train has stopped; 'why' says more, 'goto launch' begins again")
                : session_no_answer(session,
                                    "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
                                    CYCLES_MAX);
 }
 
-/* Where the walk ends before the steps do, it answers for those that it could make, then says why. */
+/* Moves the walk by the call's steps; if it ends before them, answers for those that it made, then says why.
+ */
 static bool walk_by(struct session *session, const struct call *call, bool forward)
 {
-    bool moved; /* a walk that has just begun stands at its first launch */
+    bool moved; /* a walk that has just begun is at its first launch */
     struct walk *w = &session->walk;
     long steps = call->count > 0 ? (long)call->number[0] : 1;
     if (!walk_ready(session, call->answer, &moved))
@@ -184,10 +186,10 @@ static bool run_goto(struct session *session, const struct call *call)
         return session_no_answer(session, "there is no '%s' in this cycle; 'cycle' lists its events",
                                  dom_event_text((enum dom_event_kind)(-1 - (int)place)));
     if (place > w->events[w->count - 1].theta)
-        return session_no_answer(
-            session, "the train stops at theta = %.10g %s, it does not come as far; 'goto stop' does",
-            (double)style_angle(&session->style, w->events[w->count - 1].theta),
-            style_angle_unit(&session->style));
+        return session_no_answer(session,
+                                 "the train stops before that, at theta = %.10g %s; 'goto stop' goes there",
+                                 (double)style_angle(&session->style, w->events[w->count - 1].theta),
+                                 style_angle_unit(&session->style));
     w->event = found;
     w->theta = place < 0 ? w->events[found].theta : place;
     return walk_answer(session, call);
@@ -204,7 +206,7 @@ const struct command walk_commands[] = {
                    .choices = cycle_by,
                    .optional = true}},
      .summary = "one cycle in N rows, even in time or in tilt",
-     .equation = "(b8) (c3)",
+     .equation = "(12; b8) (21; c3)",
      .help = "12 rows, even in time, unless N and BY say otherwise; the events have rows of their own. "
              "Energies are in J where 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
@@ -216,8 +218,8 @@ const struct command walk_commands[] = {
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "to the next event: what happens, and its ledger of energy",
-     .equation = "(a2) (c3) (c4) (c6) (c7) (c8) (A17)",
-     .help = "The first step is to the launch of the first cycle; behind the hit the next, larger and slower "
+     .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
+     .help = "The first step is to the launch of the first cycle; after the hit the next, larger and slower "
              "cycle begins. The ledger: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
@@ -244,7 +246,7 @@ const struct command walk_commands[] = {
     {.name = "where",
      .synonyms = "position walk",
      .train = true,
-     .summary = "where the walk stands",
+     .summary = "where the walk is",
      .example = "goto top; where",
      .see = "step goto",
      .columns = walk_columns,
@@ -253,8 +255,8 @@ const struct command walk_commands[] = {
     {.name = "why",
      .synonyms = "reason explain stop",
      .train = true,
-     .summary = "why the train goes on or stops: the term that decides",
-     .equation = "(c6) (c7) (c8)",
+     .summary = "why the train goes on or stops",
+     .equation = "(24; c6) (25; c7) (26; c8)",
      .example = "why",
      .see = "barrier rmax step",
      .principal = "margin",

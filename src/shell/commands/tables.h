@@ -24,6 +24,11 @@ extern const struct column cycle_columns[], count_columns[], why_columns[], anim
 bool run_cycle(struct session *session, const struct call *call);
 bool run_count(struct session *session, const struct call *call);
 bool run_why(struct session *session, const struct call *call);
+
+/* Says whether the train goes on, and with how much of the energy that it needs. */
+void verdict_train_say(const struct session *session, struct answer *answer, enum dom_status verdict,
+                       const struct domq_barrier *barrier);
+
 bool run_animate(struct session *session, const struct call *call);
 bool run_mend(struct session *session, const struct call *call);
 bool run_pool(struct session *session, const struct call *call);

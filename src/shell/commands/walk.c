@@ -46,7 +46,7 @@ const struct walk *walk_now(const struct session *session)
 }
 
 const char walk_no_start[] =
-    "no domino effect: the fuel P is not positive (c7), no cycle begins; 'why' says more";
+    "no domino effect: falling sets no energy free, so no cycle begins (25; c7); 'why' says more";
 
 void columns_in_joules(struct answer *a)
 {
@@ -63,7 +63,7 @@ void walk_columns_in(const struct session *session, struct answer *a)
 
 /* ---- In words ---- */
 
-/* The first impulses of the collision, in text. */
+/* Holds the first impulses of the collision, as text. */
 struct impulses {
     const struct walk_units *units;
     char text[160];
@@ -75,7 +75,7 @@ static bool impulse_seen(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
     size_t used = strlen(i->text);
-    if (f->i > 0 && isnan(f->impulse)) /* nobody leans on the last */
+    if (f->i > 0 && isnan(f->impulse)) /* no domino leans on the last */
         return false;
     i->bounded = i->bounded && isfinite(f->impulse);
     snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->seen ? ", " : "",
@@ -83,7 +83,7 @@ static bool impulse_seen(const struct domq_force *f, void *context)
     return ++i->seen < 4;
 }
 
-/* omega in the session's unit of angles, with that. */
+/* Holds an angular velocity as text, in the session's unit of angles. */
 struct spoken {
     char text[WIDE_TEXT + 8];
 };
@@ -110,35 +110,37 @@ static void say_launch(const struct session *session, const struct walk *w, cons
     domq_real omega = quad(sqrt)(l.omegasq) / u.tau;
     bool rubs = domq_law(&w->train)->dissipates;
     const char *inertia = rubs ? "A(0)" : "J(0)";
-    answer_say(a,
-               "Hit and launch, theta = 0. Domino 1 comes with omega_1(theta_c) = %s and hits the head, "
-               "domino 0, %.6g m tall. All move on as one train: %s omega(0) = (%s - 1) omega_1(theta_c) "
-               "(c4) with %s = %.6g, so omega(0) = %s (c6).",
-               spoken_omega(session, omega / l.velocity_ratio).text, (double)u.height, inertia, inertia,
-               inertia, (double)(1 / (1 - l.velocity_ratio)), spoken_omega(session, omega).text);
+    answer_say(
+        a,
+        "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From then "
+        "on all move as one train, and the head turns with %s: %s omega(0) = (%s - 1) omega_1(theta_c), "
+        "%s = %.6g (22; c4), (24; c6).",
+        spoken_omega(session, omega / l.velocity_ratio).text, measured(u.height, "m", 6).text,
+        spoken_omega(session, omega).text, inertia, inertia, inertia, (double)(1 / (1 - l.velocity_ratio)));
     if (rubs)
-        answer_say(a,
-                   "A(0) = sum r^-(q+1)i S_i theta_i' is J(0) with friction: S_i is what the arms pass on.");
+        answer_say(a, "A(0) = sum r^-(q+1)i S_i theta_i' is J(0) with friction; S_i is the share that the "
+                      "contacts pass on.");
     if (impulses.bounded)
-        answer_say(a, "The impulse runs down the train, from contact to contact: %s%s %s s; all push (> 0).",
+        answer_say(a, "The impulses from contact to contact down the train: %s%s %s s; all push (> 0).",
                    impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit);
     else
-        answer_say(a, "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0 (b10), and "
-                      "its impulse has no bound in this model.");
-    answer_say(a, "The collision takes %s%.4g %% of the kinetic energy; %.6g %s are left.",
-               rubs ? "" : "the share 1/J(0) = ", (double)(100 * s->lost / s->before),
+        answer_say(a, "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0, and its "
+                      "impulse has no bound in this model (14; b10).");
+    answer_say(a, "The collision takes %.4g %% of the kinetic energy%s; %.6g %s are left.",
+               (double)(100 * s->lost / s->before), rubs ? "" : ", the share 1/J(0)",
                (double)(l.kinetic * u.energy), u.energy_unit);
     if (b.theta_m == 0)
-        answer_say(a, "Nothing is left to climb: H falls from the first moment on, theta_m = 0 (c8).");
+        answer_say(a, "There is nothing to climb: the train goes down from the first moment on (26; c8).");
     else
-        answer_say(
-            a,
-            "To climb: %.6g %s up to theta_m = %.6g %s (c8)%s. What is left is %.4g times that: it %s by "
-            "%.6g %s.",
-            (double)(b.barrier * u.energy), u.energy_unit, (double)style_angle(&session->style, b.theta_m),
-            style_angle_unit(&session->style), rubs ? ", friction on the way included" : "",
-            (double)(b.kinetic / b.barrier), b.margin >= 0 ? "clears the barrier" : "misses the top",
-            (double)(quad(fabs)(b.margin) * u.energy), u.energy_unit);
+        answer_say(a,
+                   "The train has %s of the energy that it needs to go on: it must climb %.6g %s, up to a "
+                   "tilt of %.6g "
+                   "%s%s, and it %s by %.6g %s (26; c8).",
+                   measured_share(b.kinetic / b.barrier, 3).text, (double)(b.barrier * u.energy),
+                   u.energy_unit, (double)style_angle(&session->style, b.theta_m),
+                   style_angle_unit(&session->style), rubs ? ", friction on the way included" : "",
+                   b.margin >= 0 ? "clears the barrier" : "misses the top",
+                   (double)(quad(fabs)(b.margin) * u.energy), u.energy_unit);
 }
 
 static void say_top(const struct session *session, const struct walk *w, const struct domq_state *s,
@@ -146,18 +148,19 @@ static void say_top(const struct session *session, const struct walk *w, const s
 {
     struct walk_units u = walk_units(session, w->cycle);
     if (domq_law(&w->train)->dissipates) {
-        answer_say(a,
-                   "The hardest tilt, theta_m = %.6g %s (c8): the train has climbed %.6g %s, friction has "
-                   "taken %.6g, and %.6g %s of motion are left. From now on it gains more than it rubs away.",
-                   (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-                   (double)(s->climbed * u.energy), u.energy_unit, (double)(s->friction_work * u.energy),
-                   (double)(s->kinetic * u.energy), u.energy_unit);
+        answer_say(
+            a,
+            "The hardest tilt, theta_m = %.6g %s: the train has climbed %.6g %s, friction has taken %.6g, "
+            "and %.6g %s of motion are left. From now on it gains more than friction takes (26; c8).",
+            (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
+            (double)(s->climbed * u.energy), u.energy_unit, (double)(s->friction_work * u.energy),
+            (double)(s->kinetic * u.energy), u.energy_unit);
         return;
     }
     answer_say(
         a,
-        "Top of the barrier, theta_m = %.6g %s (c8). The train stands highest: it has climbed %.6g %s, and "
-        "%.6g %s of motion are left, the margin. It is smallest here. From now on it runs downhill.",
+        "Top of the barrier, theta_m = %.6g %s. The train is at its highest: it has climbed %.6g %s, and "
+        "%.6g %s of motion are left, the margin. From now on it goes down (26; c8).",
         (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
         (double)(s->climbed * u.energy), u.energy_unit, (double)(s->kinetic * u.energy), u.energy_unit);
 }
@@ -173,14 +176,15 @@ static void say_fall(const struct session *session, const struct walk *w, const 
     double cosine = (double)quad(cos)(angles.theta_f), sine = (double)quad(sin)(angles.theta_f);
     double velocity_ratio = (double)(quad(pow)(w->train.r, -w->train.q * (domq_real)domino) * u.energy) *
                             (cosine + (double)w->train.d * sine);
-    answer_say(a,
-               "Domino %zu falls off domino %zu, which has come to theta_leave = %.6g %s (A17): the arm of "
-               "its force is 0. It comes to rest at theta_f = %.6g %s (A18) with all behind it, and pushes "
-               "no more. Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
-               domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
-               style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
-               style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit,
-               velocity_ratio);
+    answer_say(
+        a,
+        "Domino %zu detaches from domino %zu, which has come to theta_leave = %.6g %s: the arm of its "
+        "force is 0. It comes to rest at theta_f = %.6g %s with all that follow it, and pushes no more "
+        "(41; A17), (42; A18). Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
+        domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
+        style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
+        style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit,
+        velocity_ratio);
 }
 
 static void say_stop(const struct session *session, const struct walk *w, const struct domq_state *s,
@@ -192,11 +196,12 @@ static void say_stop(const struct session *session, const struct walk *w, const 
         return;
     answer_say(
         a,
-        "The train stops at theta = %.6g %s: all its kinetic energy, %.6g %s, has gone into %s. The "
-        "barrier stands at theta_m = %.6g %s, %.6g %s higher (c8). There is no next hit; 'why' says more.",
+        "The train stops at theta = %.6g %s: all its kinetic energy, %.6g %s, has gone into %s. The top "
+        "of the barrier is at theta_m = %.6g %s, %.6g %s higher (26; c8). There is no next hit; 'why' says "
+        "more.",
         (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
         (double)(b.kinetic * u.energy), u.energy_unit,
-        domq_law(&w->train)->dissipates ? "the climb and friction" : "the climb (c3)",
+        domq_law(&w->train)->dissipates ? "the climb and friction" : "the climb",
         (double)style_angle(&session->style, b.theta_m), style_angle_unit(&session->style),
         (double)(-b.margin * u.energy), u.energy_unit);
 }
@@ -205,19 +210,19 @@ static void say_hit(const struct session *session, const struct walk *w, const s
                     struct answer *a)
 {
     struct walk_units u = walk_units(session, w->cycle), next = walk_units(session, w->cycle + 1);
-    answer_say(
-        a,
-        "The head reaches the next domino, %.6g m tall, at theta_c = %.6g %s: sin theta_c = r s (a2). It "
-        "comes with omega = %s; the cycle has set free the fuel P = %.6g %s (c7) and lasted t_f = %.6g s.",
-        (double)next.height, (double)style_angle(&session->style, s->theta),
-        style_angle_unit(&session->style), spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text,
-        (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
+    answer_say(a,
+               "The head reaches the next domino, %s tall, at theta_c = %.6g %s: sin theta_c = r s (2; a2). "
+               "It turns "
+               "with %s; the cycle has set free %.6g %s, the fuel P (25; c7), and lasted %.6g s.",
+               measured(next.height, "m", 6).text, (double)style_angle(&session->style, s->theta),
+               style_angle_unit(&session->style), spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text,
+               (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
     if (domq_law(&w->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
                    (double)(s->friction_work * u.energy), u.energy_unit);
     answer_say(a,
-               "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r) "
-               "(c5): %.6g s.",
+               "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r), "
+               "%.6g s (23; c5).",
                (double)(s->time * next.tau));
 }
 
@@ -226,7 +231,7 @@ static void say_between(const struct session *session, const struct walk *w, con
 {
     struct walk_units u = walk_units(session, w->cycle);
     bool climbs = s->acceleration < 0;
-    answer_say(a, "On the way, theta = %.6g %s: the train %s, at omega = %s (c3).",
+    answer_say(a, "On the way, theta = %.6g %s: the train %s, and the head turns with %s (21; c3).",
                (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
                climbs ? "slows down" : "gathers speed",
                spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A walk through the cycles, event by event: where it stands, and what is said there. */
+/* A walk through the cycles, event by event: where it is, and what is said there. */
 #ifndef SHELL_WALK_H
 #define SHELL_WALK_H
 
@@ -23,13 +23,13 @@ const struct walk *walk_now(const struct session *session);
 /* Gives the answer its columns with energies in J. */
 void columns_in_joules(struct answer *answer);
 
-/* Does that where a mass is known. */
+/* Gives the answer its columns with energies in J if a mass is known. */
 void walk_columns_in(const struct session *session, struct answer *answer);
 
-/* Why no cycle begins. */
+/* Holds why no cycle begins. */
 extern const char walk_no_start[];
 
-/* The event in words, with the paper's symbols and the numbers of its equations. */
+/* Says the event in words, with the paper's symbols and the numbers of its equations. */
 void walk_say(const struct session *session, const struct walk *walk, const struct domq_state *state,
               struct answer *answer);
 

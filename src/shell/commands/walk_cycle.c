@@ -7,15 +7,15 @@ const struct column cycle_columns[] = {
     {"event", "", "launch, fall, top, stop, hit: see 'step'", 6},
     {"t", "s", "time since the launch", 0},
     {"theta", "rad", "tilt of the head", 7},
-    {"theta_1", "rad", "of the first follower (b8)", 7},
+    {"theta_1", "rad", "of the first follower (12; b8)", 7},
     {"theta_2", "rad", "of the second", 7},
-    {"omega", "rad/s", "angular velocity of the head (c3)", 0},
+    {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
     {"kinetic", "mgh/2", "kinetic energy of the train, in J where a mass is known", 0},
     {"potential", "mgh/2", "H(theta) - H(0), in J where a mass is known", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* The first followers of the head. */
+/* Holds the tilts of the first followers of the head. */
 struct followers {
     domq_real theta[3];
 };
@@ -27,7 +27,7 @@ static bool follower_seen(const struct domq_link *k, void *context)
     return k->i < 2;
 }
 
-/* An angle that a narrow column shows with four digits. */
+/* Returns the cell of an angle that a narrow column shows with four digits. */
 static struct cell cell_angle(domq_real theta)
 {
     struct cell cell = cell_real(theta);
@@ -35,7 +35,7 @@ static struct cell cell_angle(domq_real theta)
     return cell;
 }
 
-/* What cycle_row needs to write a row, and what it has seen. */
+/* Holds what cycle_row needs to write a row, and what it has seen. */
 struct cycle_table {
     const struct session *session;
     struct answer *answer;
@@ -49,7 +49,7 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     struct cycle_table *table = context;
     const struct session *session = table->session;
     struct walk_units u = walk_units(session, 1);
-    /* Whoever is not leaned on any more lies at theta_f. */
+    /* A domino that has detached lies at theta_f. */
     struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
     table->status = domq_chain_walk(&session->train, &session->compute, s->theta, follower_seen, &f);
     if (table->status != DOM_OK)
@@ -95,10 +95,9 @@ bool run_cycle(struct session *session, const struct call *call)
     if (answer_for_people(a) &&
         domq_cycle_least_force(&session->train, &session->compute, &contact) == DOM_OK &&
         isfinite(contact.force))
-        answer_say(
-            a, "Dominoes stay in contact: the smallest contact force is %.4g times the weight of its domino.",
-            (double)contact.force);
+        answer_say(a, "The smallest contact force is %.4g times the weight of its domino%s.",
+                   (double)contact.force, contact.force > 0 ? ": the dominoes stay in contact" : "");
     if (verdict == DOM_STOPS)
-        answer_say(a, "The train stops below its barrier; 'why' says more.");
+        answer_say(a, "The train stops, it has too little energy to go on; 'why' says more.");
     return true;
 }

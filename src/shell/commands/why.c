@@ -1,86 +1,102 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* why: the term that decides. */
+/* why: says what decides whether the train goes on. */
 #include "commands/tables.h"
 #include "commands/walk.h"
+#include "language/quad.h"
 
 const struct column why_columns[] = {
-    {"verdict", "", "goes on, stops, or no fuel", 7},
-    {"fuel", "mgh/2", "P, set free by one cycle (c7)", 0},
-    {"J0", "", "J(0): the collision keeps the share 1 - 1/J(0) (c4)", 0},
-    {"kinetic", "mgh/2", "K after the collision, P T/(r^q (1+T) - T), T = J(0) - 1 (c6)", 0},
-    {"barrier", "mgh/2", "B, to climb (c8)", 0},
-    {"margin", "mgh/2", "K - B", 0},
+    {"verdict", "", "goes on, stops, or no fuel (no energy is set free)", 7},
+    {"fuel", "mgh/2", "P, the energy that one cycle sets free (25; c7)", 0},
+    {"J0", "", "inertia J(0): the collision takes the share 1/J(0) (22; c4)", 0},
+    {"kinetic", "mgh/2", "K, the motion after the collision (24; c6)", 0},
+    {"barrier", "mgh/2", "B, the energy that it needs to go on (26; c8)", 0},
+    {"margin", "mgh/2", "K - B: what is left at the highest point", 0},
     {"r_max", "", "largest growth at this s: there K = B, or r s = 1", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* The same where dominoes rub. */
+/* Holds the same columns for a train with friction. */
 static const struct column why_rubbing_columns[] = {
-    {"verdict", "", "goes on, stops, or no fuel", 7},
-    {"fuel", "mgh/2", "P, set free by one cycle (c7), less what friction takes of it", 0},
-    {"J0", "", "J(0), inertia of the train (d8, corrected)", 0},
-    {"kinetic", "mgh/2", "K after the collision, of cycles that are alike", 0},
-    {"barrier", "mgh/2", "B, the kinetic energy that it takes to come over theta_m", 0},
-    {"margin", "mgh/2", "K - B", 0},
+    {"verdict", "", "goes on, stops, or no fuel (no energy is set free)", 7},
+    {"fuel", "mgh/2", "P, the energy that one cycle sets free, less friction (25; c7)", 0},
+    {"J0", "", "J(0), inertia of the train (50; d8, corrected)", 0},
+    {"kinetic", "mgh/2", "K, the motion after the collision, of cycles that are alike", 0},
+    {"barrier", "mgh/2", "B, the energy that it needs to go on, friction included", 0},
+    {"margin", "mgh/2", "K - B: what is left at the highest point", 0},
     {"r_max", "", "largest growth at this s: there K = B", 0},
     {NULL, NULL, NULL, 0},
 };
+
+void verdict_train_say(const struct session *session, struct answer *a, enum dom_status verdict,
+                       const struct domq_barrier *b)
+{
+    if (verdict == DOM_NO_FUEL)
+        answer_say(a, "The train does not fall: falling sets no energy free.\n");
+    else if (verdict == DOM_LOCKS)
+        answer_say(a, "The train stops: friction locks the dominoes.\n");
+    else if (b->barrier == 0)
+        answer_say(a, "The train goes on: it has nothing to climb, and any motion is enough.\n");
+    else
+        answer_say(a, "The train %s: it has %s%s of the energy that it needs%s.\n",
+                   verdict == DOM_OK ? "goes on" : "stops", verdict == DOM_OK ? "" : "only ",
+                   measured_share(b->kinetic / b->barrier, 3).text,
+                   domq_law(&session->train)->dissipates ? " against its weight and friction" : "");
+}
 
 static void why_say(const struct session *session, struct answer *a, enum dom_status verdict,
                     const struct domq_barrier *b, const struct domq_limit *limit)
 {
     const struct domq_train *t = &session->train;
-    if (verdict == DOM_NO_FUEL) {
+    verdict_train_say(session, a, verdict, b);
+    if (verdict == DOM_NO_FUEL)
         answer_say(a,
-                   "No cycle begins: (c7) decides. The fuel P = H(0) - H(theta_c) is not positive, so a "
-                   "cycle sets no energy free: the dominoes that lean down the train lie no lower than they "
-                   "stood, or the larger one in front takes up more than the smaller ones behind give.");
-    } else if (b->barrier == 0) {
-        answer_say(a, "It goes on: there is no barrier (c8), H falls from the first moment on, and any K > 0 "
-                      "is enough.");
-    } else {
-        bool goes = verdict == DOM_OK;
-        answer_say(a,
-                   "It %s: (c8) decides, K %s B. After the collision the train has %.4g times the energy "
-                   "that it needs to climb to theta_m = %.6g %s; K - B is %.3g times B.",
-                   goes ? "goes on" : "stops", goes ? ">=" : "<", (double)(b->kinetic / b->barrier),
-                   (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
-                   (double)(b->margin / b->barrier));
-    }
-    if (domq_law(t)->dissipates && verdict != DOM_NO_FUEL)
-        answer_say(a,
-                   "Friction of %.6g between dominoes is in K and in B: B is the kinetic energy that it "
-                   "takes to come over theta_m.",
-                   (double)t->mu);
+                   "The dominoes that lean on each other are as high as upright ones, or the larger one in "
+                   "front takes up more energy than the smaller ones give: the fuel P = H(0) - H(theta_c) "
+                   "is not positive (25; c7).");
+    else if (b->barrier > 0)
+        answer_say(
+            a,
+            "After the collision the head must be lifted over its highest point, at a tilt of %.4g %s. "
+            "The motion after the collision is the energy that there is for it: K %s B (26; c8).",
+            (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
+            verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_NONE)
-        answer_say(a, "At s = %.6g no growth r >= 1 is possible.", (double)t->s);
+        answer_say(a, "With a gap of %.6g heights not even equal dominoes go on.", (double)t->s);
     else if (limit->ends == DOM_END_REACH)
-        answer_say(a,
-                   "At s = %.6g growth ends by reach: beyond r = 1/s = %.6g the head falls past the next "
-                   "domino (a2).",
-                   (double)t->s, (double)limit->r_max);
+        answer_say(
+            a,
+            "With a gap of %.6g heights growth ends by reach: beyond r = 1/s = %.6g the head falls past "
+            "the next domino (2; a2).",
+            (double)t->s, (double)limit->r_max);
     else
-        answer_say(a,
-                   "At s = %.6g K falls below B at r_max = %.10g: a larger r weighs the head against a "
-                   "lighter train.",
-                   (double)t->s, (double)limit->r_max);
+        answer_say(
+            a,
+            "With a gap of %.6g heights a domino may be up to %.6g times as large as the one before; a "
+            "larger one is too heavy for those before it.",
+            (double)t->s, (double)limit->r_max);
 }
 
-/* The paper's assumption along the cycle. */
+/* Says whether dominoes stay in contact along the cycle, as the paper assumes. */
 static void contact_say(const struct session *session, struct answer *a, const struct domq_least_force *c)
 {
     bool holds = c->force > 0 && c->impulse > 0;
     if (!isfinite(c->force) || !isfinite(c->impulse))
-        answer_say(a, "Contact: at r s = 1 the head is hit at its own hinge, the arm of the contact is 0 "
-                      "(b10), and the model's impulse has no bound: there its assumption fails.");
+        answer_say(a, "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0, the model's "
+                      "impulse has no bound, and the assumption of the paper fails (14; b10).");
+    else if (holds)
+        answer_say(
+            a,
+            "The dominoes stay in contact, as the paper assumes: the smallest contact force is %s of the "
+            "weight of domino %zu, which it pushes, at a tilt of %.4g %s.",
+            measured(c->force, "share", 3).text, c->domino, (double)style_angle(&session->style, c->theta),
+            style_angle_unit(&session->style));
     else
-        answer_say(a,
-                   "%s: on the way the smallest contact force is %.4g of the weight of domino %zu, which it "
-                   "pushes, at theta = %.4g %s, and every impulse of the collision pushes. So the paper's "
-                   "assumption, dominoes stay in contact, %s.",
-                   holds ? "Contact holds" : "Contact is lost", (double)c->force, c->domino,
-                   (double)style_angle(&session->style, c->theta), style_angle_unit(&session->style),
-                   holds ? "is met" : "fails there");
+        answer_say(
+            a,
+            "The dominoes do not stay in contact, as the paper assumes: domino %zu would have to be "
+            "pulled with %s of its weight, at a tilt of %.4g %s. From there on the answer does not hold.",
+            c->domino, measured(quad(fabs)(c->force), "share", 3).text,
+            (double)style_angle(&session->style, c->theta), style_angle_unit(&session->style));
 }
 
 bool run_why(struct session *session, const struct call *call)
