@@ -29,8 +29,8 @@ count 112|height r dominoes exact first_height last_height feasible
 count 112 2|height r dominoes exact first_height last_height feasible reason
 scene|part dominoes why solved
 slip|needs motion theta domino hit hit_domino slips
-effect row 5; fall|domino height hit falls omega kinetic barrier margin
-effect row 5; effect floor 0.5; fall|domino height hit falls omega kinetic barrier margin floor
+effect row 5; fall|domino height hit falls omega kinetic barrier margin energy
+effect row 5; effect floor 0.5; fall|domino height hit falls omega kinetic barrier margin energy floor
 effect row 5; verdict|verdict domino short_by seconds weakest spare
 effect row 3; set mass 1; row|domino height thickness gap mass
 effect row 5; rowmax|s count r_max r_train

@@ -8,7 +8,7 @@ file() { cat >"$BATS_TEST_TMPDIR/$1"; }
 
 setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
 
-@test "a row that stops is short of its highest barrier, behind a domino that has yet to fall off" {
+@test "a row that stops is short of its highest barrier, after a domino that has yet to detach" {
     file tops.csv <<'END'
 height (mm), thickness (mm), gap (mm)
 100, 30, -
@@ -42,7 +42,7 @@ END
     same verdict 'stops 2 null' \
         "$(values verdict <<<"$verdict") $(values domino <<<"$verdict") $(values short_by <<<"$verdict")"
     values reason <<<"$verdict" | grep -q 'farther on friction locks'
-    "$DOMINO" -e "$scene; fall" | grep -q '^It stops at domino 2 of 2: .*locks: no energy would\.$'
+    "$DOMINO" -e "$scene; fall" | grep -q '^The row ends at domino 2 of 2: .*locks, so that no energy is enough\.$'
     "$DOMINO" -e "$scene; fall" | grep -qE '^ +2 .* - +-$'
     same placement 200 "$(json "$scene; effect placement 1 mm; placement 200" | values rows)"
     "$DOMINO" -e "$scene; mend" | grep -q '^No change of a single gap'
@@ -124,16 +124,16 @@ END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }
 
-@test "mend says first that a push is missing, and how large" {
+@test "mend reports first that the row needs a push, and how large" {
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 5\n48, 7, 20\n' | file leans.csv
     mend=$("$DOMINO" -e 'effect row leans.csv; mend')
-    sed -n 1p <<<"$mend" | grep -q '^A push is missing: the first domino touches the second before it is over its edge\.$'
-    push=$(sed -En "2s/^With .* rad\/s all fall: 'effect push ([0-9.]+)'\.$/\1/p" <<<"$mend")
-    grep -q '^Without another push the smallest change: widen the gap before domino 2' <<<"$mend"
+    sed -n 1p <<<"$mend" | grep -q '^The row needs a push: its first domino touches the second before it tips over\.$'
+    push=$(sed -En "2s/^With 'effect push ([0-9.]+)' all fall\.$/\1/p" <<<"$mend")
+    grep -q '^Without another push, the smallest change: widen the gap before domino 2' <<<"$mend"
     same 'that push' 'all fall' "$(json "effect row leans.csv; effect push $push; verdict" | values verdict)"
     less=$(awk -v push="$push" 'BEGIN { print 0.998 * push }')
     same 'a weaker one' stops "$(json "effect row leans.csv; effect push $less; verdict" | values verdict)"
-    "$DOMINO" -e 'effect row leans.csv; effect push 0.4; mend' | sed -n 1p | grep -q '^A stronger push is missing'
+    "$DOMINO" -e 'effect row leans.csv; effect push 0.4; mend' | sed -n 1p | grep -q '^The row needs a stronger push: '
     # Where a gap is what is wrong, no push is spoken of.
     run "$DOMINO" -e 'effect row 5; set r 1; effect push 5; place 4 60 mm; mend'
     run ! grep -qi push <<<"$output"

@@ -90,8 +90,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'set fuel paper; effect friction 0.2' "'fuel paper' cannot be combined with friction; first enter 'set fuel exact'"
     wrong 'effect friction 0.2; set fuel paper' "'fuel paper' cannot be combined with friction; first enter 'effect friction off'"
     wrong 'fall' "there is no row; first enter 'effect row N' or 'effect row FILE'"
-    wrong 'effect row 4; placement' "'effect placement SIGMA' first"
-    wrong 'effect row 4; effect placement 1 mm; budget 2' 'no probability'
+    wrong 'effect row 4; placement' "first enter 'effect placement 1 mm'"
+    wrong 'effect row 4; effect placement 1 mm; budget 2' 'P = 2 is out of range; P is a probability'
 }
 
 @test "an effect is a parameter whose default is off: set, show and reset take it as effect does" {

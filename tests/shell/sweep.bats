@@ -134,7 +134,7 @@ curve 0.02 0.9 100'
     same reason 7 "$(grep -c '"arm_b":null,"reason":".*"}$' "$BATS_TEST_TMPDIR/objects")"
     run -0 "$DOMINO" -e 'sweep s 0.1 0.9 9 : theta1 40 deg'
     same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
-    grep -q '^7 of 9 points have a reason, which csv and json give; the first is s = 0.1: T = 0.69' <<<"$output"
+    grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason of each\.$' <<<"$output"
     # Answers with a reason of their own, in an argument, in a command inside an expression, of a row.
     grep -q 'lies no lower than it stood' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
     grep -q "rmax.r_max does not exist here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
@@ -161,31 +161,31 @@ curve 0.02 0.9 100'
 @test "what is wrong with a line is one message and no row" {
     wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
     wrong_line 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
-    wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing"
-    wrong_line 'sweep s 0.1 0.9 9 :' "the command behind ':' is missing"
+    wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing after the grid; for example"
+    wrong_line 'sweep s 0.1 0.9 9 :' "the command after ':' is missing; for example"
     wrong_line 'sweep s' 's: FROM is missing'
     wrong_line 'sweep s 0.1 : rmax' 's: TO is missing'
     wrong_line 'sweep s 0.1 0.9 : rmax' ':17: .*s: N, the number of values, is missing'
-    wrong_line 'sweep s 0.1, : rmax' "a value behind ',' is missing"
+    wrong_line 'sweep s 0.1, : rmax' "a value after ',' is missing"
     wrong_line 'sweep z 0.1 0.9 9 : rmax' ":7: sweep: unknown parameter 'z'"
     wrong_line 'sweep frictio 0 1 3 : foo' "unknown command 'foo'"
     wrong_line 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
-    wrong_line 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' stands where the name of a parameter belongs"
+    wrong_line 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' is not the name of a parameter"
     wrong_line 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
     wrong_line 'sweep s 0.1 3 cm 9 : rmax' 's is a plain number, not a length'
     wrong_line 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'
     wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is no count'
-    wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' stands twice"
-    wrong_line 'sweep fuel exact paper 2 : rmax' 'fuel has words'
-    wrong_line 'sweep friction off 0.2 3 : rmax' "friction has words: 'sweep friction off, on : ...' lists them"
-    wrong_line 'sweep friction 0.1 off 3 : rmax' 'friction has words'
-    wrong_line 'sweep seed 1 10 5 : rmax' 'whole numbers only'
-    wrong_line 'sweep mass 0 1 3 log : rmax' 'equal ratio need FROM and TO above 0'
+    wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' is in the grid twice"
+    wrong_line 'sweep fuel exact paper 2 : rmax' "the values of fuel are words; list them, as in 'sweep fuel exact, paper : rmax'"
+    wrong_line 'sweep friction off 0.2 3 : rmax' "the values of friction are words; list them, as in 'sweep friction off, on : rmax'"
+    wrong_line 'sweep friction 0.1 off 3 : rmax' 'the values of friction are words'
+    wrong_line 'sweep seed 1 10 5 : rmax' 'seed takes whole numbers'
+    wrong_line 'sweep mass 0 1 3 log : rmax' 'equal ratios need FROM and TO above 0'
     wrong_line 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'
     wrong_line 'sweep s 0.1 0.9 9 : set s 0.1' "'set' has no answer"
-    wrong_line 'sweep s 0.1 0.9 9 : cost rmax' "'cost' is not swept: it measures time"
-    wrong_line 'sweep s 0.1 0.9 9 : draw' "'draw' is not swept: it draws"
-    wrong_line 'sweep s 0.1 0.9 9 : sweep d 0.1 0.2 2 : rmax' 'its grid takes all parameters at once'
+    wrong_line 'sweep s 0.1 0.9 9 : cost rmax' "'cost' cannot be swept: it measures time"
+    wrong_line 'sweep s 0.1 0.9 9 : draw' "'draw' cannot be swept: it draws"
+    wrong_line 'sweep s 0.1 0.9 9 : sweep d 0.1 0.2 2 : rmax' 'name all parameters in one grid'
     wrong_line 'sweep s 0.1 0.9 9 : theta1 foo' ":28: theta1: T at 'foo': 'foo' has no value"
     wrong_line 'sweep s 0.1 0.9 9 : theta1' 'theta1: T is missing; usage: theta1 T'
     wrong_line 'sweep s 0.1 0.9 9 : rmax 0.1 0.2' "'0.2' is one argument too many"
@@ -242,7 +242,7 @@ parts() { # PARTS ROWS
     same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p "$BATS_TEST_TMPDIR/whole" | cut -d , -f 7-)"
 }
 
-@test "pool: missing rows are told, twice and other studies are errors" {
+@test "pool: missing rows are reported, rows that are there twice and other studies are errors" {
     parts 3 400 >"$BATS_TEST_TMPDIR/all"
     grep -v ',101,100,' "$BATS_TEST_TMPDIR/all" >"$BATS_TEST_TMPDIR/less"
     same missing '"reason":"100 of the 400 rows are missing, the first is number 101"}' \
@@ -252,12 +252,12 @@ parts() { # PARTS ROWS
         cat >"$BATS_TEST_TMPDIR/blocks"
         wrong_line "pool $BATS_TEST_TMPDIR/blocks" "$1"
     }
-    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails 'row 1 of the study stands twice'
+    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails 'row 1 of the study is in .* twice'
     study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6: this block is of another study'
     study="$study; place 3 40 mm" parts 2 400 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6: this block is of another study'
-    pool_fails 'there are no blocks' </dev/null
-    pool_fails ':1: a block of a study has other fields' <<<'height,mass'
-    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2: this is no block of a study: its counts do not fit'
+    pool_fails 'has no blocks of a study' </dev/null
+    pool_fails ':1: this line is not a block of a study' <<<'height,mass'
+    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2: the counts of this block do not add up'
     wrong_line "pool $BATS_TEST_TMPDIR/none" 'No such file'
     run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"
     grep -q 'safe session' <<<"$stderr"

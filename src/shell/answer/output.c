@@ -216,10 +216,15 @@ static void answer_write(struct answer *a, const struct cell *cells, const char 
         free(own[i]);
 }
 
-bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
+void answer_keep(struct answer *a, const struct cell *cells)
 {
     for (int n = 0; a->columns[n].key && a->kept; n++)
         a->kept[n] = cells[n];
+}
+
+bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
+{
+    answer_keep(a, cells);
     if (a->point) {
         a->point(a, cells, reason);
     } else if (a->out) {

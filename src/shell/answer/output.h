@@ -35,6 +35,9 @@ void column_fit(struct column *column, const char *word);
  */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
+/* Keeps the cells of a row, as 'ans', without writing them: people read the answer in sentences. */
+void answer_keep(struct answer *answer, const struct cell *cells);
+
 /* One row of these cells, in which nothing is missing. */
 #define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the scene asks for beyond the paper, what follows from it, and what it costs. */
+/* Commands about effects: turn them on, measure what they cost, and show how the scene is computed. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
 #include <stdlib.h>
 
-/* ---- effects: what each costs ---- */
+/* ---- effects: the cost of each ---- */
 
-/* One answer of the scene: does it go on, or do all fall?  What effects are on decides what is computed. */
+/* Computes one answer of the scene: whether the train goes on, or whether the whole row falls. */
 static enum dom_status scene_answer(const struct session *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
@@ -32,8 +32,8 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
 }
 
 /*
- * Counts the work of the scene's answer, without errors of placement, since what random rows enter is not
- * counted; with `placed` the work of one random row too.  Returns false after an error.
+ * Counts the work of one answer of the scene, without errors of placement, since the work of random rows is
+ * not counted; with `placed`, also that of one random row.  Returns false after an error.
  */
 static bool scene_work(struct session *session, bool placed, struct dom_work *work, size_t *dominoes)
 {
@@ -50,11 +50,11 @@ static bool scene_work(struct session *session, bool placed, struct dom_work *wo
     return status == DOM_OK || session_status(session, status);
 }
 
-/* The clock ticks in nanoseconds: a batch of this length is known well. */
+/* The shortest batch whose time is precise, since the clock ticks in nanoseconds; and how many are timed. */
 #define PRICE_SECONDS 2e-4
 #define PRICE_BATCHES 5
 
-/* Seconds of one answer, the least of several batches; NaN where there is none. */
+/* Returns the seconds of one answer, the least of several batches; NaN if there is no answer. */
 static double scene_price(struct session *scene)
 {
     struct scene_row row = {.domino = NULL};
@@ -82,12 +82,12 @@ static double scene_price(struct session *scene)
 }
 
 /*
- * The scene with an effect, and what it says nothing without, on, or with it off; its price.  Random rows
- * stop early, and have no floor: the price of the others is that of the row itself.
+ * Returns the seconds of an answer with an effect, and the effects that it needs, on; or with the effect off.
+ * Random rows stop early and have no floor, so that other effects are timed without errors of placement.
  */
 static double price_with(const struct session *session, enum dom_effect_name name, bool on)
 {
-    struct session scene = *session; /* its row is shared: nothing in here changes it */
+    struct session scene = *session; /* shares the row, which this function does not change */
     effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
@@ -100,24 +100,25 @@ static double price_with(const struct session *session, enum dom_effect_name nam
 }
 
 static const struct column effects_columns[] = {
-    {"effect", "", "its name for 'effect' and 'help'", 9},
-    {"state", "", "off, or what it is set to", 12},
-    {"without", "us", "time of an answer of this scene without it", 9},
-    {"with", "us", "the same with it", 9},
-    {"times", "", "with over without", 7},
-    {"entered", "", "how often its code was entered in an answer of the scene", 8},
-    {"adds", "", "what it adds", 26},
-    {"source", "", "where its mathematics is from", 20},
+    {"effect", "", "name of the effect", 9},
+    {"state", "", "off, or its values", 12},
+    {"without", "us", "time of an answer of this scene without the effect", 9},
+    {"with", "us", "time of an answer with the effect", 9},
+    {"times", "", "with / without", 7},
+    {"entered", "", "how often an answer of the scene enters the code of the effect", 8},
+    {"adds", "", "what the effect adds to the paper's model", 26},
+    {"source", "", "source of its mathematics", 20},
     {NULL, NULL, NULL, 0},
 };
 
 static void effects_say(const struct session *session, struct answer *a)
 {
     bool row = session->effect[DOM_EFFECT_row].on;
-    answer_say(a,
-               "The answer that is timed: %s. What is off is not computed: its code is entered 0 times. "
-               "placement is timed for one random row, which may stop early.\n",
-               row ? "does the whole row fall" : "does the train go on ('barrier')");
+    answer_say(
+        a,
+        "Times are those of one answer: %s. An effect that is off is not computed: its code is entered "
+        "0 times. placement is timed for one random row, which may stop early.\n",
+        row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
@@ -131,7 +132,7 @@ static bool run_effects(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_work(session, session->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds"); /* people read the last two below */
+    answer_leave_out(a, "adds"); /* people read these two below the table */
     answer_leave_out(a, "source");
     for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
@@ -155,10 +156,10 @@ static bool run_effects(struct session *session, const struct call *call)
 /* ---- scene: the plan ---- */
 
 static const struct column scene_columns[] = {
-    {"part", "", "of the computation", 9},
-    {"dominoes", "", "followed at once, at most", 8},
-    {"why", "", "it is in the plan", 15},
-    {"solved", "", "which equations, by which method", 40},
+    {"part", "", "part of the computation", 9},
+    {"dominoes", "", "the most dominoes that it sums over", 8},
+    {"why", "", "why this part is needed", 15},
+    {"solved", "", "its equations and its method", 40},
     {NULL, NULL, NULL, 0},
 };
 
@@ -168,7 +169,7 @@ static void plan_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
-/* The plan of a train. */
+/* Prints the plan of a train. */
 static void plan_train(const struct session *session, struct answer *a, size_t n)
 {
     bool rubs = domq_law(&session->train)->dissipates;
@@ -180,12 +181,12 @@ static void plan_train(const struct session *session, struct answer *a, size_t n
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
 
-/* The plan of a row. */
+/* Prints the plan of a row. */
 static void plan_of_row(const struct session *session, struct answer *a, size_t n)
 {
     bool rubs = domq_law(&session->train)->dissipates, pushed = session->effect[DOM_EFFECT_push].on;
-    plan_row(a, "start", pushed ? domq_effect(DOM_EFFECT_push)->plan : "(b5): what it falls from its edge", 1,
-             pushed ? "push is on" : "no push");
+    plan_row(a, "start", pushed ? domq_effect(DOM_EFFECT_push)->plan : "(b5): energy of a fall from its edge",
+             1, pushed ? "push is on" : "no push");
     plan_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
     plan_row(a, "motion",
              rubs ? domq_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated",
@@ -218,7 +219,7 @@ static bool run_scene(struct session *session, const struct call *call)
         if (session->effect[k].on)
             plan_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
                      k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
-    answer_say(a, "%zu passes down the %s give its verdict at tol = %g in %s precision.", work.passes,
+    answer_say(a, "The verdict takes %zu passes down the %s at tol = %g in %s precision.", work.passes,
                is_row ? "row" : "train", (double)session->compute.tol,
                domq_arithmetic(session->compute.precision)->name);
     return true;
@@ -231,25 +232,26 @@ const struct command effect_commands[] = {
                   {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "turn an effect on with its values, or 'off'",
-     .help = "'effect friction 0.2', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect "
-             "placement 1 mm', "
-             "'effect floor 0.4'; 'effects' lists them, 'help friction' explains one. What is off is not "
-             "computed.",
+     .help =
+         "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect row 13', "
+         "'effect row record.csv', 'effect push 3', 'effect placement 1 mm', 'effect floor 0.4'. 'effects' "
+         "lists them, 'help friction' explains one. 'effect friction off' turns it off; an effect that is "
+         "off is not computed.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
      .see = "effects scene",
      .run = run_set},
     {.name = "effects",
      .synonyms = "list switch",
-     .summary = "all effects: on or off, what they add and cost here",
-     .help = "An answer of this scene is timed with and without each effect (and what that needs), at its "
-             "value, or at a usual one where it is off.",
+     .summary = "all effects: their state, what they add, and what they cost",
+     .help = "Measures the time of an answer of this scene with and without each effect and the effects that "
+             "it needs. An effect that is off is timed with its usual value.",
      .see = "effect scene",
-     .unswept = "it measures time, which points side by side would disturb",
+     .unswept = "it measures time, and other points would run at the same time",
      .rows = true,
      ANSWER(effects)},
     {.name = "scene",
      .synonyms = "setup settings list",
-     .summary = "the scene, and the plan that follows from it",
+     .summary = "the scene, and how it is computed",
      .example = "scene; effect friction 0.2; scene; effect friction off",
      .see = "effect effects",
      .rows = true,

@@ -1,21 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How rows fall, in cells and sentences. */
+/* Sentences and cells about a row that falls. */
 #ifndef SHELL_FALLING_H
 #define SHELL_FALLING_H
 
 #include "interpreter/command.h"
 
-/* A number that a narrow column shows with so many digits; its errors are not known. */
+/* Returns a cell for a narrow column: a number in this many digits, without an error bound. */
 struct cell cell_narrow(domq_real value, int digits);
 
-/* How a row ends, as a sentence; timed: its times are known. */
-void verdict_say(struct session *session, struct answer *answer, const struct scene_row *scene,
-                 const struct domq_verdict *verdict, bool timed);
+/* Returns "74 %", with enough digits to differ from 100 %, for a share of something that is needed. */
+struct measured share_text(domq_real share);
 
-/* Also for a status of a row that is not DOM_OK. */
+/* Returns the energy of a domino that is hit, as a share of the energy that it needs; NaN if it needs none.
+ */
+domq_real fall_share(const struct domq_fall *fall);
+
+/* Prints how a row ends. last: the last domino that was hit; timed: times are known. */
+void verdict_say(struct answer *answer, const struct scene_row *scene, const struct domq_verdict *verdict,
+                 const struct domq_fall *last, bool timed);
+
+/* Reports a status that is not DOM_OK; also a status of dominoes, which the precision cannot hold. */
 bool row_status(struct session *session, enum dom_status status);
 
-/* What a row meets that stops short of a place where friction locks. */
+/* Says why a row stops that could not fall with any energy. */
 extern const char locks_farther_on[];
 
 #endif

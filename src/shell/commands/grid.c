@@ -9,7 +9,7 @@
 
 static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
 
-/* Returns the k-th parameter of the model, or the end of the table; others say how the calculator works. */
+/* Returns the k-th parameter of the model, without settings of the calculator, or the end of the table. */
 static const struct parameter *grid_parameter(int k)
 {
     const struct parameter *p = session_parameters;
@@ -26,7 +26,7 @@ const char *grid_names(const void *context, int k)
 
 /* ---- Reading ---- */
 
-/* At the end of what a grid has? */
+/* Returns true at the end of the grid. */
 static bool grid_ends(const char *c)
 {
     return command_ends(c) || *c == '>' || *c == ':';
@@ -46,18 +46,19 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
     free(word);
     if (setting && setting->setting)
         return session_error(
-            session, "'%s' is a setting of the calculator; a grid has parameters of the model and effects",
+            session, "'%s' is a setting of the calculator; sweep a parameter of the model or an effect",
             shown);
     if (k < 0 && isalpha((unsigned char)*shown))
         return session_error(session, "%s", message);
     if (k < 0)
-        return session_error(session, "'%s' stands where the name of a parameter belongs; %s", shown, form);
+        return session_error(session, "'%s' is not the name of a parameter; %s", shown, form);
     *axis = (struct axis){.parameter = grid_parameter(k)};
     for (int i = 0; i < grid->axes; i++)
         if (grid->axis[i].parameter == axis->parameter)
-            return session_error(session, "'%s' stands twice in the grid", axis->parameter->name);
+            return session_error(session, "'%s' is in the grid twice; name each parameter once",
+                                 axis->parameter->name);
     return grid->axes < AXES_MAX ||
-           session_error(session, "more than %d parameters; the others can be set before", AXES_MAX);
+           session_error(session, "the grid has more than %d parameters; set the others before", AXES_MAX);
 }
 
 static bool read_one(struct reader *r, const struct axis *axis, const char *what, domq_real *value)
@@ -74,7 +75,7 @@ static bool read_one(struct reader *r, const struct axis *axis, const char *what
     return true;
 }
 
-/* The comma has been seen: values up to the one that has none behind it. */
+/* Reads the rest of a list, up to a value without a comma after it. */
 static bool read_list(struct reader *r, struct axis *axis, domq_real first)
 {
     size_t room = 0;
@@ -92,12 +93,12 @@ static bool read_list(struct reader *r, struct axis *axis, domq_real first)
         if (*r->at != ',')
             return true;
         r->at++;
-        if (!read_one(r, axis, "a value behind ','", &value))
+        if (!read_one(r, axis, "a value after ','", &value))
             return false;
     }
 }
 
-/* N and, behind it, the word log. */
+/* Reads N and, after it, the word log. */
 static bool read_steps(struct reader *r, struct axis *axis)
 {
     struct session *session = r->session;
@@ -112,7 +113,7 @@ static bool read_steps(struct reader *r, struct axis *axis)
         return false;
     axis->count = (size_t)n;
     if (n == 1 && axis->from != axis->to)
-        return session_error(session, "%s: one value cannot cover %s to %s; N is at least 2", name,
+        return session_error(session, "%s: one value cannot cover %s to %s; enter an N of at least 2", name,
                              quad_shown(axis->from).text, quad_shown(axis->to).text);
     const char *word = skip_blanks(r->at);
     size_t length = strspn(word, "abcdefghijklmnopqrstuvwxyz");
@@ -121,12 +122,13 @@ static bool read_steps(struct reader *r, struct axis *axis)
         r->at = word + length;
         session->column = reader_column(r, word);
         return (axis->from > 0 && axis->to > 0) ||
-               session_error(session, "%s: steps of equal ratio need FROM and TO above 0", name);
+               session_error(session, "%s: equal ratios need FROM and TO above 0", name);
     }
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
     return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
-           session_error(session, "%s has whole numbers only, and %s to %s in %zu values are not", name,
-                         quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
+           session_error(session,
+                         "%s takes whole numbers, which %s to %s in %zu values are not; enter another N",
+                         name, quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
 
 static bool read_values(struct reader *r, struct axis *axis)
@@ -142,8 +144,9 @@ static bool read_values(struct reader *r, struct axis *axis)
     if (!p->words_only && !read_one(r, axis, "TO", &axis->to))
         return false;
     if (p->words_only || axis->from == EFFECT_OFF || axis->to == EFFECT_OFF)
-        return session_error(r->session, "%s has words: 'sweep %s %s, %s : ...' lists them", p->name, p->name,
-                             p->words[0].name, p->words[1].name);
+        return session_error(r->session,
+                             "the values of %s are words; list them, as in 'sweep %s %s, %s : rmax'", p->name,
+                             p->name, p->words[0].name, p->words[1].name);
     return read_steps(r, axis);
 }
 
@@ -157,11 +160,11 @@ bool grid_read(struct reader *r, struct grid *grid)
         if (!read_name(r, grid, &read))
             return false;
         *axis = read;
-        grid->axes++; /* what it holds is given back, whatever comes */
+        grid->axes++; /* grid_free frees its list also after an error */
         if (!read_values(r, axis))
             return false;
         if (axis->count > POINTS_MAX / grid->points)
-            return session_error(session, "the grid has more than %zu points", POINTS_MAX);
+            return session_error(session, "the grid has more than %zu points; enter smaller N", POINTS_MAX);
         grid->points *= axis->count;
     }
     session->column = reader_column(r, r->at);
@@ -181,7 +184,7 @@ domq_real axis_value(const struct axis *axis, size_t k)
     if (axis->list)
         return axis->list[k];
     domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
-    bool end = k == 0 || k == axis->count - 1; /* these are what was typed */
+    bool end = k == 0 || k == axis->count - 1; /* exactly as typed */
     domq_real value = axis->logarithmic && !end
                           ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
                           : (1 - f) * axis->from + f * axis->to;
@@ -196,7 +199,7 @@ struct cell axis_cell(const struct axis *axis, domq_real value)
     return axis->parameter->value->whole ? cell_count(value) : cell_real(value);
 }
 
-/* Words first: the precision has its own default of tol. */
+/* Sets words first, since the precision has its own default of tol. */
 void grid_put(const struct grid *grid, const domq_real *value, struct session *session)
 {
     for (int words = 1; words >= 0; words--)

@@ -13,30 +13,31 @@ struct axis {
     size_t count;
     domq_real from, to;
     bool logarithmic; /* steps of equal ratio */
-    domq_real *list;  /* the values, where they are listed; else NULL */
+    domq_real *list;  /* the values of a list; else NULL */
 };
 
 struct grid {
     struct axis axis[AXES_MAX];
     int axes;
-    size_t points; /* the product of their counts; the first axis is the slowest */
+    size_t points; /* the product of the counts; the first axis changes slowest */
 };
 
-/* Up to a ':' or the end of the command; what is wrong is an error of the session. */
+/* Reads a grid up to ':' or the end of the command. Reports an error if it is wrong. */
 bool grid_read(struct reader *reader, struct grid *grid);
 void grid_free(struct grid *grid);
 
-/* What a grid can go over, for names.h: parameters of the model, then effects. */
+/* Returns the name of parameter k of a grid, for names.h: those of the model, then effects. */
 const char *grid_names(const void *context, int k);
 
-/* Value k, counted from 0; and as a cell. */
+/* Return value k, counted from 0; and a value as a cell. */
 domq_real axis_value(const struct axis *axis, size_t k);
 struct cell axis_cell(const struct axis *axis, domq_real value);
 
-/* Gives a session the value of each axis.  It borrows what others hold, so it must not be closed. */
+/* Sets the values in a copy of a session, which shares its memory with the original and must not be closed.
+ */
 void grid_put(const struct grid *grid, const domq_real *value, struct session *session);
 
-/* Do effects of the grid find in the session, once it has values, what they are about?  An error if not. */
+/* Reports an error if an effect of the grid needs another effect that the session does not have. */
 bool grid_check(const struct grid *grid, struct session *session);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* mend: the smallest change of one gap that lets all fall. */
+/* mend: the smallest change of one gap that saves a row. */
 #include "commands/falling.h"
 #include "commands/tables.h"
 #include "io/terminal.h"
@@ -7,12 +7,12 @@
 #include <stdlib.h>
 
 const struct column mend_columns[] = {
-    {"domino", "", "before which the gap is changed", 6},
-    {"gap", "m", "as it is", 12},
-    {"to", "m", "the nearest one with which all fall", 12},
-    {"until", "m", "how far one can go on, and all still fall", 12},
+    {"domino", "", "the gap is the one before this domino", 6},
+    {"gap", "m", "the gap as it is", 12},
+    {"to", "m", "the nearest gap with which all fall", 12},
+    {"until", "m", "all fall with gaps from 'to' up to this one", 12},
     {"change", "m", "to - gap", 12},
-    {"relative", "", "change over gap", 10},
+    {"relative", "share", "change / gap", 10},
     {NULL, NULL, NULL, 0},
 };
 
@@ -21,7 +21,7 @@ static void mend_progress(size_t done, size_t of, void *context)
     progress_show(context, (double)done / (double)of);
 }
 
-/* Is it the start that has too little, before any gap comes to matter? */
+/* Returns true if the first domino does not tip over: no gap matters then. */
 static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
@@ -35,19 +35,19 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
     if (status != DOM_OK)
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
-                      ? "A push is missing: the first domino touches the second before it is over its edge."
-                      : "A stronger push is missing: this one does not turn the first domino over its edge.");
+                      ? "The row needs a push: its first domino touches the second before it tips over."
+                      : "The row needs a stronger push: with this one its first domino does not tip over.");
     if (isnan(push))
-        answer_say(a, "No push alone lets all fall: push it all the same, then ask 'mend' again.");
+        answer_say(a, "No push alone saves this row; enter 'effect push on', then 'mend' again.");
     else
-        answer_say(a, "With %.4g rad/s all fall: 'effect push %.4g'.", (double)push, (double)push);
+        answer_say(a, "With 'effect push %.4g' all fall.", (double)push);
     return DOM_OK;
 }
 
 /* ---- Answers ---- */
 
 static const char no_single_gap[] =
-    "no change of a single gap lets all fall: change several, the push, or the dominoes";
+    "no change of a single gap saves this row; change several gaps, the push, or the dominoes";
 
 static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, bool pushless)
 {
@@ -55,15 +55,16 @@ static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, 
         answer_say(a, "N%s.", no_single_gap + 1);
         return;
     }
-    answer_say(a, "%s %s the gap before domino %zu by %.3g mm, from %.5g mm to %.7g mm.",
-               pushless ? "Without another push the smallest change:" : "The smallest change:",
-               m->to < m->gap ? "narrow" : "widen", m->domino, (double)(1000 * quad(fabs)(m->to - m->gap)),
-               (double)(1000 * m->gap), (double)(1000 * m->to));
-    answer_say(a, "'place %zu %.7g' does it, just so.", m->domino, (double)m->to);
-    double room = (double)(m->to + (m->until - m->to) / 3);
+    answer_say(a, "%s %s the gap before domino %zu by %s, from %s to %s.",
+               pushless ? "Without another push, the smallest change:" : "The smallest change:",
+               m->to < m->gap ? "narrow" : "widen", m->domino,
+               measured(quad(fabs)(m->to - m->gap), "m", 3).text, measured(m->gap, "m", 5).text,
+               measured(m->to, "m", 7).text);
+    answer_say(a, "'place %zu %s' is just enough.", m->domino, measured(m->to, "m", 7).text);
+    domq_real room = m->to + (m->until - m->to) / 3;
     if (quad(fabs)(m->until - m->to) > (domq_real)1e-4 * m->to)
-        answer_say(a, "All fall up to %.7g mm: 'place %zu %.6g' leaves room for errors.",
-                   (double)(1000 * m->until), m->domino, room);
+        answer_say(a, "All fall with gaps up to %s: 'place %zu %s' leaves room for errors.",
+                   measured(m->until, "m", 4).text, m->domino, measured(room, "m", 4).text);
 }
 
 bool run_mend(struct session *session, const struct call *call)
@@ -92,10 +93,10 @@ bool run_mend(struct session *session, const struct call *call)
                      cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4));
     }
     const struct cell none = cell_real(DOMQ_NAN);
-    if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs want to know which */
+    if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs get the reason */
         answer_row(a, ROW(none, none, none, none, none, none), falls ? "all fall" : no_single_gap);
     else if (falls)
-        verdict_say(session, a, &scene, &v, false);
+        verdict_say(a, &scene, &v, NULL, false);
     else if (status == DOM_OK)
         mend_say(a, list, found, push_lacks(&v));
     free(scene.domino);

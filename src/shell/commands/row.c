@@ -1,22 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A finite row: what it is, how it falls, and what to change where it does not. */
+/* Commands about a finite row: its dominoes, how they fall, and how to save the row. */
 #include "commands/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- row ---- */
 
 static const struct column row_columns[] = {
     {"domino", "", "its number, from 1", 6},
-    {"height", "m", "", 0},
-    {"thickness", "m", "", 0},
-    {"gap", "m", "free, to the one before it", 0},
-    {"mass", "kg", "where it is known", 0},
-    {"relative", "", "where it is not: mass over that of the first", 0},
+    {"height", "m", "its height", 0},
+    {"thickness", "m", "its thickness", 0},
+    {"gap", "m", "free distance to the domino before it", 0},
+    {"mass", "kg", "its mass, if masses are known", 0},
+    {"relative", "", "its mass over that of the first, if they are not known", 0},
     {NULL, NULL, NULL, 0},
 };
+
+/* Chooses the units of lengths and masses by the largest domino. */
+static void row_largest(struct answer *a, const struct scene_row *scene)
+{
+    domq_real height = 0, thickness = 0, gap = 0, mass = 0;
+    for (size_t k = 0; k < scene->row.count; k++) {
+        height = quad_larger(height, scene->domino[k].height);
+        thickness = quad_larger(thickness, scene->domino[k].thickness);
+        gap = quad_larger(gap, scene->domino[k].gap);
+        mass = quad_larger(mass, scene->domino[k].mass);
+    }
+    answer_largest(a, "height", height);
+    answer_largest(a, "thickness", thickness);
+    answer_largest(a, "gap", gap);
+    answer_largest(a, "mass", mass);
+}
 
 static bool run_row(struct session *session, const struct call *call)
 {
@@ -26,7 +43,7 @@ static bool run_row(struct session *session, const struct call *call)
     bool weighed = scene_weighed(session);
     answer_leave_out(call->answer, weighed ? "relative" : "mass");
     call->answer->units = true;
-    call->answer->style.errors = false; /* its columns are those that 'effect row FILE' reads */
+    row_largest(call->answer, &scene);
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct domq_domino *d = &scene.domino[k];
         answer_cells(call->answer, cell_count((domq_real)k + 1), cell_real(d->height),
@@ -41,18 +58,19 @@ static bool run_row(struct session *session, const struct call *call)
 
 static const struct column fall_columns[] = {
     {"domino", "", "its number, from 1", 6},
-    {"height", "m", "", 6},
-    {"hit", "s", "when it is hit; the clock starts with the push, or else with the first hit", 7},
-    {"falls", "s", "when it hits the next, or lies on the floor", 7},
-    {"omega", "rad/s", "angular velocity just after it was hit", 6},
-    {"kinetic", "mgh/2", "energy of all that move, then; in J where a mass is known", 9},
-    {"barrier", "mgh/2", "what of that it takes to go on", 9},
+    {"height", "m", "its height", 6},
+    {"hit", "s", "when it is hit; the clock starts with the push, or with the first hit", 7},
+    {"falls", "s", "when it hits the next domino, or lies on the floor", 7},
+    {"omega", "rad/s", "its angular velocity just after it is hit", 6},
+    {"kinetic", "mgh/2", "energy of all dominoes that move then; in J if masses are known", 9},
+    {"barrier", "mgh/2", "the energy that it needs to go on", 9},
     {"margin", "mgh/2", "kinetic - barrier", 9},
+    {"energy", "share", "kinetic / barrier: at 100 % it just goes on", 6},
     {"floor", "", "friction that the floor needs; with 'effect floor'", 5},
     {NULL, NULL, NULL, 0},
 };
 
-/* A hinge that needs the floor's friction: whose, in the collision of which domino or while that falls. */
+/* The friction that a foot needs: when the domino `head` is hit, or while it falls. */
 struct slip {
     domq_real needs;
     size_t domino, head;
@@ -63,7 +81,8 @@ struct falling {
     struct session *session;
     struct answer *answer;
     const struct scene_row *scene;
-    struct slip most, first; /* first: that the floor's friction does not meet; head = 0: none yet */
+    struct slip most, first; /* the largest, and the first above the friction of the floor; head = 0: none */
+    struct domq_fall last;   /* the last domino that was hit */
 };
 
 static struct slip slip_of(const struct domq_fall *f, bool hit)
@@ -72,88 +91,122 @@ static struct slip slip_of(const struct domq_fall *f, bool hit)
                : (struct slip){f->floor_motion, f->floor_domino, f->domino, false};
 }
 
-/* The larger of what a domino's motion and its collision need of the floor. */
+/* Returns the larger of what motion and collision of a domino need of the floor. */
 static struct slip slip_most(const struct domq_fall *f)
 {
     return slip_of(f, f->floor_hit > f->floor_motion);
 }
 
-static void floor_seen(struct falling *c, const struct domq_fall *f)
+/* Keeps the domino, and what it needs of the floor. */
+static void fall_seen(struct falling *c, const struct domq_fall *f)
 {
+    c->last = *f;
     domq_real floor = c->session->effect[DOM_EFFECT_floor].value[0];
     struct slip most = slip_most(f);
     if (most.needs > c->most.needs)
         c->most = most;
     if (c->first.head == 0 && most.needs > floor)
-        c->first = slip_of(f, f->floor_hit > floor); /* that comes first */
+        c->first = slip_of(f, f->floor_hit > floor); /* the collision is first */
 }
 
-static bool floor_visit(const struct domq_fall *f, void *context)
+static bool fall_visit(const struct domq_fall *f, void *context)
 {
-    floor_seen(context, f);
+    fall_seen(context, f);
     return true;
 }
 
-static const char lifted[] = "a domino is lifted off the floor: no friction holds it";
+static const char lifted[] = "a domino is lifted off the floor, which no friction prevents";
 
-/* NaN where friction locks farther on, and no energy is enough. */
+/* Returns NaN if no energy is enough, since friction locks farther on. */
 static domq_real enough(domq_real energy)
 {
     return isfinite(energy) ? energy : DOMQ_NAN;
 }
 
+/* Removes the cells of columns that are left out of the answer. */
+static void cells_leave_out(const struct answer *a, const struct column *all, struct cell *cells)
+{
+    int n = 0;
+    for (int i = 0; all[i].key && a->columns[n].key; i++)
+        if (strcmp(a->columns[n].key, all[i].key) == 0)
+            cells[n++] = cells[i];
+}
+
 static bool fall_row(const struct domq_fall *f, void *context)
 {
     struct falling *c = context;
-    floor_seen(c, f);
-    answer_row(
-        c->answer,
-        ROW(cell_count((domq_real)f->domino), cell_narrow(c->scene->domino[f->domino - 1].height, 4),
-            cell_narrow(f->time, 4), cell_narrow(f->time + f->duration, 4), cell_narrow(f->omega, 4),
-            cell_narrow(f->kinetic, 4), cell_narrow(enough(f->barrier), 4), cell_narrow(enough(f->margin), 4),
-            cell_narrow(c->scene->row.floor ? slip_most(f).needs : DOMQ_NAN, 3)),
-        !answer_for_people(c->answer) && slip_most(f).needs > 0 && !isfinite(slip_most(f).needs) ? lifted
-                                                                                                 : NULL);
+    domq_real floor = c->scene->row.floor ? slip_most(f).needs : DOMQ_NAN;
+    bool lifts = floor > 0 && !isfinite(floor);
+    struct cell cells[] = {cell_count((domq_real)f->domino),
+                           cell_narrow(c->scene->domino[f->domino - 1].height, 4),
+                           cell_narrow(f->time, 4),
+                           cell_narrow(f->time + f->duration, 4),
+                           cell_narrow(f->omega, 4),
+                           cell_narrow(f->kinetic, 4),
+                           cell_narrow(enough(f->barrier), 4),
+                           cell_narrow(enough(f->margin), 4),
+                           cell_narrow(fall_share(f), 4),
+                           cell_narrow(floor, 3)};
+    fall_seen(c, f);
+    cells_leave_out(c->answer, fall_columns, cells);
+    answer_row(c->answer, cells, lifts && !answer_for_people(c->answer) ? lifted : NULL);
     return !answer_lost(c->answer);
 }
 
-/* "when domino 3 is hit". */
+/* Writes when a foot slips: "when domino 3 is hit". */
 static const char *slip_when(const struct slip *slip, char text[64])
 {
     snprintf(text, 64, slip->hit ? "when domino %zu is hit" : "while domino %zu falls", slip->head);
     return text;
 }
 
-/* "0.43", or that no friction is enough. */
-static const char *needs_text(domq_real needs, char text[WIDE_TEXT])
+/* Writes "it needs 0.43", or that no friction is enough. */
+static const char *needs_text(domq_real needs, char text[64])
 {
-    if (!isfinite(needs))
-        return "more than any friction, since it is lifted off";
-    return quad_text(needs, 4, text);
+    char number[WIDE_TEXT];
+    snprintf(text, 64, "it needs %s", isfinite(needs) ? quad_text(needs, 4, number) : "");
+    return isfinite(needs) ? text : "it is lifted off, which no friction prevents";
 }
 
+/* Prints which domino slips first on the floor, and which one needs the most friction. */
 static void floor_say(const struct session *session, struct answer *a, const struct falling *c)
 {
-    char when[64], needs[WIDE_TEXT];
+    char when[64], needs[64];
     double floor = (double)session->effect[DOM_EFFECT_floor].value[0];
     if (c->first.head == 0)
-        answer_say(a, "A floor with %.4g holds every hinge, as far as the row goes.", floor);
+        answer_say(a, "On a floor with a friction of %.4g no foot slips, as far as the row falls.", floor);
     else
         answer_say(a,
-                   "On a floor with %.4g domino %zu is the first to slip, %s: it needs %s. The answer holds "
-                   "up to there.",
+                   "On a floor with a friction of %.4g the foot of domino %zu is the first to slip, %s: %s. "
+                   "From there on feet slip, which this answer does not include.",
                    floor, c->first.domino, slip_when(&c->first, when), needs_text(c->first.needs, needs));
     if (c->most.head > 0)
-        answer_say(a, "The most that is needed: %s, under domino %zu %s.", needs_text(c->most.needs, needs),
-                   c->most.domino, slip_when(&c->most, when));
+        answer_say(a, "Domino %zu needs the most friction, %s: %s.", c->most.domino,
+                   slip_when(&c->most, when), needs_text(c->most.needs, needs));
 }
 
-/* Has the model an answer?  PASSES and PARTS are none. */
+/* Reports an error if the model cannot follow the row to its end. */
 static bool verdict_known(struct session *session, const struct domq_verdict *v)
 {
     return (v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS) ||
-           session_no_answer(session, "domino %zu: %s; what comes behind it is not known", v->domino,
+           session_no_answer(session, "there is no verdict after domino %zu: %s", v->domino,
                              dom_row_end_text(v->end));
+}
+
+/* Leaves out columns: people read energies in percent, and in J if masses are known. */
+static void fall_choose(const struct session *session, struct answer *a, bool floor)
+{
+    bool people = answer_for_people(a), weighed = scene_weighed(session);
+    if (weighed)
+        columns_in_joules(a);
+    if (people && !weighed)
+        answer_leave_out(a, "kinetic");
+    if (people && !weighed)
+        answer_leave_out(a, "barrier");
+    if (people)
+        answer_leave_out(a, "margin");
+    if (!floor)
+        answer_leave_out(a, "floor");
 }
 
 static bool run_fall(struct session *session, const struct call *call)
@@ -164,14 +217,12 @@ static bool run_fall(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.session = session, .answer = a, .scene = &scene};
-    if (!scene.row.floor)
-        answer_leave_out(a, "floor");
-    if (scene_weighed(session))
-        columns_in_joules(a);
+    fall_choose(session, a, scene.row.floor);
+    row_largest(a, &scene);
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
     answer_holds(a, status == DOM_OK && verdict.end == DOM_ROW_FALLS);
     if (status == DOM_OK) {
-        verdict_say(session, a, &scene, &verdict, true);
+        verdict_say(a, &scene, &verdict, &c.last, true);
         if (scene.row.floor)
             floor_say(session, a, &c);
     }
@@ -182,12 +233,12 @@ static bool run_fall(struct session *session, const struct call *call)
 /* ---- verdict ---- */
 
 static const struct column verdict_columns[] = {
-    {"verdict", "", "falls, stops, or why it ends otherwise", 12},
-    {"domino", "", "the last that was hit", 0},
-    {"short_by", "mgh/2", "energy that is missing there, in J where a mass is known", 0},
-    {"seconds", "s", "until the last lies; counted as in 'fall'", 0},
-    {"weakest", "", "of those that go on, the domino with the least to spare", 0},
-    {"spare", "", "margin over barrier there", 0},
+    {"verdict", "", "all fall, stops, or another end of the row", 12},
+    {"domino", "", "the last domino that is hit", 0},
+    {"short_by", "mgh/2", "energy that it lacks; in J if masses are known", 0},
+    {"seconds", "s", "until the last domino lies; the clock is that of 'fall'", 0},
+    {"weakest", "", "of the dominoes that go on, the one with the least to spare", 0},
+    {"spare", "share", "energy that it has to spare, over the energy that it needs", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -208,7 +259,7 @@ static bool run_verdict(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.session = session};
-    enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, floor_visit, &c, &v);
+    enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_visit, &c, &v);
     free(scene.domino);
     if (status != DOM_OK)
         return row_status(session, status);
@@ -217,15 +268,20 @@ static bool run_verdict(struct session *session, const struct call *call)
     answer_holds(a, v.end == DOM_ROW_FALLS);
     if (scene_weighed(session))
         columns_in_joules(a);
-    answer_row(a,
-               ROW(cell_word(end_word(v.end)), cell_count((domq_real)v.domino),
-                   cell_bound(enough(v.short_by), DOMQ_NAN),
-                   cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOMQ_NAN, DOMQ_NAN),
-                   v.weakest ? cell_count((domq_real)v.weakest) : cell_real(DOMQ_NAN),
-                   cell_bound(v.spare, DOMQ_NAN)),
-               v.end == DOM_ROW_FALLS ? NULL
-               : isfinite(v.short_by) ? dom_row_end_text(v.end)
-                                      : locks_farther_on);
+    const struct cell cells[] = {cell_word(end_word(v.end)),
+                                 cell_count((domq_real)v.domino),
+                                 cell_bound(enough(v.short_by), DOMQ_NAN),
+                                 cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOMQ_NAN, DOMQ_NAN),
+                                 v.weakest ? cell_count((domq_real)v.weakest) : cell_real(DOMQ_NAN),
+                                 cell_bound(v.spare, DOMQ_NAN)};
+    if (answer_for_people(a)) {
+        answer_keep(a, cells);
+        verdict_say(a, &scene, &v, &c.last, true);
+    } else
+        answer_row(a, cells,
+                   v.end == DOM_ROW_FALLS ? NULL
+                   : isfinite(v.short_by) ? dom_row_end_text(v.end)
+                                          : locks_farther_on);
     if (session->effect[DOM_EFFECT_floor].on)
         floor_say(session, a, &c);
     return true;
@@ -244,11 +300,11 @@ static const struct column rowmax_columns[] = {
     {"s", "h", "separation", 0},
     {"count", "", "dominoes in the row", 0},
     {"r_max", "", "largest growth at which all of them fall", 0},
-    {"r_train", "", "that of the endless train", 0},
+    {"r_train", "", "largest growth of the endless train", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* Makes the row that the scene has at the growth r: what was placed stays. */
+/* Writes the row of the scene at the growth r, with the gaps that were changed. */
 static void row_at(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     struct session scene = *(const struct session *)context;
@@ -265,27 +321,27 @@ static bool run_rowmax(struct session *session, const struct call *call)
         return false;
     free(scene.domino);
     if (session->listed.domino)
-        return session_error(session,
-                             "the row is from a file: it has no growth r; 'effect row N' is a row with one");
+        return session_error(session, "a row from a file has no growth r; first enter 'effect row N'");
     enum dom_status status =
         domq_row_rmax(&scene.row, &scene.compute, 1 / session->train.s, row_at, session, &growth);
     if (status == DOM_OK)
         status = domq_limit_rmax(&session->train, &session->compute, &limit);
     if (status != DOM_OK)
         return row_status(session, status);
-    return answer_row(call->answer,
-                      ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
-                          cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
-                      isnan(growth.r_max) ? "already equal dominoes (r = 1) do not all fall: 'fall' says why"
-                                          : NULL);
+    return answer_row(
+        call->answer,
+        ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
+            cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
+        isnan(growth.r_max) ? "not even equal dominoes (r = 1) all fall; 'set r 1; fall' shows why" : NULL);
 }
 
 const struct command row_commands[] = {
     {.name = "fall",
      .synonyms = "simulate simulation run topple time speed",
-     .summary = "run the row, domino by domino, to its verdict",
-     .help = "Of each domino that is hit: when, when it hits the next, how fast it starts, and what energy "
-             "that leaves over its barrier. 'effect row' says which row.",
+     .summary = "run the row, domino by domino",
+     .help =
+         "For each domino that is hit: when it is hit, when it hits the next one, how fast it starts, and "
+         "how much it has of the energy that it needs to go on. 'effect row' enters a row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
      .rows = true,
@@ -302,9 +358,10 @@ const struct command row_commands[] = {
     {.name = "mend",
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
-     .help = "For each gap up to where the row ends, the nearest value with which all fall, the smallest "
-             "change first; and before them the push, where that is what is missing. Each is looked for in "
-             "40 steps, and then halved down; a window narrower than a step may be missed.",
+     .help =
+         "For each gap up to the end of the row, 'mend' finds the nearest gap with which all dominoes fall, "
+         "and lists the smallest change first. If a push is missing, the answer says so. The search goes "
+         "in 40 steps, and then by bisection; a range of gaps narrower than a step can be missed.",
      .see = "fall place budget",
      .rows = true,
      ANSWER(mend)},
@@ -312,7 +369,8 @@ const struct command row_commands[] = {
      .synonyms = "move spacing distance gap",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",
-     .help = "The change stays until another row is taken; 'save' keeps it, and so does 'row > FILE.csv'.",
+     .help =
+         "The change lasts until another row is entered; 'save FILE' keeps it, and so does 'row > FILE.csv'.",
      .example = "effect row 5; place 3 25 mm; fall",
      .see = "row fall mend",
      .run = run_place},
@@ -327,9 +385,10 @@ const struct command row_commands[] = {
     {.name = "rowmax",
      .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
-     .help = "Of the row of N dominoes that 'effect row N' makes of s, d, q and h, as it starts. A first "
-             "domino that just tips over, or a weak push, may end it at the second; where that is not so, a "
-             "long row tends to the endless train, 'rmax'.",
+     .help =
+         "The row is what 'effect row N' makes of s, d, q and h, and it starts with its push. If the first "
+         "domino just tips over, or its push is weak, the row can stop at the second domino. Otherwise "
+         "the answer for a long row approaches that of the endless train, 'rmax'.",
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
      .echo = "s",

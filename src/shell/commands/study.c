@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows with random errors, and the floor that hinges need. */
+/* Commands about rows with random errors, and about the friction of the floor. */
 #include "commands/falling.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
 
-/* The scene's row and errors; false: there are none, which was reported. */
+/* Makes the row and its random errors. Reports an error if there are none. */
 static bool study_make(struct session *session, domq_real rows, struct task_pool *pool,
                        struct scene_row *scene, struct domq_placement *p)
 {
@@ -15,7 +15,7 @@ static bool study_make(struct session *session, domq_real rows, struct task_pool
         return false;
     if (!errors->on) {
         free(scene->domino);
-        session_error(session, "no errors of placement are asked for: 'effect placement SIGMA' first");
+        session_error(session, "this command needs random errors; first enter 'effect placement 1 mm'");
         return false;
     }
     *p = (struct domq_placement){
@@ -63,13 +63,28 @@ static bool run_placement(struct session *session, const struct call *call)
 /* ---- budget ---- */
 
 static const struct column budget_columns[] = {
-    {"probability", "", "with which the whole row is to fall", 0},
-    {"sigma", "m", "the errors of the gaps that allow it", 0},
-    {"low", "m", "95 % interval of that, by the number of rows", 0},
-    {"high", "m", "", 0},
-    {"rows", "", "that were set up at each sigma", 0},
+    {"probability", "share", "share of the rows that fall completely", 0},
+    {"sigma", "m", "standard deviation of the gaps that allows this", 0},
+    {"low", "m", "95 % interval of sigma, from here ...", 0},
+    {"high", "m", "... to here: more rows make it narrower", 0},
+    {"rows", "", "number of rows that were set up at each sigma", 0},
     {NULL, NULL, NULL, 0},
 };
+
+/* Writes a share: "95 of 100", or "99.95 %" if it is not a whole number of 1000. */
+enum { SHARE_OF = CELL_TEXT + 16 };
+static const char *share_of(domq_real share, char text[SHARE_OF])
+{
+    for (int of = 100; of <= 1000; of *= 10) {
+        domq_real number = quad(round)(share * of);
+        if (quad(fabs)(share * of - number) < (domq_real)1e-9) {
+            snprintf(text, SHARE_OF, "%.0f of %d", (double)number, of);
+            return text;
+        }
+    }
+    snprintf(text, SHARE_OF, "%s of the", measured(share, "share", 6).text);
+    return text;
+}
 
 static bool run_budget(struct session *session, const struct call *call)
 {
@@ -79,7 +94,8 @@ static bool run_budget(struct session *session, const struct call *call)
     struct task_pool pool = {.progress = false}; /* how many studies it takes is not known */
     domq_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
     if (!(share > 0 && share < 1))
-        return session_error(session, "P = %s is no probability for this; P is between 0 and 1, such as 0.9",
+        return session_error(session,
+                             "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_shown(share).text);
     if (!study_make(session, rows, &pool, &scene, &p))
         return false;
@@ -87,29 +103,33 @@ static bool run_budget(struct session *session, const struct call *call)
     free(scene.domino);
     if (status == DOM_STOPS)
         return session_no_answer(session, p.heights > 0
-                                              ? "even with every gap exact fewer rows than that fall"
-                                              : "even placed without any error the row does not fall: 'mend' "
-                                                "looks for what saves it");
+                                              ? "even with exact gaps fewer rows fall; enter a smaller P"
+                                              : "even with exact gaps the row does not fall; 'mend' finds a "
+                                                "change that saves it");
     if (status != DOM_OK)
         return session_status(session, status);
-    bool free_of_it = !isfinite(budget.sigma);
+    bool any = !isfinite(budget.sigma);
+    char text[SHARE_OF];
+    if (!any)
+        answer_say(call->answer, "Place the gaps within %s (one standard deviation): then %s rows fall.",
+                   measured((domq_real)budget.sigma, "m", 2).text, share_of(share, text));
     return answer_row(call->answer,
                       ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
                           cell_bound((domq_real)budget.low, DOMQ_NAN),
                           cell_bound((domq_real)budget.high, DOMQ_NAN), cell_count(rows)),
-                      free_of_it ? "errors as large as the largest gap still leave this probability" : NULL);
+                      any ? "even with errors as large as the largest gap more rows fall" : NULL);
 }
 
 /* ---- slip ---- */
 
 static const struct column slip_columns[] = {
-    {"needs", "", "friction that the floor needs: the larger of the two below", 0},
-    {"motion", "", "in motion, |R_x| / R_z", 0},
-    {"theta", "rad", "tilt of the head then", 0},
-    {"domino", "", "whose hinge: 0 = head, 1, 2, ... behind it", 0},
-    {"hit", "", "the same in the collision, of impulses", 0},
-    {"hit_domino", "", "", 0},
-    {"slips", "", "more than 'effect floor' has?", 0},
+    {"needs", "", "friction that the floor needs: the larger of motion and hit", 0},
+    {"motion", "", "friction needed in motion: the largest |R_x| / R_z", 0},
+    {"theta", "rad", "tilt of the head at that moment", 0},
+    {"domino", "", "the domino that needs it: 0 = head, 1, 2, ... its followers", 0},
+    {"hit", "", "friction needed in the collision: the largest ratio of impulses", 0},
+    {"hit_domino", "", "the domino that needs it", 0},
+    {"slips", "", "yes if a foot slips on the floor of 'effect floor'", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -122,21 +142,24 @@ static bool run_slip(struct session *session, const struct call *call)
         return session_status(session, status);
     bool slips = f.motion > floor->value[0] || f.hit > floor->value[0];
     struct cell motion = cell_narrow(f.motion, 6);
-    answer_row(
-        call->answer,
-        ROW(f.hit > f.motion ? cell_bound(f.hit, DOMQ_NAN) : motion, motion, cell_bound(f.theta, DOMQ_NAN),
-            cell_count((domq_real)f.domino), cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
-            floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN)),
-        !isfinite(f.motion) || !isfinite(f.hit) ? "a domino is lifted off the floor: no friction holds it"
-                                                : NULL);
+    answer_row(call->answer,
+               ROW(f.hit > f.motion ? cell_bound(f.hit, DOMQ_NAN) : motion, motion,
+                   cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),
+                   cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
+                   floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN)),
+               !isfinite(f.motion) || !isfinite(f.hit)
+                   ? "a domino is lifted off the floor, which no friction prevents"
+                   : NULL);
     if (floor->on && !slips)
-        answer_say(call->answer, "A floor with %.4g holds every hinge.", (double)floor->value[0]);
+        answer_say(call->answer, "On a floor with a friction of %.4g no foot slips.",
+                   (double)floor->value[0]);
     else if (floor->on)
-        answer_say(call->answer, "A floor with %.4g does not hold: domino %zu slips first, %s.",
+        answer_say(call->answer, "On a floor with a friction of %.4g the foot of domino %zu slips first, %s.",
                    (double)floor->value[0], f.hit > floor->value[0] ? f.hit_domino : f.domino,
                    f.hit > floor->value[0] ? "in the collision" : "in motion");
     else
-        answer_say(call->answer, "'effect floor MU' says what the floor has; 'fall' with it looks at a row.");
+        answer_say(call->answer,
+                   "'effect floor 0.5' sets the friction of the floor; 'fall' then checks a row.");
     return true;
 }
 
@@ -144,11 +167,12 @@ const struct command study_commands[] = {
     {.name = "placement",
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "the probability that the whole row falls, and where not",
-     .help = "The scene's row is set up ROWS times (2000), each gap with a random error: 'effect placement "
-             "SIGMA'. Row number i is the same for the same 'seed', whatever 'threads' is. ^C stops it. With "
-             "'domino --shard 2/7' it is the second of seven parts of the study, and answers with counts of "
-             "blocks of 100 rows, which 'pool' adds up.",
+     .summary = "the probability that the whole row falls, and where it stops",
+     .help =
+         "Sets up the row ROWS times (2000 if ROWS is left out), each gap with a random error: first enter "
+         "'effect placement 1 mm'. Row number i is the same for the same 'seed', with any number of "
+         "'threads'. ^C stops the study. With 'domino --shard 2/7' the answer is the second of seven "
+         "parts of the study: counts for blocks of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 8 mm; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -156,11 +180,11 @@ const struct command study_commands[] = {
     {.name = "pool",
      .synonyms = "cluster parallel merge combine add",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "what 'placement' answers, from the parts of a study",
-     .help = "FILE, or '-' for standard input, is the outputs of 'domino --shard I/N' with 'set output csv' "
-             "and 'placement' for all I, one behind the other in any order. The answer is that of the whole "
-             "study, digit for digit. Rows that are missing are told, rows that stand there twice and blocks "
-             "of another study are errors.",
+     .summary = "the answer of 'placement', from the parts of a study",
+     .help = "FILE, or '-' for standard input, has the outputs of 'domino --shard I/N' with 'set output csv' "
+             "and 'placement' for all I, concatenated in any order. The answer is that of the whole study, "
+             "digit for digit. Missing rows are reported; rows that are there twice and blocks of another "
+             "study are errors.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",
@@ -171,8 +195,10 @@ const struct command study_commands[] = {
      .synonyms = "probability chance random precision spacing tolerance",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "the errors of gaps that allow success with probability P",
-     .help = "The sigma at which the share P of ROWS rows (1000) falls, the same rows at every sigma.",
+     .summary = "how exact the gaps must be so that the row falls with probability P",
+     .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
+             "rows if ROWS is left out). The random rows are the same at every sigma. First enter a row and "
+             "'effect placement 1 mm'.",
      .example = "effect row 13; effect placement 1 mm; budget 0.9 200",
      .see = "placement mend",
      .principal = "sigma",
@@ -180,8 +206,9 @@ const struct command study_commands[] = {
     {.name = "slip",
      .synonyms = "foot feet slide slippery ground",
      .train = true,
-     .summary = "the floor friction that the train's hinges need",
-     .help = "In motion, over the whole cycle and all dominoes that move, and in the collision.",
+     .summary = "the floor friction that the train needs so that no foot slips",
+     .help = "Finds the largest friction that a foot needs in motion, over the whole cycle and all dominoes "
+             "that move, and in the collision.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
      .principal = "needs",

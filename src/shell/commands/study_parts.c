@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A study of placement in parts.  Of random rows only counts are wanted, and those add up: each part writes
- * them for blocks of fixed row numbers, which are the same into however many parts the study is cut, and
- * 'pool' reads them all and answers as 'placement' itself would.
+ * A study of placement in parts.  The results of random rows are counts, which can be added: each part writes
+ * counts for blocks of fixed row numbers, which do not depend on the number of parts.  'pool' reads all
+ * blocks and gives the answer of 'placement'.
  */
 #include "commands/falling.h"
 #include "commands/tables.h"
@@ -20,16 +20,16 @@ enum { BLOCK_ROWS = 100 };
 
 static const struct column block_columns[] = {
     {"sigma", "m", "standard deviation of every gap", 0},
-    {"heights", "", "relative one of every height", 0},
-    {"seed", "", "of the random rows", 0},
-    {"scene", "", "a checksum of the row and what else decides how it falls", 8},
-    {"dominoes", "", "in it", 8},
-    {"of", "", "rows in the whole study", 8},
+    {"heights", "", "relative standard deviation of every height", 0},
+    {"seed", "", "seed of the random rows", 0},
+    {"scene", "", "checksum of the row and of all that decides how it falls", 8},
+    {"dominoes", "", "number of dominoes in the row", 8},
+    {"of", "", "number of rows in the whole study", 8},
     {"first", "", "number of the first row of this block, from 1", 8},
-    {"rows", "", "in this block", 4},
-    {"fall", "", "of them fall to the last domino", 4},
-    {"unknown", "", "this model does not tell", 7},
-    {"stops", "", "the others: at which domino, how many", 20},
+    {"rows", "", "number of rows in this block", 4},
+    {"fall", "", "number of them that fall completely", 4},
+    {"unknown", "", "number of them that the model cannot follow", 7},
+    {"stops", "", "the others: domino at which they stop, and how many", 20},
     {NULL, NULL, NULL, 0},
 };
 
@@ -37,18 +37,18 @@ static const struct column block_columns[] = {
 
 const struct column placement_columns[] = {
     {"sigma", "m", "standard deviation of every gap", 0},
-    {"heights", "", "relative one of every height", 0},
-    {"rows", "", "that were set up", 0},
-    {"fall", "", "of them fall to the last domino", 0},
-    {"probability", "", "fall / rows", 0},
-    {"low", "", "95 % interval of the probability", 0},
-    {"high", "", "", 0},
-    {"unknown", "", "rows that this model does not tell: they widen the interval", 0},
-    {"stops_most", "", "the domino at which most of the others end", 0},
+    {"heights", "share", "relative standard deviation of every height", 0},
+    {"rows", "", "number of rows that were set up", 0},
+    {"fall", "", "number of them that fall completely", 0},
+    {"probability", "share", "fall / rows", 0},
+    {"low", "share", "95 % interval of the probability, from here ...", 0},
+    {"high", "share", "... to here", 0},
+    {"unknown", "", "rows that the model cannot follow; they widen the interval", 0},
+    {"stops_most", "", "the domino at which most of the others stop", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* Where rows stop, the most frequent first. */
+/* Prints where rows stop, the most frequent first. Returns the most frequent domino, or 0. */
 static size_t stops_say(struct answer *a, const size_t *stops, size_t count, size_t others)
 {
     enum { SHOWN = 5 };
@@ -69,7 +69,7 @@ static size_t stops_say(struct answer *a, const size_t *stops, size_t count, siz
                       100 * (double)stops[most] / (double)others);
     }
     if (n > 0)
-        answer_say(a, "The others end at domino %s.", text);
+        answer_say(a, "The others stop at domino %s.", text);
     free(said);
     return first;
 }
@@ -78,6 +78,9 @@ void study_answer(const struct call *call, domq_real sigma, domq_real heights, c
                   const size_t *stops, size_t count, const char *reason)
 {
     size_t others = study->rows - study->fall - study->unknown;
+    answer_say(call->answer, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.",
+               study->fall, study->rows, share_text((domq_real)study->low).text,
+               share_text((domq_real)study->high).text);
     size_t most = stops_say(call->answer, stops, count, others);
     answer_row(call->answer,
                ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
@@ -91,7 +94,7 @@ void study_answer(const struct call *call, domq_real sigma, domq_real heights, c
 
 /* ---- Blocks ---- */
 
-/* FNV-1a (Fowler, Noll, Vo): tells studies of different rows apart, whose counts do not add up. */
+/* Adds a value to a checksum (FNV-1a of Fowler, Noll, Vo), which differs for studies of different rows. */
 static void checksum_add(uint32_t *sum, domq_real value)
 {
     unsigned char bytes[sizeof(double)];
@@ -119,18 +122,18 @@ static uint32_t scene_checksum(const struct domq_row *row, const struct domq_com
     return sum;
 }
 
-/* A worker's; the first six are the same for all. */
+/* The data of a worker; the first six members are the same for all. */
 struct blocks {
     const struct domq_row *row;
     const struct domq_compute *compute;
-    const struct domq_placement *placement; /* of all rows */
+    const struct domq_placement *placement; /* the whole study */
     char scene[16];
     const struct column *columns;
     struct answer answer;
     enum dom_status status;
 };
 
-/* "5:12 6:3" */
+/* Writes where rows stop, and how many: "5:12 6:3". */
 static void stops_text(const size_t *stops, size_t count, char text[BLOCK_ROWS * 16])
 {
     int n = 0;
@@ -150,7 +153,7 @@ static bool block_point(void *own, size_t block, FILE *out)
     size_t *stops = calloc(b->row->count, sizeof *stops), all = p.rows;
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
-    p.parallel = NULL; /* the blocks are side by side already */
+    p.parallel = NULL; /* the blocks run in parallel already */
     b->status = stops ? domq_placement_study(b->row, b->compute, &p, &study, stops) : DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block == 0);
@@ -174,7 +177,7 @@ bool study_blocks(struct session *session, const struct call *call, const struct
     snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row, &scene->compute));
     a->columns = block_columns;
     a->rows = true;
-    a->style.errors = false; /* counts have none */
+    a->style.errors = false; /* counts have no errors */
     answer_plan(a, NULL);
     b.answer = *a;
     const struct points points = {.total = (placement->rows + BLOCK_ROWS - 1) / BLOCK_ROWS,
@@ -187,7 +190,7 @@ bool study_blocks(struct session *session, const struct call *call, const struct
 /* ---- Pooling ---- */
 
 enum { SIGMA, HEIGHTS, SEED, SCENE, DOMINOES, OF, FIRST, ROWS, FALL, UNKNOWN, STOPS, FIELDS };
-enum { COMMON = FIRST, SAME_SIZE = 256 }; /* fields that all blocks of a study share */
+enum { COMMON = FIRST, SAME_SIZE = 256 }; /* the fields before FIRST are the same in a study */
 
 struct part {
     size_t first, rows;
@@ -195,9 +198,9 @@ struct part {
 
 struct pool {
     struct session *session;
-    const char *path; /* as it is shown */
+    const char *path; /* as messages show it */
     long line;
-    char same[SAME_SIZE]; /* the common fields, as the first block has them; "" before it */
+    char same[SAME_SIZE]; /* the common fields of the first block; "" before it is read */
     domq_real sigma, heights;
     struct domq_study study;
     size_t of, dominoes, *stops;
@@ -210,7 +213,7 @@ static bool wrong(const struct pool *p, const char *why)
     return session_error(p->session, "%s:%ld: %s", p->path, p->line, why);
 }
 
-/* A count, all of the text. */
+/* Reads a count that is the whole text. */
 static bool count_read(const char *text, size_t most, size_t *count)
 {
     char *end;
@@ -227,13 +230,13 @@ static bool study_begin(struct pool *p, char *const *field, const char *same)
     p->heights = quad_read(field[HEIGHTS], &ends[1]);
     if (*ends[0] || *ends[1] || !count_read(field[DOMINOES], COUNT_MAX, &p->dominoes) || p->dominoes == 0 ||
         !count_read(field[OF], COUNT_MAX, &p->of))
-        return wrong(p, "this is no block of a study");
+        return wrong(p, "this line is not a block of a study");
     snprintf(p->same, sizeof p->same, "%s", same);
     p->stops = calloc(p->dominoes, sizeof *p->stops);
     return p->stops || session_status(p->session, DOM_NO_MEMORY);
 }
 
-/* "5:12 6:3": how many that are. */
+/* Adds the counts of "5:12 6:3", and writes their sum. */
 static bool stops_add(struct pool *p, char *text, size_t *sum)
 {
     *sum = 0;
@@ -273,7 +276,9 @@ static bool block_add(struct pool *p, char *line)
     while (n < FIELDS && rest)
         field[n++] = strsep(&rest, ",");
     if (n < FIELDS || rest)
-        return wrong(p, "a block of a study has other fields: 'placement' in csv, with --shard, writes them");
+        return wrong(
+            p,
+            "this line is not a block of a study; 'domino --shard I/N' with 'set output csv' writes blocks");
     snprintf(same, sizeof same, "%s,%s,%s,%s,%s,%s", field[0], field[1], field[2], field[3], field[4],
              field[5]);
     if (!*p->same && !study_begin(p, field, same))
@@ -285,7 +290,7 @@ static bool block_add(struct pool *p, char *line)
         first == 0 || rows > p->of - first + 1 || !count_read(field[FALL], rows, &fall) ||
         !count_read(field[UNKNOWN], rows, &unknown) || !stops_add(p, field[STOPS], &stopped) ||
         fall + unknown + stopped != rows)
-        return wrong(p, "this is no block of a study: its counts do not fit");
+        return wrong(p, "the counts of this block do not add up to its number of rows");
     p->study.rows += rows;
     p->study.fall += fall;
     p->study.unknown += unknown;
@@ -307,7 +312,7 @@ static bool pool_read(struct pool *p, FILE *in)
         if (length > TEXT_MOST)
             good = wrong(p, "the line is too long for a block of a study");
         text[strcspn(text, "\r\n")] = '\0';
-        /* Parts stand one behind the other, in any order. */
+        /* Parts are concatenated in any order, each with the first line. */
         if (good && *text && strcmp(text, head) != 0)
             good = block_add(p, text);
     }
@@ -315,8 +320,12 @@ static bool pool_read(struct pool *p, FILE *in)
     if (!good)
         return false;
     if (ferror(in))
-        return session_error(p->session, "cannot read on in '%s': %s", p->path, strerror(errno));
-    return p->parts > 0 || session_error(p->session, "there are no blocks of a study in '%s'", p->path);
+        return session_error(p->session, "cannot read any further in '%s': %s", p->path, strerror(errno));
+    return p->parts > 0 ||
+           session_error(
+               p->session,
+               "'%s' has no blocks of a study; 'domino --shard I/N' with 'set output csv' writes them",
+               p->path);
 }
 
 static int by_first(const void *a, const void *b)
@@ -325,7 +334,7 @@ static int by_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Into missing, which rows; "" for none.  False: some are there twice, which was reported. */
+/* Writes which rows are missing, "" for none. Reports an error if a row is there twice. */
 static bool parts_check(struct pool *p, char *missing, size_t size)
 {
     size_t next = 1;
@@ -334,7 +343,8 @@ static bool parts_check(struct pool *p, char *missing, size_t size)
     for (size_t i = 0; i <= p->parts; i++) {
         size_t first = i < p->parts ? p->part[i].first : p->of + 1;
         if (first < next)
-            return session_error(p->session, "row %zu of the study stands twice in '%s'", first, p->path);
+            return session_error(p->session, "row %zu of the study is in '%s' twice; leave one part out",
+                                 first, p->path);
         if (first > next && !*missing)
             snprintf(missing, size, "%zu of the %zu rows are missing, the first is number %zu",
                      p->of - p->study.rows, p->of, next);
@@ -352,7 +362,7 @@ bool run_pool(struct session *session, const struct call *call)
     FILE *in = standard ? io_stdin(interrupt) : io_read(p.path, interrupt);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
-    p.path = names_shown(p.path, shown); /* from here on for messages */
+    p.path = names_shown(p.path, shown); /* used in messages only from here on */
     bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
     if (good) {
         enum dom_status status = domq_study_interval(&p.study);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep: what a command answers, over a grid of parameters and effects. */
+/* sweep: the answers of a command over a grid of parameters and effects. */
 #include "answer/format.h"
 #include "commands/grid.h"
 #include "commands/swept.h"
@@ -14,9 +14,9 @@
 /* The arguments of the command. */
 struct sweep {
     struct grid grid;
-    const struct command *command; /* that is asked at each point */
+    const struct command *command; /* runs at each point */
     const struct text *text;
-    const char *arguments; /* in the text */
+    const char *arguments; /* of the command, in the text */
 };
 
 /* ---- Reading ---- */
@@ -39,9 +39,9 @@ static bool sweep_read_grid(struct reader *r, struct call *call)
     r->stops = ":,";
     bool good = grid_read(r, &s->grid);
     r->stops = NULL;
-    return good &&
-           (*r->at == ':' || session_error(r->session, "':' and a command are missing behind the grid, "
-                                                       "such as ': rmax'"));
+    return good && (*r->at == ':' ||
+                    session_error(r->session, "':' and a command are missing after the grid; for example "
+                                              "'sweep s 0.1 0.9 9 : rmax'"));
 }
 
 static bool sweep_read_command(struct reader *r, struct call *call)
@@ -51,14 +51,15 @@ static bool sweep_read_command(struct reader *r, struct call *call)
     r->at = skip_blanks(r->at + 1);
     session->column = reader_column(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
-        return session_error(session, "the command behind ':' is missing, such as 'rmax' or 'count 112 m'");
+        return session_error(session,
+                             "the command after ':' is missing; for example 'sweep s 0.1 0.9 9 : rmax'");
     const struct command *c = s->command = read_command(r);
     if (!c)
         return false;
     if (c->unswept)
-        return session_error(session, "'%s' is not swept: %s", c->name, c->unswept);
+        return session_error(session, "'%s' cannot be swept: %s", c->name, c->unswept);
     if (!c->columns)
-        return session_error(session, "'%s' has no answer; a sweep asks a command that has, such as 'rmax'",
+        return session_error(session, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
                              c->name);
     s->text = r->text;
     s->arguments = r->at;
@@ -68,23 +69,24 @@ static bool sweep_read_command(struct reader *r, struct call *call)
 
 /* ---- One point ---- */
 
-/* What each worker has to itself; sweep and base are the same for all, and nobody changes them. */
+/* The data of a worker. All workers share sweep and base, which do not change. */
 struct sweeper {
     const struct sweep *sweep;
-    const struct session *base; /* each point begins with it, and leaves no trace in it */
-    bool styled;                /* the grid changes what is to be known of numbers */
+    const struct session *base; /* each point starts from a copy of it */
+    bool styled;                /* the grid changes the precision or the tolerance of numbers */
     struct answer answer;
     struct session point;
     struct swept swept;
     struct captured_error captured_error;
-    size_t index[AXES_MAX]; /* of the values below */
+    size_t index[AXES_MAX]; /* index of each value on its axis */
     domq_real value[AXES_MAX];
-    size_t reasons; /* points that have one; the first of them, and what it is */
-    size_t first;
-    char reason[SWEPT_REASON];
+    size_t reasons;            /* the number of points with a reason for a missing value */
+    size_t none;               /* the number of points without a row of an answer */
+    size_t first;              /* the first point with a reason */
+    char reason[SWEPT_REASON]; /* its reason */
 };
 
-/* The first-named parameter is the slowest. */
+/* Finds the values of point k; the first parameter of the grid changes slowest. */
 static void point_values(struct sweeper *w, size_t k)
 {
     const struct grid *grid = &w->sweep->grid;
@@ -105,13 +107,13 @@ static void point_session(struct sweeper *w, FILE *out)
     w->point = *w->base;
     w->point.out = out;
     w->point.captured_error = &w->captured_error;
-    w->point.threads = 1; /* the points are side by side already */
+    w->point.threads = 1; /* the points run in parallel already */
     w->point.shard.parts = 0;
     w->captured_error.text[0] = '\0';
     grid_put(&w->sweep->grid, w->value, &w->point);
 }
 
-/* Asks the command.  False: it has no answer, see heard. */
+/* Runs the command. Returns false if it has no answer; captured_error has the message. */
 static bool point_ask(struct sweeper *w, struct answer *a)
 {
     const struct sweep *s = w->sweep;
@@ -130,10 +132,10 @@ static bool point_ask(struct sweeper *w, struct answer *a)
 
 static bool point_answer(struct sweeper *w, size_t k, struct answer *to);
 
-/* So many points are tried for one with an answer, which shows what kinds of cells there are. */
+/* The most points that are tried to find one with an answer, which shows the kinds of cells. */
 enum { TRIED = 256 };
 
-/* Is there one among the first?  Its first row is then in swept.first. */
+/* Returns true if one of the first points has an answer; its first row is then in swept.first. */
 static bool point_like(struct sweeper *w)
 {
     size_t points = w->sweep->grid.points;
@@ -144,7 +146,8 @@ static bool point_like(struct sweeper *w)
     return w->swept.answered;
 }
 
-/* Point k has no answer.  Where it stands below the head of a table, others show units and kinds. */
+/* Writes the row of a point without an answer. The head of a table takes units and kinds from other points.
+ */
 static void point_none(struct sweeper *w, size_t k, struct answer *to, const char *why)
 {
     struct cell like[ANSWER_COLUMNS];
@@ -163,7 +166,8 @@ static void point_none(struct sweeper *w, size_t k, struct answer *to, const cha
         to->like = NULL;
 }
 
-/* Writes the rows of point k, unless `to` is NULL; false: something is wrong with the line, see heard. */
+/* Writes the rows of point k, unless `to` is NULL. Returns false if the line is wrong, as captured_error
+ * says. */
 static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
 {
     struct answer a = w->answer;
@@ -176,7 +180,7 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     swept_begin(&w->swept);
     w->swept.to = to;
     if (w->styled) {
-        domq_real digits = a.style.digits; /* columns are as wide in all rows */
+        domq_real digits = a.style.digits; /* columns have one width in all rows */
         a.style = session_style(&w->point);
         a.style.digits = digits;
     }
@@ -186,7 +190,7 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     if (!done && !w->captured_error.no_answer)
         return false;
     if (!done || !w->swept.answered)
-        point_none(w, k, to, done ? "nothing is answered here" : w->captured_error.text);
+        point_none(w, k, to, done ? "there is no answer here" : w->captured_error.text);
     return true;
 }
 
@@ -194,9 +198,10 @@ static bool sweep_point(void *own, size_t k, FILE *out)
 {
     struct sweeper *w = own;
     struct answer to = answer_part(&w->answer, out, k == 0);
-    to.columns = w->swept.column; /* the worker's own, as its command has them */
+    to.columns = w->swept.column; /* the columns of this worker */
     bool good = point_answer(w, k, &to);
     w->swept.to = NULL;
+    w->none += good && !w->swept.answered;
     if (good && w->swept.reasoned && w->reasons++ == 0) {
         w->first = k;
         memcpy(w->reason, w->swept.reason, sizeof w->reason);
@@ -213,11 +218,12 @@ static void sweep_gather(void *own, const void *worker)
         memcpy(all->reason, w->reason, sizeof all->reason);
     }
     all->reasons += w->reasons;
+    all->none += w->none;
 }
 
 /* ---- All of them ---- */
 
-/* Room for names of columns that would stand twice: 'rmax.s' beside 's'. */
+/* Room for the new name of a column that has the name of a parameter: 'rmax.s' for 's'. */
 enum { RENAMED = 40 };
 
 static bool column_add(struct swept *s, int *n, struct column column, const char *key)
@@ -230,7 +236,7 @@ static bool column_add(struct swept *s, int *n, struct column column, const char
     return true;
 }
 
-/* Is the command called with an argument in the place of the parameter that one of its columns repeats? */
+/* Returns true if an argument replaces the parameter that a column of the command repeats. */
 static bool echo_called(const struct session *session, const struct sweep *sweep)
 {
     const struct command *c = sweep->command;
@@ -239,7 +245,7 @@ static bool echo_called(const struct session *session, const struct sweep *sweep
     struct call call = {.count = 0};
     struct reader r = {.session = &scratch, .text = sweep->text, .at = sweep->arguments};
     scratch.captured_error = &captured_error;
-    int given = read_arguments(&r, c, &call) ? call.count : call.count + 1; /* it failed at the one behind */
+    int given = read_arguments(&r, c, &call) ? call.count : call.count + 1; /* the next argument is wrong */
     call_free(&call);
     for (int i = 0; i < given && i < ARGUMENTS_MAX && c->argument[i].kind; i++)
         if (c->argument[i].of && strcmp(c->argument[i].of, c->echo) == 0)
@@ -247,7 +253,7 @@ static bool echo_called(const struct session *session, const struct sweep *sweep
     return false;
 }
 
-/* Parameters, then what the command answers, without the column that only repeats one of them. */
+/* Makes the columns: parameters, then those of the command, without one that only repeats a parameter. */
 static bool sweep_columns(const struct session *session, const struct sweep *sweep, struct swept *s,
                           char renamed[AXES_MAX][RENAMED])
 {
@@ -277,7 +283,7 @@ static bool sweep_columns(const struct session *session, const struct sweep *swe
     return room;
 }
 
-/* "s = 0.7, d = 0.1" */
+/* Writes the values of point k: "s = 0.7, d = 0.1". */
 static void point_text(const struct sweep *sweep, size_t k, char *text, size_t size)
 {
     const struct grid *grid = &sweep->grid;
@@ -293,7 +299,7 @@ static void point_text(const struct sweep *sweep, size_t k, char *text, size_t s
     }
 }
 
-/* What a point heard, as the session says it. */
+/* Reports the error of a point as an error of the session. */
 static bool sweep_error(struct session *session, const struct sweeper *w)
 {
     if (dom_raised(session->compute.interrupt))
@@ -317,11 +323,12 @@ static struct sweeper *sweeper_make(struct session *session, const struct sweep 
     w->answer = *a;
     for (int i = 0; i < s->grid.axes; i++) {
         const struct parameter *p = s->grid.axis[i].parameter;
-        w->index[i] = SIZE_MAX; /* none yet */
+        w->index[i] = SIZE_MAX; /* no value yet */
         w->styled = w->styled || p->fallback_of || p->moves;
     }
     if (!sweep_columns(session, s, &w->swept, renamed)) {
-        session_error(session, "a row of it would have more than %d columns", ANSWER_COLUMNS - 1);
+        session_error(session, "a row of this sweep would have more than %d columns; sweep fewer parameters",
+                      ANSWER_COLUMNS - 1);
         free(w);
         return NULL;
     }
@@ -352,7 +359,7 @@ static void sweep_largest(struct answer *a, const struct grid *grid)
     }
 }
 
-/* Rows of all points; what the head is to know, before the first of them, and the same in each part. */
+/* Writes the rows of all points. The head, which is the same in each part, is planned before. */
 static bool sweep_rows(struct session *session, struct answer *a, struct sweeper *w)
 {
     bool by_point = true, bounds = a->style.errors && !a->style.format->for_people;
@@ -383,15 +390,16 @@ static bool run_sweep(struct session *session, const struct call *call)
     bool done = sweep_rows(session, a, w);
     if (done && w->reasons > 0) {
         point_text(w->sweep, w->first, where, sizeof where);
-        answer_say(a, "%zu of %zu points %s a reason, which csv and json give; the first is %s: %s.",
-                   w->reasons, session_part(session, w->sweep->grid.points).count,
-                   w->reasons == 1 ? "has" : "have", where, w->reason);
+        answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", w->reasons,
+                   session_part(session, w->sweep->grid.points).count, w->reasons == 1 ? "has" : "have",
+                   w->none == w->reasons ? "no answer" : "a missing value", where, w->reason,
+                   w->reasons == 1 ? "" : " csv and json give the reason of each.");
     }
     free(w);
     return done;
 }
 
-/* Its columns are those of its arguments. */
+/* The columns follow from the arguments. */
 static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
 
 const struct command sweep_commands[] = {
@@ -399,19 +407,19 @@ const struct command sweep_commands[] = {
      .synonyms = "loop batch table scan grid",
      .argument = {{.name = "GRID", .kind = ARGUMENT_GRID, .read = sweep_read_grid, .choices = grid_names},
                   {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = sweep_read_command}},
-     .summary = "what a command answers, over a grid of any parameters",
+     .summary = "the answers of a command over a grid of any parameters",
      .help =
-         "GRID is NAME FROM TO N for each parameter or effect: N values, evenly spaced, or with 'log' behind "
-         "N by equal ratios; or NAME VALUE, VALUE, ... in a list. The first of them is the slowest. ANSWER "
-         "is any command that answers, its arguments being evaluated at each point: 'sweep s 0.1 0.9 9 : "
-         "count 112 0.9*rmax'. A row is the values of the point, then the answer, which may be several rows. "
-         "A point without an answer has a row with its reason, in csv and json. The session stays as it is. "
-         "Points are computed on all cores ('set threads'), and the rows are the same bytes on any number of "
-         "them; 'domino --shard 2/7' gives the second of seven parts.",
+         "GRID has a part for each parameter or effect: NAME FROM TO N is N values in equal steps, NAME FROM "
+         "TO N log is N values with equal ratios, and NAME VALUE, VALUE, ... is a list. The first parameter "
+         "changes slowest. ANSWER is a command; its arguments are evaluated at each point, as in 'sweep s "
+         "0.1 0.9 9 : count 112 0.9*rmax'. A row has the values of the point, then the answer, which may "
+         "take several rows. For a point without an answer, csv and json give the reason. The parameters "
+         "of the session do not change. Points are computed on all cores ('set threads'); the rows are the "
+         "same bytes on any number of cores. 'domino --shard 2/7' gives the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
      .see = "curve set effect",
      .columns = sweep_answers,
-     .unswept = "its grid takes all parameters at once",
+     .unswept = "name all parameters in one grid",
      .rows = true,
      .run = run_sweep},
     {.name = NULL},

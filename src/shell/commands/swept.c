@@ -9,7 +9,7 @@ void swept_begin(struct swept *s)
     s->reason[0] = '\0';
 }
 
-/* The column with this key, or -1; nearly always it is the one that is looked at first. */
+/* Returns the column with this key, or -1; checks the column `first` first. */
 static int find(const struct column *columns, const char *key, int first)
 {
     if (columns[first].key && strcmp(columns[first].key, key) == 0)
@@ -20,7 +20,7 @@ static int find(const struct column *columns, const char *key, int first)
     return -1;
 }
 
-/* From the columns of the command as they are here: a mass may be known, dominoes may rub. */
+/* Fills a row from the columns that the command has at this point, which may depend on mass and friction. */
 static void swept_cells(struct swept *s, const struct column *columns, const struct cell *cells,
                         struct cell *row)
 {
@@ -36,7 +36,7 @@ static void swept_cells(struct swept *s, const struct column *columns, const str
     }
 }
 
-/* The first reason is kept. */
+/* Keeps the first reason of the point. */
 static void swept_reason(struct swept *s, const char *reason)
 {
     if (!s->reasoned)
@@ -50,11 +50,11 @@ static void swept_write(struct swept *s, const struct cell *row, const char *rea
         swept_reason(s, reason);
     if (!s->to)
         return;
-    /* A table has no room for reasons; else their place is there in every row. */
+    /* A table has no column of reasons; other formats have one in every row. */
     answer_row(s->to, row, s->to->style.format->for_people ? NULL : reason ? reason : "");
     if (*s->to->unsaid)
         swept_reason(s, s->to->unsaid);
-    s->to->unsaid[0] = '\0'; /* the sweep says it */
+    s->to->unsaid[0] = '\0'; /* the sweep prints it */
 }
 
 void swept_row(struct answer *a, const struct cell *cells, const char *reason)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The rows of one point of a sweep: its values, then what a command answers there, found by its keys. */
+/* The rows of one point of a sweep: its values, then the answer of a command, found by its keys. */
 #ifndef SHELL_SWEPT_H
 #define SHELL_SWEPT_H
 
@@ -8,20 +8,20 @@
 enum { SWEPT_REASON = 256 };
 
 struct swept {
-    struct column column[ANSWER_COLUMNS]; /* of the sweep; ends with a NULL key */
-    const char *key[ANSWER_COLUMNS];      /* what the command calls it */
-    struct cell value[ANSWER_COLUMNS];    /* of the point: the first cells of its rows */
+    struct column column[ANSWER_COLUMNS]; /* the columns of the sweep; a NULL key ends them */
+    const char *key[ANSWER_COLUMNS];      /* the key of each column in the command */
+    struct cell value[ANSWER_COLUMNS];    /* the values of the point: the first cells of its rows */
     int values;
-    bool answered, reasoned;           /* has it a row of an answer, and one with a reason? */
-    char reason[SWEPT_REASON];         /* the first */
-    struct cell first[ANSWER_COLUMNS]; /* its first row of an answer */
-    struct answer *to; /* the answer of the sweep, which has its columns; NULL: rows are not read */
+    bool answered, reasoned;           /* the point has a row of an answer; it has a row with a reason */
+    char reason[SWEPT_REASON];         /* the first reason */
+    struct cell first[ANSWER_COLUMNS]; /* the first row of the answer */
+    struct answer *to;                 /* the answer of the sweep; NULL: rows are not written */
 };
 
-/* For the next point, of which value is filled in. */
+/* Begins a point, whose values are filled in. */
 void swept_begin(struct swept *swept);
 
-/* Writes a row of the command's answer; or the row of a point that has none. */
+/* Writes a row of the command's answer; or the row of a point without an answer. */
 void swept_row(struct answer *answer, const struct cell *cells, const char *reason);
 void swept_none(struct swept *swept, const char *reason);
 
