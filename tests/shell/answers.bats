@@ -226,7 +226,7 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
 @test "effects: every column is in line, however long the settings are" {
     for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
         # The heads of numbers end where the numbers do.
-        "$DOMINO" -e "$scene; effects" | sed '/^The answer/,$d' | awk '
+        "$DOMINO" -e "$scene; effects" | sed '/^Times are/,$d' | awk '
             NR == 1 { for (i = 3; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
             NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
             END { exit bad || rows != 6 }'

@@ -242,7 +242,7 @@ const struct command effect_commands[] = {
      .run = run_set},
     {.name = "effects",
      .synonyms = "list switch",
-     .summary = "all effects: their state, what they add, and what they cost",
+     .summary = "all effects: on or off, what they add, and their cost",
      .help = "Measures the time of an answer of this scene with and without each effect and the effects that "
              "it needs. An effect that is off is timed with its usual value.",
      .see = "effect scene",

@@ -156,6 +156,8 @@ static bool fall_row(const struct domq_fall *f, void *context)
 /* Writes when a foot slips: "when domino 3 is hit". */
 static const char *slip_when(const struct slip *slip, char text[64])
 {
+    if (slip->head == slip->domino)
+        return slip->hit ? "when it is hit" : "while it falls";
     snprintf(text, 64, slip->hit ? "when domino %zu is hit" : "while domino %zu falls", slip->head);
     return text;
 }
@@ -255,6 +257,7 @@ static bool run_verdict(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct domq_verdict v;
+    char reason[ANSWER_REASON];
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
@@ -274,14 +277,13 @@ static bool run_verdict(struct session *session, const struct call *call)
                                  cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOMQ_NAN, DOMQ_NAN),
                                  v.weakest ? cell_count((domq_real)v.weakest) : cell_real(DOMQ_NAN),
                                  cell_bound(v.spare, DOMQ_NAN)};
+    snprintf(reason, sizeof reason, "domino %zu: %s", v.domino,
+             isfinite(v.short_by) ? dom_row_end_text(v.end) : locks_farther_on);
     if (answer_for_people(a)) {
         answer_keep(a, cells);
         verdict_say(a, &scene, &v, &c.last, true);
     } else
-        answer_row(a, cells,
-                   v.end == DOM_ROW_FALLS ? NULL
-                   : isfinite(v.short_by) ? dom_row_end_text(v.end)
-                                          : locks_farther_on);
+        answer_row(a, cells, v.end == DOM_ROW_FALLS ? NULL : reason);
     if (session->effect[DOM_EFFECT_floor].on)
         floor_say(session, a, &c);
     return true;

@@ -167,7 +167,7 @@ const struct command study_commands[] = {
     {.name = "placement",
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "the probability that the whole row falls, and where it stops",
+     .summary = "the probability that all fall, and where rows stop",
      .help =
          "Sets up the row ROWS times (2000 if ROWS is left out), each gap with a random error: first enter "
          "'effect placement 1 mm'. Row number i is the same for the same 'seed', with any number of "
@@ -195,7 +195,7 @@ const struct command study_commands[] = {
      .synonyms = "probability chance random precision spacing tolerance",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "how exact the gaps must be so that the row falls with probability P",
+     .summary = "how precise gaps must be to fall with probability P",
      .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
              "rows if ROWS is left out). The random rows are the same at every sigma. First enter a row and "
              "'effect placement 1 mm'.",
@@ -206,7 +206,7 @@ const struct command study_commands[] = {
     {.name = "slip",
      .synonyms = "foot feet slide slippery ground",
      .train = true,
-     .summary = "the floor friction that the train needs so that no foot slips",
+     .summary = "the friction of the floor with which no foot slips",
      .help = "Finds the largest friction that a foot needs in motion, over the whole cycle and all dominoes "
              "that move, and in the collision.",
      .example = "effect floor 0.5; slip",

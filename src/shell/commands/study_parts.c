@@ -79,8 +79,9 @@ void study_answer(const struct call *call, domq_real sigma, domq_real heights, c
 {
     size_t others = study->rows - study->fall - study->unknown;
     answer_say(call->answer, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.",
-               study->fall, study->rows, share_text((domq_real)study->low).text,
-               share_text((domq_real)study->high).text);
+               study->fall, study->rows,
+               measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
+               measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
     size_t most = stops_say(call->answer, stops, count, others);
     answer_row(call->answer,
                ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
