@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make deps run     install what is missing (Debian), build, open the calculator
-#   make deps test    the same, and run the tests; with -j2 suites run side by side; make quick: a selection
+#   make deps test    also run the tests; with -j2 suites run in parallel; make quick: a selection
 #   make              .build/domino, .build/libdomino.a and .build/libdomino.so
 #   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
 #   make dist         .build/domino-VERSION.tar.gz
@@ -10,7 +10,7 @@
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan;
 #                     make race: what runs on threads under ThreadSanitizer
 #   make coverage     lines of src/model that tests run; make valgrind: sessions under memcheck, helgrind and drd
-#   make deps bench   how fast, against others and against the floor; make guard: dearer than it was?
+#   make deps bench   times compared with other programs; make guard: fails if an answer takes more instructions
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
 PREFIX  ?= /usr/local
@@ -20,14 +20,14 @@ B       ?= .build
 CC      ?= gcc
 OBJCOPY ?= objcopy
 OPTIM   ?= -O2 -g
-# A wild write ends the program rather than being used, and addresses of functions are found before main, in memory
-# that is read-only from then on.  FORTIFY wants an optimiser.
+# A wild write ends the program, and addresses of functions are found before main, in memory that is read-only from then
+# on. FORTIFY needs an optimiser.
 HARDEN  := -fstack-protector-strong $(if $(filter-out -O0,$(filter -O%,$(OPTIM))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wvla
 CFLAGS  ?= $(OPTIM) $(HARDEN)
 LDFLAGS ?= -Wl,-z,relro,-z,now
-# Every digit is to be the same on every machine: no contraction, never -ffast-math.  Nobody reads errno behind
-# a square root, and without that it is one instruction.
+# Every digit must be equal on every machine: no contraction, never -ffast-math. The code never reads errno after a
+# square root, which is one instruction without errno.
 INCLUDES := -Iinclude -I$(B)/include -Isrc/model -Isrc/shell -I$(B)
 C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
@@ -81,7 +81,7 @@ deps:
 	$$as apt-get update -qq && \
 	$$as env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null
 
-# In 'make deps test' nothing is compiled before the headers are there.
+# In 'make deps test' nothing is compiled before the headers are installed.
 FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
@@ -119,7 +119,7 @@ $(B)/objq/%.o: %.c | $(FIRST)
 	$(call SAY,CC,$< (quad))
 	$(Q)$(CC) $(C_FLAGS) -fPIC -DDOMQ -MMD -MP -c $< -o $@
 
-# The library shows no other names than dom_* and domq_*.  Who uses one of the two headers links one of two objects.
+# The library exports only dom_* and domq_*. A program that uses one of the two headers links one of two objects.
 $(B)/lib/domino.o: $(MODEL_OBJ)
 $(B)/lib/domino_quad.o: $(MODEL_OBJQ)
 $(B)/lib/common.o: $(COMMON_OBJ)
@@ -163,23 +163,23 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
 
-# There memory and threads run out where a test wants it.
+# In this test memory and threads run out where it asks for that.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # The library has no threads: the shell's pool runs its tasks.
 $(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/terminal.c))
-# How the shell writes numbers is tested as a unit, too.
+# Unit tests of the shell: how it writes numbers.
 $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
-# And where a line's quotes and comments end.
+# Where the quotes and comments of a line end.
 $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
-# And where the dominoes of a picture stand.
+# Where the dominoes of a picture are.
 $(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
-# Tests compare in double what the library gives in its widest type.
+# Tests compare answers of the widest type in double.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
 .SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c)) $(UNIT_BIN)
 
-# Hard cases and sweeps against a reference in MPFR: what test_*.c there share is linked into each.
+# Hard cases and sweeps against a reference in MPFR: the other files of tests/hard are linked into each test_*.c.
 HARD     := $(wildcard tests/hard/*.c)
 HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(wildcard tests/hard/test_*.c))
 $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,$(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
@@ -187,8 +187,8 @@ $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,$(filter-out tests/hard/test_%,$
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@
 
-# Each suite is a target that always runs it and leaves its counts: 'make -j2 test' runs suites side by side, the
-# longest first.  A suite that fails stops no other; the counts are added up at the end.
+# Each suite is a target that always runs the suite and writes its counts: 'make -j2 test' runs suites in parallel, the
+# longest first. A suite that fails stops no other; the counts are added up at the end.
 COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
 BATS       := $(foreach name,terminal prompt,tests/shell/$(name).bats)
 BATS       += $(filter-out $(BATS),$(wildcard tests/shell/*.bats))
@@ -204,7 +204,7 @@ $(B)/tap/shell/%.count: tests/shell/% all FORCE
 	@tests/run --suite $(B) $<
 FORCE:
 
-# What is quick of all that: a twentieth of the sweeps' points, the short sessions, the unit tests.
+# Runs the quick tests: a twentieth of the sweeps' points, the short sessions, the unit tests.
 QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
 QUICK_BATS := $(patsubst %,tests/shell/%.bats,pipe scenes precision draw walk)
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
@@ -218,7 +218,7 @@ sessions: $(SHELL_RUN)
 quick test unit hard sessions:
 	@tests/run --sum $^
 
-# The same rows in Chipmunk, a rigid-body engine: fails where the two differ.
+# Compares rows with Chipmunk, a rigid-body engine; fails if the two differ.
 VERIFY := $(wildcard tests/verify/*.c)
 $(B)/verify_rows: $(call OBJ,$(VERIFY) tests/hard/workers.c) $(B)/libdomino.a
 	$(call SAY,LD,$@)
@@ -227,7 +227,7 @@ $(B)/verify_rows: $(call OBJ,$(VERIFY) tests/hard/workers.c) $(B)/libdomino.a
 verify: $(B)/verify_rows
 	@$(B)/verify_rows
 
-# Memory, disks, streams and partners that fail, and signals at the wrong moment.
+# Tests failing memory, disks, streams and partners, and signals at the wrong moment.
 FAULTS := $(wildcard tests/faults/*.bats)
 faults: all $(B)/faults/fail_alloc.so
 	@tests/run $(B) $(FAULTS)
@@ -237,13 +237,13 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
 
-# Leaks are looked for too; Readline's and GSL's own are none of ours, and there are none.
+# Checks for leaks too; Readline and GSL have none.
 sanitize: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/sanitize \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 
-# Lines of the model that the unit tests and those sessions run which ask it the most.  Threads that count in
-# the same places wait for each other, so all have one processor.
+# Counts the lines of the model that run in the unit tests and in the sessions that use the model most. Threads that
+# count in one place wait for each other, so all have one processor.
 COVERED  := $(patsubst %,tests/shell/%.bats,examples precision scenes values)
 ONE_CORE  = taskset -c $$(taskset -cp $$$$ | sed 's/.*: \([0-9]*\).*/\1/')
 coverage: | $(FIRST)
@@ -255,15 +255,15 @@ covered: all $(UNIT_BIN)
 
 valgrind: all
 	@tests/valgrind $(B)
-# What runs on many threads, under ThreadSanitizer, which knows no other order than what the program makes.
+# Runs the parallel sessions under ThreadSanitizer, which knows only the order that the program itself makes.
 race: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/race CFLAGS='-O1 -g -fsanitize=thread' all
 	@TSAN_OPTIONS=halt_on_error=1 tests/run $(B)/race tests/shell/sweep.bats
 
 # ---- Fuzzing and speed ----
 
-# The line interpreter under libFuzzer, ASan and UBSan: on bytes, from a seeded corpus, then on grammatical lines
-# that bytes choose from the tables of commands.  FUZZ_SHOW=1 with an input of the second shows its lines.
+# Runs the line interpreter under libFuzzer, ASan and UBSan: on bytes, from a seeded corpus, then on grammatical lines
+# that bytes choose from the tables of commands. FUZZ_SHOW=1 with an input of the second shows its lines.
 FUZZ_SECONDS ?= 600
 FUZZ         := fuzz_line fuzz_grammar
 FUZZ_RUN     := -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
@@ -280,7 +280,7 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
-# Ratios, side by side in one run. Octave and SciPy are compared with where they are installed.
+# Measures ratios of times in one run. Octave and SciPy take part if they are installed.
 BENCH := bench compare curve floor growth measure rows start
 bench: all $(B)/bench $(B)/answers
 	@$(B)/bench $(B)
@@ -294,7 +294,7 @@ $(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
 
-# Instructions of answers against tests/bench/instructions.csv; 'make guard KEEP=1' makes that anew.
+# Compares instructions of answers with tests/bench/instructions.csv; 'make guard KEEP=1' writes that file again.
 guard: built_by_gcc
 	@echo '$(GCC_FLAGS)' > $(B)/gcc/flags
 	@KEEP=$(KEEP) tests/bench/guard $(B)/gcc
@@ -307,7 +307,7 @@ H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 
-# A stack may be small: what is large is on the heap.
+# Stacks may be small: large data is on the heap.
 STACK := -Wframe-larger-than=16384
 
 # Builds everything with gcc, warnings as errors: for 'lint', and for 'guard', which counts in it.
@@ -315,8 +315,8 @@ GCC_FLAGS := -O2 -g
 built_by_gcc: | $(FIRST)
 	@LDFLAGS= $(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='$(GCC_FLAGS) -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
 
-# To clang the exact widening to the widest type, by which answers leave a kernel, is a promotion; gcc looks
-# for those from float to double.
+# Clang reports the exact widening to the widest type, by which answers leave a kernel, as a promotion; gcc checks
+# promotions from float to double.
 lint: built_by_gcc $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O2 -Werror -Wno-double-promotion $(STACK)' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
@@ -339,14 +339,14 @@ format:
 
 # ---- Installation ----
 
-# What goes where under PREFIX: file:folder.
+# The installed files and their folders under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
 INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include \
   $(B)/include/domino_quad.h:include $(B)/domino.pc:lib/pkgconfig \
   $(foreach page,$(PAGES),$(page):share/man/man$(subst .,,$(suffix $(page)))) \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
   $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f))))
-# Every file and folder that installing made, so that uninstall leaves what was there before.
+# The list of files and folders that 'make install' made, so that uninstall keeps those that existed before.
 MANIFEST = "$(DESTDIR)$(PREFIX)/share/doc/domino/installed"
 
 $(B)/completion/domino: src/shell/prompt/domino.bash
@@ -367,15 +367,15 @@ install: all $(B)/completion/domino
 	{ cat $(MANIFEST) 2>/dev/null; cat "$$new"; } | LC_ALL=C sort -u -o "$$new" && \
 	install -m 644 "$$new" $(MANIFEST)
 
-# What others have put into a folder since then stays, and so does the folder.
+# Files that others have put into a folder since then stay, and so does the folder.
 uninstall:
 	@[ -f $(MANIFEST) ] || { echo 'domino is not installed in $(DESTDIR)$(PREFIX)' >&2; exit 1; }
 	@LC_ALL=C sort -r $(MANIFEST) | while IFS= read -r path; do \
 	  case $$path in */) rmdir "$(DESTDIR)$$path" 2>/dev/null || : ;; \
 	  *) echo "  REMOVE  $(DESTDIR)$$path"; rm -f "$(DESTDIR)$$path" ;; esac; done
 
-# The tracked files; in a tree that came from such an archive, all files.  The same files make the same bytes:
-# the archive of an unpacked archive is that archive.
+# The tracked files; in a tree that came from such an archive, all files.  Equal files make equal
+# bytes: the archive of an unpacked archive is that archive.
 DIST = domino-$(VERSION)
 BY_GIT = [ -e .git ] && git rev-parse HEAD >/dev/null 2>&1
 dist:

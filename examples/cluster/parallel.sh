@@ -10,8 +10,8 @@ parts=${1:-8}
 folder=${2:-.}
 domino=${DOMINO:-domino}
 
-# Each part computes on one thread, since there are as many parts at once as processors.  --keep-order puts
-# their outputs one behind the other, and that is the whole: the same bytes as without --shard.
+# Each part computes on one thread, since as many parts run together as there are processors. --keep-order
+# concatenates their outputs in order: the same bytes as without --shard.
 in_parts() { # FILE.dom
     seq "$parts" | parallel --quote --keep-order --halt now,fail=1 \
         "$domino" --shard "{}/$parts" -e 'set threads 1' -f "$1"

@@ -31,7 +31,7 @@ export -f replaced
 @test "full disk: '>' leaves the old file, and no draft" { disk replaced; }
 
 appended() {
-    # A page of the disk has some room behind the file.
+    # The last page of the disk has some room after the end of the file.
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 > file'
     cp file before
     fill
@@ -77,7 +77,7 @@ export -f saved
     disk full_history
 }
 
-@test "a full folder for drafts: pictures and appended answers are refused" {
+@test "a full folder for drafts: pictures and appended answers are errors" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     unshare --mount mount -t tmpfs tmpfs /tmp 2>/dev/null || skip 'nothing may be mounted here'
     # The test's own folder is in /tmp; this one is not, and is removed in any case.

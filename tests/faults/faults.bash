@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# What the suites of faults share: a folder for each test, an end for each wait, disks that are full.
+# The functions that the suites of faults share: a folder for each test, a limit for each wait, full disks.
 
 load ../shell/common
 
-# $BATS_TEST_TMPDIR is gone with the test, and so is what a test left in there.
+# $BATS_TEST_TMPDIR is removed with the test, and all files in it.
 enter() { mkdir -p "$BATS_TEST_TMPDIR/in" && cd "$BATS_TEST_TMPDIR/in" || exit; }
 
-# No wait is for ever: 124 where the program did not end by itself.
+# Runs a program with a time limit: the status is 124 if it did not end by itself.
 soon() { timeout -k 1 20 "$@"; }
 export -f soon
 
@@ -15,14 +15,14 @@ prompt() { soon expect -f "$BATS_TEST_DIRNAME/faults.exp" "$@" </dev/null; }
 
 inside() { find . -mindepth 1 | LC_ALL=C sort | sed 's|^\./||' | paste -sd ' ' -; }
 
-# Ended by a signal, or by the time limit?
+# Returns true if the program was ended by a signal, or by the time limit.
 no_crash() { # WHAT STATUS
     [ "$2" -le 1 ] || same "$1: it ends by itself" '0 or 1' "$2"
 }
 
-# Runs a script of bash on a disk of its own with 64 kB, whose mount ends with the script.  In there 'fill' leaves no
-# block free, and 'empty' all of them.  Where nothing may be mounted, files have a limit of size instead, which 'fill'
-# sets.  The reason that a full disk gives is in $full.
+# Runs a script of bash on a disk of its own with 64 kB, whose mount ends with the script. There 'fill' leaves no
+# block free, and 'empty' frees all of them. If mounting is not allowed, files have a limit of size instead, which 'fill'
+# sets. $full is the message of a full disk.
 disk() { # SCRIPT
     local own=() mounts=$BATS_TEST_TMPDIR/disk
     mkdir -p "$mounts"

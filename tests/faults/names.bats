@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Names of files that were made to harm: written to as they are, or refused in one readable line; no other file.
+# Malicious names of files: each is used as it is, or is an error in one readable line; no other file is touched.
 # shellcheck disable=SC2154
 
 load faults

@@ -5,7 +5,7 @@
 
 load faults
 
-# Drafts have six letters behind their dot.
+# Drafts have six letters after their dot.
 drafts() { find . -name '*.??????' ! -name '*.script'; }
 
 # Starts the program in the background, as $child, with signals as a shell at a terminal gives them, also under nohup.
@@ -113,7 +113,7 @@ END
     for _ in {1..200}; do cat answer; done | cmp - log
 }
 
-@test "a lock that somebody keeps is reported, and the file is left alone" {
+@test "a lock that another process keeps is reported, and the file is left alone" {
     enter
     echo old >file
     mkfifo over

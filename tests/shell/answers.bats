@@ -41,7 +41,7 @@ load common
         [[ $("$DOMINO" -e "goto 0.2; $change; where") != *'the walk begins anew'* ]]
         same "$change" "$("$DOMINO" -e "$change; draw 0.2")" "$("$DOMINO" -e "goto 0.2 > /dev/null; $change; draw")"
     done
-    # The walk is computed to a tolerance of its own, so that every state that it stands in can be drawn.
+    # The walk is computed to a tolerance of its own, so that every state of the walk can be drawn.
     for change in 'set tol 0.1' 'set tol 0.01' 'set tol 1e-13'; do
         same "$change" "$("$DOMINO" -e 'set r 1.7; goto stop > /dev/null; draw')" \
             "$("$DOMINO" -e "$change; set r 1.7; goto stop > /dev/null; draw")"
@@ -139,7 +139,7 @@ keep_scripts() {
 
 # ---- Pipes ----
 
-# A program that writes a command and waits for its answer: each of the table, and what stands in for a line.
+# A program that writes a command and waits for its answer: each of the table, and what replaces a line.
 # The timeout is for the failure alone.
 talk() { # READ-FROM WRITE-TO: descriptors
     local call line
@@ -176,7 +176,7 @@ talk() { # READ-FROM WRITE-TO: descriptors
     done
 }
 
-@test "answers are not sent one by one where nobody waits" {
+@test "answers are not sent one by one if no reader waits" {
     # dd counts what it is given at a time; a read takes one write or more of them.
     for way in stdin file; do
         printf 'print 12345\n%.0s' {1..20000} >"$BATS_TEST_TMPDIR/lines"
@@ -245,7 +245,7 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
         "$DOMINO" -e "help $topic" | sed -n '/^It answers/,/^$\|^In an/{/^  /p}' >"$BATS_TEST_TMPDIR/page"
         [ -s "$BATS_TEST_TMPDIR/page" ] || continue
         pages=$((pages + 1))
-        # The unit begins behind the longest key, the meaning behind the longest unit: where rows without one have it.
+        # The unit begins after the longest key, the meaning after the longest unit; rows without a unit have the meaning there.
         awk -v topic="$topic" '
             { if (length($1) > key) key = length($1) }
             NF > 1 { line[++n] = $0 }
@@ -352,7 +352,7 @@ END
 
 # ---- Completion ----
 
-@test "what is offered behind a word is not refused there" {
+@test "what completion offers after a word is no error there" {
     local line word refused=''
     same 'draw' forces "$("$DOMINO" -e 'complete draw ')"
     same 'plot cost' 'fuel launch barrier duration rmax pair' "$("$DOMINO" -e 'complete plot cost ' | paste -sd ' ' -)"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# What the session suites share. "$DOMINO" is the program; nothing is written outside $BATS_TEST_TMPDIR.
+# The functions that the session suites share. "$DOMINO" is the program; nothing is written outside $BATS_TEST_TMPDIR.
 
 bats_require_minimum_version 1.5.0
 
@@ -58,22 +58,22 @@ session() { # WAY COMMANDS
 
 json() { "$DOMINO" -e "set output json; $1"; }
 
-# Of json answers on stdin: the keys of the first one; the value of a key in each one that has it.
+# Print, of json answers on stdin, the keys of the first answer; and the value of a key in each answer that has it.
 keys() { head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
 values() { sed -En "s/^(.*,|\{)\"$1\":(\"[^\"]*\"|[^,}]*).*/\2/p" | tr -d '"'; }
 
-# Checks before every test that there is a program which answers: without one, a test of what the program
-# leaves undone would pass.
+# Checks before every test that there is a program that answers: without one, a test that something is not done
+# would pass.
 setup() { answers_at_all; }
 answers_at_all() { same 'the program' 42 "$("$DOMINO" -e 'print 6*7' 2>&1)"; }
 
-# Refuses an expectation that came out blank: a program that says nothing would meet it.  Where nothing is
-# expected, the expectation is '(nothing)'.
+# Fails if an expectation is blank: a program that prints nothing would meet it. To expect nothing, write
+# '(nothing)'.
 expects() { # WHAT EXPECTED
     [[ $2 == *[![:space:]]* ]] || { printf '%s: the expectation is empty\n' "$1" && false; }
 }
 
-# Equal, or this says what differs.
+# Checks that two texts are equal, and prints the difference.
 same() { # WHAT EXPECTED OBTAINED
     expects "$1" "$2" || return
     local expected=$2
@@ -81,19 +81,19 @@ same() { # WHAT EXPECTED OBTAINED
     [ "$expected" = "$3" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
 }
 
-# Two answers that are both there, and not alike: shows that what is compared elsewhere depends on the question.
+# Checks that two answers exist and differ: so what is compared elsewhere depends on the question.
 differ() { # WHAT ONE OTHER
     expects "$1" "$2" && expects "$1" "$3" || return
     [ "$2" != "$3" ] || { printf '%s\ntwice: %s\n' "$1" "$2" && false; }
 }
 
-# Equal files with something in them.
+# Checks that two files are equal and not empty.
 same_file() { # EXPECTED OBTAINED
     [ -s "$1" ] || { printf '%s: the expectation is empty\n' "$1" && return 1; }
     diff -u "$1" "$2"
 }
 
-# Equal numbers up to a relative error of BOUND (1e-10), and 1e-15 where the value is 0; '(nothing)' is null.
+# Checks that numbers agree to a relative error of BOUND (1e-10), and 1e-15 if the value is 0; '(nothing)' is null.
 close() { # WHAT EXPECTED OBTAINED [BOUND]
     expects "$1" "$2" || return
     awk -v e="$2" -v o="$3" -v bound="${4:-1e-10}" 'BEGIN {
@@ -106,7 +106,7 @@ close() { # WHAT EXPECTED OBTAINED [BOUND]
     }' || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
 }
 
-# Checks with the awk condition that is given (d: the relative difference of the two numbers).
+# Checks a given awk condition (d: the relative difference of the two numbers).
 within() { # WHAT EXPECTED OBTAINED CONDITION
     if [[ $2 =~ [0-9] && $3 =~ [0-9] ]] && awk -v e="$2" -v o="$3" "BEGIN { d = o / e - 1; exit !($4) }"; then
         return 0
@@ -115,7 +115,7 @@ within() { # WHAT EXPECTED OBTAINED CONDITION
     return 1
 }
 
-# Fails with this message, in one line, and the session goes on; for the tests, 'run' sets what it looks at.
+# Checks that a command fails with this message, in one line, and that the session goes on; 'run' sets its variables.
 # shellcheck disable=SC2154
 wrong() { # COMMANDS PATTERN
     run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
@@ -126,7 +126,7 @@ wrong() { # COMMANDS PATTERN
     [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
 }
 
-# What a library that was built to be checked needs of its users.
+# The libraries that a program needs to link a library that was built for checkers.
 checked() {
     if nm "$1" 2>/dev/null | grep -q __asan_init; then echo -fsanitize=address,undefined; fi
     if nm "$1" 2>/dev/null | grep -q __gcov_init; then echo --coverage; fi

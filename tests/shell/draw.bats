@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures: their data, which is what is drawn; the kinds of files; what is refused.
+# Pictures: their data, which is what is drawn; the kinds of files; errors.
 
 load common
 
@@ -16,7 +16,7 @@ one_line() { # PART COMMANDS: fails with one line, that has the part
     same keys i,height,x,theta,top_front_x,top_front_z,top_back_x,top_back_z,foot_back_x,foot_back_z,contact_x,contact_z,force,of_own \
         "$(head -n 1 "$BATS_TEST_TMPDIR/rows")"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/rows")" -gt 8 ]
-    # The next one, 1.5 high and (s + d) r in front of the head; the head; the first behind it.
+    # The next one, 1.5 high and (s + d) r in front of the head; the head; its first follower.
     csv 'set d 0.125; set s 0.375; draw' | sed -n 2,4p | cut -d , -f 1-10 >"$BATS_TEST_TMPDIR/first"
     same next -1,1.5,0.75,0,0.75,1.5,0.5625,1.5,0.5625,0 "$(sed -n 1p "$BATS_TEST_TMPDIR/first")"
     same head 0,1,0,0,0,1,-0.125,1,-0.125,0 "$(sed -n 2p "$BATS_TEST_TMPDIR/first")"
@@ -48,7 +48,7 @@ one_line() { # PART COMMANDS: fails with one line, that has the part
     awk -v n="$next" -v h="$head" 'BEGIN { exit !(n / h > 1.3 && n / h < 1.7) }'
 }
 
-@test "draw: T is an expression, 'forces' may stand alone; without T it is where the walk stands" {
+@test "draw: T is an expression, 'forces' may be the only word; without T the picture has the tilt of the walk" {
     differ 'T counts' "$("$DOMINO" -e 'draw 0.2')" "$("$DOMINO" -e 'draw 0.3')"
     differ 'forces, too' "$("$DOMINO" -e 'draw 0')" "$("$DOMINO" -e 'draw 0 forces')"
     same degrees "$("$DOMINO" -e 'draw 0.17453292519943295')" "$("$DOMINO" -e 'draw 10 deg')"
@@ -117,7 +117,7 @@ END
         close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
     done
     same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
-    # Where the head hits, each is where the one behind it began.
+    # When the head hits, each domino is where its follower began.
     csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
         END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
     # Beyond a stop there is no motion.
@@ -125,7 +125,7 @@ END
         stopped { after++ } END { exit bad || !after }'
 }
 
-@test "plot growth, marginal: the data is that of curve, for hollow and massive" {
+@test "plot growth, marginal: the data is that of curve, for hollow and solid" {
     csv 'plot growth' >"$BATS_TEST_TMPDIR/growth"
     csv 'plot marginal' >"$BATS_TEST_TMPDIR/marginal"
     same keys s,hollow,hollow_paper,massive,massive_paper,reach "$(head -n 1 "$BATS_TEST_TMPDIR/growth")"
@@ -151,7 +151,7 @@ END
     same 'no bounds, which a picture does not have' "$(cat "$BATS_TEST_TMPDIR/growth")" "$(csv 'set errors on; plot growth')"
 }
 
-# How many frames a gif has of each delay, which stands in 1/100 s as little-endian hex.
+# How many frames a gif has of each delay, in 1/100 s as little-endian hex.
 delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a-f]{2}[0-9a-f]{4}[0-9a-f]{2}00' | cut -c 9-12 | sort | uniq -c | awk '{ print $1, $2 }'; }
 
 @test "animate: a gif, its frames equally far apart in time; each cycle lasts sqrt(r) longer" {

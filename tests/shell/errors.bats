@@ -91,7 +91,7 @@ fuel a b c d e f g h i j k l m n o p q r s t u|6|^fuel: 'a' .*too many.*usage: f
 END
 }
 
-@test "a value that is no number: where and what" {
+@test "a value other than a number: where and what" {
     while read -r column text; do
         bad "set s $text" "$column" "^set: s"
     done <<'END'
@@ -211,7 +211,7 @@ END
         same "$command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
         [[ $stderr =~ ^-e:1:\ ${command% *}:\ 'r s = 1.2 > 1: '.*1/s\ =\ 1.25$ ]] || same "$command" 'r s = 1.2 > 1: ... 1/s = 1.25' "$stderr"
     done
-    # Where it has no meaning, it is no error.
+    # Where it has no meaning, the program accepts it.
     for command in rmax pair best 'curve 0.5 0.9 3' 'count 112' show; do
         same "$command" '{' "$(json "set s 0.8; $command" | cut -c 1 | sort -u)"
     done
@@ -347,7 +347,7 @@ closed|Permission denied
 END
 }
 
-@test "a directory as FILE is refused as such, without a line number" {
+@test "a directory as FILE is an error that says so, without a line number" {
     run -1 --separate-stderr "$DOMINO" -f /
     [[ $stderr =~ ^domino:\ cannot\ [a-z]+\ .?/.?:\ Is\ a\ directory$ ]] || same message 'cannot read /: Is a directory' "$stderr"
 }

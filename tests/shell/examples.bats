@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every example against its golden transcript; 'GOLDEN=write make sessions' writes them anew.
+# Every example against its golden transcript; 'GOLDEN=write make sessions' writes them again.
 
 load common
 

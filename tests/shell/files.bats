@@ -84,7 +84,7 @@ soon() { timeout 30 "$@"; }
     wait
 }
 
-@test "what is behind '> >(...)' reads the answer" {
+@test "the command in '> >(...)' reads the answer" {
     enter
     answer=$("$DOMINO" -e fuel)
     mkfifo over

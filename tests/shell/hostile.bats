@@ -20,7 +20,7 @@ harmless() { # FILE
     fi
 }
 
-@test "every command as a function, with none to four values: a value or one line, also in a safe session" {
+@test "every command as a function, with 0 to 4 values: a value or one line, also in a safe session" {
     local name arguments way names
     names=$("$DOMINO" -e complete)
     [ "$(wc -l <<<"$names")" -gt 40 ]
@@ -84,7 +84,7 @@ harmless() { # FILE
     printf '%s\n' "$stderr" >messages
     harmless messages
     same 'a line each' 11 "$(wc -l <messages)"
-    # The name of a script stands before each of its messages, and hides none.
+    # The name of a script comes before each of its messages, and hides none.
     printf 'foo\n' >"$name"
     run -1 --separate-stderr "$DOMINO" "$name"
     printf '%s\n' "$stderr" >messages
@@ -156,7 +156,7 @@ harmless() { # FILE
     [ ! -e s.dom ]
 }
 
-@test "a quote in the middle of a word is a letter, and what stands behind the command runs" {
+@test "a quote in the middle of a word is a letter, and the text after the command runs" {
     printf '%s\n' "$csv" >'a"b.csv'
     same 'the next command' 42 "$("$DOMINO" -e 'effect row a"b.csv; print 41 + 1')"
     for line in 'save "a; print 1' 'save "a""; print 1'; do

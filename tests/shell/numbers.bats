@@ -72,7 +72,7 @@ calls() {
     same sessions 112 "$sessions"
 }
 
-# The value of a key in the row that jq selects, and whether a reason stands there.
+# Prints the value of a key in the row that jq selects, and whether the row has a reason.
 null_of() { # COMMANDS SELECTION KEY REASON
     local said
     said=$(json "$1" | jq -r "select($2) | \"\(.$3)|\(.reason)\"")

@@ -173,7 +173,7 @@ END
     same rows 18 "$rows"
 }
 
-@test "best: hollow and massive, exact and paper, to six decimals" {
+@test "best: hollow and solid, exact and paper, to six decimals" {
     while read -r q fuel s r_max; do
         answer=$(json "set q $q; set fuel $fuel; best")
         same "$q $fuel: s" "$s" "$(printf %.6f "$(values s <<<"$answer")")"
@@ -306,7 +306,7 @@ can it fall? yes' "$("$DOMINO" -e 'count 112' | head -n 3)"
         row=$(tail -n 1 <<<"$output")
         for key in $nulls; do same "$calls: $key" null "$(values "$key" <<<"$row")"; done
         grep -q "\"reason\":\"[^\"]*${reason}[^\"]*\"}$" <<<"$row" || same "$calls" "$reason" "$row"
-        # People are told the same.
+        # People read the same.
         expects "$calls" "$reason"
         "$DOMINO" -e "$calls" | grep -q "$reason"
     done <<END
@@ -532,7 +532,7 @@ END
     same 'reset output' "$("$DOMINO" -e fuel)" "$("$DOMINO" -e 'set output json; reset output; fuel')"
 }
 
-@test "each set is judged alone: r s > 1 errs where a command needs both, and a second set mends it" {
+@test "each set is checked on its own: r s > 1 errs where a command needs both, and a second set mends it" {
     run -1 --separate-stderr json 'set s 0.9; thetac; set r 1.1; thetac'
     same 'one answer' 1 "${#lines[@]}"
     close 'theta_c' "$(awk 'BEGIN { x = 0.9 * 1.1; printf "%.17g", atan2(x, sqrt(1 - x * x)) }')" \

@@ -43,7 +43,7 @@ of_help() {
     of_help >"$BATS_TEST_TMPDIR/help"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/help")" -ge 60 ]
     for text in README.md src/README.md man/domino.1 man/domino-{effects,model,rows}.7 man/libdomino.3; do
-        # An empty line in the place of each that is help's keeps the numbers.
+        # An empty line instead of each line from help keeps the line numbers.
         "$root/tests/prose" "$root/$text" |
             awk 'FNR == NR { help[$0]; next } $0 in help { $0 = "" } 1' "$BATS_TEST_TMPDIR/help" - >"$BATS_TEST_TMPDIR/prose"
         [ "$(grep -c '[a-z]' "$BATS_TEST_TMPDIR/prose")" -ge 50 ]
@@ -74,7 +74,7 @@ of_help() {
     done
 }
 
-@test "comments of C sources are in plain words, and ask no questions" {
+@test "comments and names of tests are in plain words, and ask no questions" {
     same comments '(nothing)' "$("$root/tests/comments")"
     # What is wrong is found: words, at the first line of the comment, and questions; not in strings.
     printf '%s\n' 'int a; /* Nobody' ' * reads it. */' '/* Is it over? */ char *b = "who /* knows */";' >"$BATS_TEST_TMPDIR/bad.c"
@@ -82,6 +82,12 @@ of_help() {
     [ "$status" = 1 ]
     [[ ${lines[0]} = *'bad.c:1: better: name the subject'* ]]
     [[ ${lines[1]} = *'bad.c:3: a question: Is it over?'* ]]
+    [ "${#lines[@]}" = 2 ]
+    printf '%s\n' '# It stands' '# behind it.' 'echo "# who"' '@test "nobody" {' >"$BATS_TEST_TMPDIR/bad.bats"
+    run "$root/tests/comments" "$BATS_TEST_TMPDIR/bad.bats"
+    [ "$status" = 1 ]
+    [[ ${lines[0]} = *'bad.bats:1: better: after'*': It stands behind it.' ]]
+    [[ ${lines[1]} = *'bad.bats:4: better: name the subject'* ]]
     [ "${#lines[@]}" = 2 ]
 }
 

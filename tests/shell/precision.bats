@@ -84,7 +84,7 @@ quad() { # COMMANDS KEY DIGITS
     done
 }
 
-@test "tol below what the precision can give: refused, with the floor" {
+@test "tol below what the precision can give: an error with the smallest tol" {
     for pair in 'float|1e-06' 'double|1e-15' 'quad|1e-33'; do
         run "$DOMINO" -e "set precision ${pair%|*}; set tol ${pair#*|}/2"
         [ "$status" -eq 1 ]
@@ -159,7 +159,7 @@ quad() { # COMMANDS KEY DIGITS
             [ "$keys" -gt 0 ] || same "$state; $command" 'a value' "$answer"
         done
     done
-    # A table: the number as it is printed and the bound behind it.
+    # A table: the number as it is printed and the bound after it.
     "$DOMINO" -e 'set errors on; set tol 1e-3; rmax' | awk '$1 == "r_max" { x = $2; b = $4 }
         END { d = x - 1.64422903953514910728; exit !(b > 0 && d <= b && -d <= b) }'
 }
@@ -191,7 +191,7 @@ quad() { # COMMANDS KEY DIGITS
     done
 }
 
-@test "cost: what has no tolerance, or no answer, is refused in one line" {
+@test "cost: what has no tolerance, or no answer, is an error in one line" {
     run -1 "$DOMINO" -e 'cost thetac'
     same thetac "-e:1:6: cost: 'thetac' is no command with a tolerance; those are: fuel, launch, barrier, duration, rmax, pair" "$output"
     run -1 "$DOMINO" -e 'cost brier'

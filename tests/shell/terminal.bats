@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The calculator on a real screen: tmux is the terminal, and what is judged is what one sees.
+# The calculator on a real screen: tmux is the terminal, and the tests check what is on the screen.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -77,7 +77,7 @@ clear_screen() {
 }
 only() { [ "$(screen)" = "$1" ]; }
 
-# Does every line of the answers to these commands fit in the width?
+# Checks that every line of the answers to these commands fits in the width.
 fits() { # WIDTH COMMAND...
     local width=$1 command wide=''
     open_session "$width" 180

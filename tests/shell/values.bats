@@ -1,7 +1,7 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Values as people write them: expressions with units, names and answers in them; near misses and beginnings
-# of names; the settings, files behind '>', save and source; completion and help.
+# of names; the settings, files after '>', save and source; completion and help.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -333,7 +333,7 @@ END
     wrong 8 'theta1 0.1 rad * 1 rad' '^theta1: T is an angle, not in rad\^2'
 }
 
-@test "where an expression is wrong: the column, also behind letters of several bytes" {
+@test "where an expression is wrong: the column, also after letters of several bytes" {
     all_wrong <<'END'
 7|print foo|^print:.*'foo' has no value
 11|print 1 + foo|^print:.*'foo' has no value
@@ -385,7 +385,7 @@ END
 END
 }
 
-@test "a ',' with no value behind it" {
+@test "a ',' with no value after it" {
     all_wrong <<'END'
 17|print rmax(0.3, )|^print:.*missing
 13|print sin(1,)|^print:.*missing
@@ -513,7 +513,7 @@ END
         same "$format" "$("$DOMINO" -e "set output $format; fuel; chain 0.1; print 1/3")" \
             "$("$DOMINO" -e "set output $format; set digits 3; fuel; chain 0.1; print 1/3")"
     done
-    # A head of a table stands above its column, whatever the digits.
+    # The heading of a column is above it, for any number of digits.
     for digits in 1 5 17; do
         "$DOMINO" -e "set digits $digits; set tol 1e-3; chain 0.1" >"$BATS_TEST_TMPDIR/table"
         same "digits $digits: columns" 1 "$(sed 2d "$BATS_TEST_TMPDIR/table" | awk '{ print length }' | sort -u | wc -l)"
@@ -578,7 +578,7 @@ END
     same 'both ends' 2 "$(json "set angle deg; theta1 0; theta1 $theta_c" | grep -c '"theta_1":[0-9]')"
 }
 
-@test "timing: a time behind every answer, where it does not disturb" {
+@test "timing: a time after every answer, where it does not disturb" {
     number='[0-9.e+-]+ ms'
     for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do
         run -0 --separate-stderr "$DOMINO" -e "set timing on; $commands"
@@ -605,7 +605,7 @@ enter() {
 inside() { find . ! -name . | sed 's,^\./,,' | LC_ALL=C sort | paste -sd , -; }
 mode() { find "$1" -prune -perm "$2"; }
 
-@test "'> FILE' and '>> FILE' behind any command" {
+@test "'> FILE' and '>> FILE' after any command" {
     enter
     while IFS='|' read -r call _; do
         for format in table csv json; do
@@ -917,7 +917,7 @@ print |pi
 END
 }
 
-@test "complete: keys behind a dot" {
+@test "complete: keys after a dot" {
     same 'rmax.' 'rmax.s rmax.r_max rmax.r_max_exact rmax.r_max_paper' "$(completed 'print rmax.' | sed 's/ rmax\.ends_by//')"
     same 'barrier.m' 'barrier.margin' "$(completed 'print barrier.m')"
     same 'no functions' '(nothing)' "$("$DOMINO" -e 'complete print rmax.' | grep -x 'rmax\.sin')"
@@ -1016,7 +1016,7 @@ END
     grep -q '^ *fuel  *paper ' <<<"$answer"
 }
 
-@test "help fuel, a command and a parameter, tells of both" {
+@test "help fuel, a command and a parameter, describes both" {
     answer=$("$DOMINO" -e 'help fuel')
     for words in 'It answers' 'set fuel' 'exact|paper'; do
         [[ $answer == *"$words"* ]] || same 'help fuel' "$words" "$answer"
@@ -1034,7 +1034,7 @@ END
     same 'to a file' $'1\n5\n2' "$(grep . file)"
 }
 
-@test "an interrupted script leaves no draft behind" {
+@test "an interrupted script leaves no draft" {
     cd "$BATS_TEST_TMPDIR" || false
     mkdir drafts
     "$DOMINO" -e 'curve 0.01 1 10000000 > drafts/x' 3>&- &

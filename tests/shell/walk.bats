@@ -44,7 +44,7 @@ evenly() { # COUNT
     "$DOMINO" -e 'cycle 2' | grep -q 'mgh/2'
 }
 
-@test "cycle: a follower that falls off is an event, in both orders with the top" {
+@test "cycle: a follower that detaches is an event, in both orders with the top" {
     same 'fall, then top' 'launch fall top hit' \
         "$(json 'set q hollow; set s 0.54; set r 1.8518; cycle 4' | values event | grep . | paste -sd ' ' -)"
     same 'top, then fall' 'launch top fall hit' \
@@ -101,7 +101,7 @@ evenly() { # COUNT
     [[ $output == *'no cycle begins'* ]]
 }
 
-@test "goto: a tilt, an event; beyond the cycle or the stop is refused" {
+@test "goto: a tilt, an event; beyond the cycle or the stop is an error" {
     same 'tilt' '0.3 top' "$(json 'goto 0.3' | values theta) $(json 'goto 0.3' | values event)"
     same 'event' "$(json barrier | values theta_m)" "$(json 'goto top' | values theta)"
     same 'degrees' 0.17453292519943295 "$(json 'goto 10 deg' | values theta)"
@@ -114,7 +114,7 @@ evenly() { # COUNT
     same completion 'launch' "$("$DOMINO" -e 'complete goto l' | head -n 1)"
 }
 
-@test "other parameters begin the walk anew, and say so" {
+@test "other parameters begin the walk again, and say so" {
     run -0 "$DOMINO" -e 'step 2; set r 1.4; where'
     [[ $output == *'The parameters have changed: the walk begins anew.'* ]]
     same 'launch' launch "$(json 'step 2; set r 1.4; where' | tail -n 1 | values event)"

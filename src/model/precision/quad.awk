@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes <domino_quad.h> of domino.h, so that both have one text: what follows the marker line, "==== From here on", is
-# written again with domq_ and DOMQ_ in the place of dom_ and DOM_; names that are declared before it are common to both.
+# written again with domq_ and DOMQ_ instead of dom_ and DOM_; names that are declared before it are common to both.
 #   awk -f quad.awk domino.h domino.h             prints domino_quad.h
 #   awk -v names=1 -f quad.awk domino.h domino.h  prints '#define dom_train domq_train' and so on, for the sources
 
-# Learns the names of a line of code: those before the marker are common, macros after it are not.
+# Collects the names in a line of code: those before the marker are common, macros after it are not.
 function learn(line) {
     if (line ~ /^( \*|\/\*)/)
         return
