@@ -8,7 +8,7 @@ file() { cat >"$BATS_TEST_TMPDIR/$1"; }
 
 setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
 
-@test "a row that stops is short of its highest barrier, after a domino that has yet to detach" {
+@test "a row that stops lacks energy for its highest barrier, which comes after a domino has detached" {
     file tops.csv <<'END'
 height (mm), thickness (mm), gap (mm)
 100, 30, -
