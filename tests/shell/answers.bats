@@ -33,12 +33,12 @@ load common
     local change where
     for change in 'set s 0.3' 'set r 1.4' 'set d 0.2' 'set q 3' 'set tol 1e-9' 'set fuel paper' \
         'set precision quad' 'effect friction 0.3'; do
-        [[ $("$DOMINO" -e "goto 0.2; $change; where") == *'the walk begins anew'* ]]
+        [[ $("$DOMINO" -e "goto 0.2; $change; where") == *'the walk begins again'* ]]
         same "$change" "$("$DOMINO" -e "$change > /dev/null; draw 0")" \
             "$("$DOMINO" -e "goto 0.2 > /dev/null; $change > /dev/null; draw")"
     done
     for change in 'set h 1' 'set mass 2' 'set digits 5' 'set seed 3' 'effect row 5' 'effect floor 0.4'; do
-        [[ $("$DOMINO" -e "goto 0.2; $change; where") != *'the walk begins anew'* ]]
+        [[ $("$DOMINO" -e "goto 0.2; $change; where") != *'the walk begins again'* ]]
         same "$change" "$("$DOMINO" -e "$change; draw 0.2")" "$("$DOMINO" -e "goto 0.2 > /dev/null; $change; draw")"
     done
     # The walk is computed to a tolerance of its own, so that every state of the walk can be drawn.

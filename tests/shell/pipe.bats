@@ -322,7 +322,7 @@ pair 0.1|r_max|no growth possible
 set d 1; best|s r_max|no growth possible
 set r 1.8; duration|duration seconds speed|below the barrier
 set r 1.8; omega 0.2|omegasq omega|below the barrier
-set r 1.8; barrier||below the barrier.*stops at theta
+set r 1.8; barrier||too little energy, and stops at theta.*below the barrier
 END
 }
 

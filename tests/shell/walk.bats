@@ -55,9 +55,9 @@ evenly() { # COUNT
     rows=$(json 'set r 1.7; cycle 4')
     same 'stops' stop "$(tail -n 1 <<<"$rows" | values event)"
     same 'at rest' 0 "$(tail -n 1 <<<"$rows" | values omega)"
-    "$DOMINO" -e 'set r 1.7; cycle 4' | grep -q 'The train stops below its barrier'
+    "$DOMINO" -e 'set r 1.7; cycle 4' | grep -q 'The train stops, it has too little energy to go on'
     run -0 "$DOMINO" -e 'set s 0.001; cycle'
-    [[ $output == *'no domino effect: the fuel P is not positive (c7)'* ]]
+    [[ $output == *'no domino effect: falling sets no energy free, so no cycle begins (25; c7)'* ]]
 }
 
 @test "step: launch, top, hit, then the next cycle, sqrt(r) slower and r times larger" {
@@ -70,8 +70,8 @@ evenly() { # COUNT
     same 'back' "$(sed -n 2p <<<"$walk")" "$(json 'step 5; back 3' | tail -n 1)"
     same 'where' "$(sed -n 2p <<<"$walk")" "$(json 'step 2; where' | tail -n 1)"
     run -0 "$DOMINO" -e 'step 4'
-    for words in 'Cycle 2, event 1 of 3' '0\.072 m tall' '(c4)' '(c6)' 'The impulse runs down the train' \
-        'the share 1/J(0) = 88\.08 %' '7\.299 times that: it clears the barrier'; do
+    for words in 'Cycle 2, event 1 of 3' '7\.2 cm tall' '(22; c4)' '(24; c6)' 'The impulses from contact to contact down the train' \
+        '88\.08 % of the kinetic energy, the share 1/J(0)' 'has 730 % of the energy that it needs .* clears the barrier'; do
         grep -q "$words" <<<"$output" || same "$words" "$words" "$output"
     done
 }
@@ -85,13 +85,13 @@ evenly() { # COUNT
             awk '{ d = $1 - $2 + $3 - $4; if (NF != 4 || !(d <= 1e-12 * $1 && d >= -1e-12 * $1)) { print; bad = 1 } rows++ }
                 END { exit bad || rows < 5 }'
     done
-    "$DOMINO" -e 'set fuel paper; step' | grep -q "The ledger is open by -0.009769 mgh/2: the paper's fuel is no balance"
+    "$DOMINO" -e 'set fuel paper; step' | grep -q "The ledger is open by -0.009769 mgh/2, since the paper's fuel is not a balance"
 }
 
 @test "step where the train stops: up to there, says where and why, and no further" {
     run -1 "$DOMINO" -e 'set r 1.7; step; step; step; print 1'
     [[ $output == *'The train stops at theta = 0.0280216 rad'* ]]
-    [[ $output == *'step: the train has stopped, it comes no further'* ]]
+    [[ $output == *"step: the train has stopped; 'why' says more"* ]]
     same 'the session goes on' 1 "${lines[-1]}"
     run -1 "$DOMINO" -e 'set r 1.7; step 9'
     [[ $output == *'The train stops at theta'* ]]
@@ -110,30 +110,35 @@ evenly() { # COUNT
     run -1 "$DOMINO" -e 'goto fall'
     [[ $output == *"there is no 'fall' in this cycle"* ]]
     run -1 "$DOMINO" -e 'set r 1.7; goto 0.3'
-    [[ $output == *'the train stops at theta = 0.02802163121 rad, it does not come as far'* ]]
+    [[ $output == *'the train stops before that, at theta = 0.02802163121 rad'* ]]
     same completion 'launch' "$("$DOMINO" -e 'complete goto l' | head -n 1)"
 }
 
 @test "other parameters begin the walk again, and say so" {
     run -0 "$DOMINO" -e 'step 2; set r 1.4; where'
-    [[ $output == *'The parameters have changed: the walk begins anew.'* ]]
+    [[ $output == *'The parameters have changed: the walk begins again.'* ]]
     same 'launch' launch "$(json 'step 2; set r 1.4; where' | tail -n 1 | values event)"
     same 'output does not count' top "$(json 'step 2; set digits 5; where' | tail -n 1 | values event)"
 }
 
 @test "why: the verdict, the term that decides, and that dominoes stay in contact" {
     run -0 "$DOMINO" -e 'why'
-    for words in 'It goes on: (c8) decides' '7.299 times' 'r_max = 1.64422904' 'Contact holds' \
-        "the paper's assumption, dominoes stay in contact, is met"; do
+    for words in 'The train goes on: it has 730 % of the energy that it needs.' 'K >= B (26; c8)' \
+        'may be up to 1.64423 times as large' 'The dominoes stay in contact, as the paper assumes'; do
         [[ $output == *"$words"* ]] || same "$words" "$words" "$output"
     done
     run -0 "$DOMINO" -e 'set r 1.7; why'
-    [[ $output == *'It stops: (c8) decides, K < B'*'0.6151 times'* ]]
+    [[ $output == *'The train stops: it has only 61.5 % of the energy that it needs.'*'K < B (26; c8)'* ]]
     run -0 "$DOMINO" -e 'set s 0.001; why'
-    [[ $output == *'No cycle begins: (c7) decides'* ]]
+    [[ $output == *'The train does not fall: falling sets no energy free.'*'(25; c7)'* ]]
     run -0 "$DOMINO" -e 'set s 0.1; set r 1.01; why'
-    [[ $output == *'there is no barrier (c8)'* ]]
+    [[ $output == *'it has nothing to climb, and any motion is enough'* ]]
     run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why'
     [[ $output == *'growth ends by reach: beyond r = 1/s = 1.25'* ]]
     same 'keys' "goes on" "$(json why | values verdict)"
+    # A share so close to 1 that it would be rounded to 100 % has more digits.
+    run -0 "$DOMINO" -e 'set r 1.00001*rmax; barrier'
+    [[ ${lines[0]} =~ ^'The train stops: it has only 99.9'[0-9]+' % of the energy that it needs.'$ ]] || same share '99.9... %' "${lines[0]}"
+    run -0 "$DOMINO" -e 'set r 0.99999*rmax; barrier'
+    [[ ${lines[0]} =~ ^'The train goes on: it has 100.0'[0-9]+' % of the energy that it needs.'$ ]] || same share '100.0... %' "${lines[0]}"
 }

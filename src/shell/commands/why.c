@@ -54,12 +54,13 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
                    "front takes up more energy than the smaller ones give: the fuel P = H(0) - H(theta_c) "
                    "is not positive (25; c7).");
     else if (b->barrier > 0)
-        answer_say(
-            a,
-            "After the collision the head must be lifted over its highest point, at a tilt of %.4g %s. "
-            "The motion after the collision is the energy that there is for it: K %s B (26; c8).",
-            (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
-            verdict == DOM_OK ? ">=" : "<");
+        answer_say(a,
+                   "After the collision the train must come over its %s point, where the head has a tilt of "
+                   "%.4g %s. "
+                   "Its motion is the energy for that: K %s B (26; c8).",
+                   domq_law(t)->dissipates ? "hardest" : "highest",
+                   (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
+                   verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_NONE)
         answer_say(a, "With a gap of %.6g heights not even equal dominoes go on.", (double)t->s);
     else if (limit->ends == DOM_END_REACH)
@@ -90,6 +91,10 @@ static void contact_say(const struct session *session, struct answer *a, const s
             "weight of domino %zu, which it pushes, at a tilt of %.4g %s.",
             measured(c->force, "share", 3).text, c->domino, (double)style_angle(&session->style, c->theta),
             style_angle_unit(&session->style));
+    else if (c->force > 0)
+        answer_say(a,
+                   "The dominoes do not stay in contact, as the paper assumes: one of them would have to be "
+                   "pulled in the collision. The answer does not hold.");
     else
         answer_say(
             a,
