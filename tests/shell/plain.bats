@@ -57,7 +57,33 @@ of_help() {
     violations help <"$BATS_TEST_TMPDIR/help" >"$BATS_TEST_TMPDIR/found"
     echo "$(wc -l <"$BATS_TEST_TMPDIR/found") now, to become 0:"
     cat "$BATS_TEST_TMPDIR/found"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/found")" -le 41 ]
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/found")" -le 10 ]
+}
+
+# The texts that the shell passes to the functions that report errors or print sentences, a literal on a line.
+source_messages() {
+    for source in "$root"/src/shell/*/*.c; do
+        tr '\n' ' ' <"$source" | grep -oE '\b(session_(error|no_answer|report)|expression_fail|wrong|answer_say)\([^;]*;' |
+            sed -E 's/" +"//g' | grep -oE '"([^"\\]|\\.)*[a-z]([^"\\]|\\.)*"'
+    done
+}
+
+# The messages that the lines of errors.bats provoke.
+provoked_messages() {
+    sed -nE 's/^([^|]*)\|[0-9]+\|.*/\1/p' "$BATS_TEST_DIRNAME/errors.bats" | "$DOMINO" - 2>&1 >/dev/null | sed -E 's/^[^ ]* //'
+}
+
+@test "messages have no more words that are not plain than they had" {
+    source_messages >"$BATS_TEST_TMPDIR/source"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/source")" -ge 150 ]
+    provoked_messages >"$BATS_TEST_TMPDIR/provoked" || true
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/provoked")" -ge 80 ]
+    for kind in source:8 provoked:1; do
+        violations "${kind%:*}" <"$BATS_TEST_TMPDIR/${kind%:*}" >"$BATS_TEST_TMPDIR/found"
+        echo "$(wc -l <"$BATS_TEST_TMPDIR/found") now, to become 0:"
+        cat "$BATS_TEST_TMPDIR/found"
+        [ "$(wc -l <"$BATS_TEST_TMPDIR/found")" -le "${kind#*:}" ]
+    done
 }
 
 @test "the README is read to its end: at most 180 lines, and its picture is there, and small" {

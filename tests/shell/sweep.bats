@@ -136,7 +136,7 @@ curve 0.02 0.9 100'
     same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
     grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason of each\.$' <<<"$output"
     # Answers with a reason of their own, in an argument, in a command inside an expression, of a row.
-    grep -q 'lies no lower than it stood' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
+    grep -q 'a fallen one is as high as an upright one' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
     grep -q "rmax.r_max does not exist here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
     grep -q 'division by zero' <<<"$(csv 'sweep s 0.4 0.5 2 : print 1/(s - 0.4)')"
     grep -q ',all fall$' <<<"$(csv 'effect row 5; effect push 6; sweep s 0.3 0.4 2 : mend')"
