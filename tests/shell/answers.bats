@@ -388,8 +388,8 @@ shown() { # KEY COMMANDS
     same json '{"height":0.03,"first_height":0.01}' "$(json 'set h 1 cm; count 3 cm' | sed -E 's/("height":[^,]*),.*("first_height":[^,]*),.*/\1,\2}/')"
     same csv 0.048 "$("$DOMINO" -e 'set output csv; count 1 m' | tail -n 1 | cut -d , -f 5)"
     # One unit holds for a column of rows, that of the largest.
-    same 'a row in tables' '4.8 7 0
-7.2 10.5 28.8' "$("$DOMINO" -e 'effect row 2; row' | awk 'NR > 2 { print $2, $3, $4 }')"
+    same 'a row in tables' '4.8 0.7 0
+7.2 1.05 2.88' "$("$DOMINO" -e 'effect row 2; row' | awk 'NR > 2 { print $2, $3, $4 }')"
     same 'a row for programs' '0.048,0.007,0
 0.072,0.0105,0.0288' "$("$DOMINO" -e 'set output csv; effect row 2; row' | tail -n 2 | cut -d , -f 2-4)"
     same 'units of a sweep' 'cm m cm m' "$("$DOMINO" -e 'sweep h 1 cm 10 cm 2 : count 112' | sed -n 2p | xargs)"

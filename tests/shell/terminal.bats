@@ -100,6 +100,14 @@ for topic in apropos barrier best chain complete count curve duration energy exi
 done
 errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'print sqrt(2' 'set d 0.7/' 'set s 0.9; thetac')
 
+# At 40 columns, too, and no word is cut: a line that tmux had to wrap would be one line with -J.
+narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 'cycle 3' 'curve 0.1 0.9 3' effects
+    'set errors on; thetac')
+@test "answers fit in 40 columns, and in 60, where no word is cut" {
+    fits 40 "${narrow[@]}"
+    terminal kill-server
+    fits 60 "${narrow[@]}"
+}
 @test "answers fit in 60 columns" { fits 60 "${answers[@]}"; }
 @test "answers fit in 80 columns" { fits 80 "${answers[@]}"; }
 @test "answers fit in 120 columns" { fits 120 "${answers[@]}"; }

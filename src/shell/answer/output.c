@@ -56,10 +56,21 @@ void column_fit(struct column *c, const char *word)
     c->width = wide > c->width ? wide : c->width;
 }
 
+/* Returns the columns that the longest word of a text takes. */
+static int longest_word(const char *text)
+{
+    int longest = 0, columns = 0;
+    for (; *text; text++) {
+        columns = *text == ' ' ? 0 : columns + (((unsigned char)*text & 0xc0) != 0x80);
+        longest = columns > longest ? columns : longest;
+    }
+    return longest;
+}
+
 void output_wrapped(FILE *out, const char *text, int left, int right)
 {
-    enum { ROOM = 12, BELOW = 8 }; /* with less room, a text begins below, after so many blanks */
-    if (right > 2 * ROOM && right <= left + ROOM && terminal_columns(text) > right - left) {
+    enum { BELOW = 4 }; /* where text begins that has too little room beside what is before it */
+    if (right && left > BELOW && left + longest_word(text) > right) {
         left = BELOW;
         fprintf(out, "\n%*s", left, "");
     }
@@ -69,7 +80,7 @@ void output_wrapped(FILE *out, const char *text, int left, int right)
         int columns = 0;
         for (size_t i = 0; i < length; i++)
             columns += ((unsigned char)text[i] & 0xc0) != 0x80;
-        if (at > left && right > left + ROOM && at + 1 + columns > right) {
+        if (at > left && right && at + 1 + columns > right) {
             fprintf(out, "\n%*s", left, "");
             at = left;
         }

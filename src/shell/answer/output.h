@@ -70,8 +70,10 @@ bool answer_for_people(const struct answer *answer);
 /* A sentence that only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Text whose lines begin at the column `left` and end before `right`, at blanks; right = 0 for no end.
- * Nothing stands behind it, and no new line. */
+/*
+ * Writes text whose lines begin at the column `left` and end before `right`, at blanks; right = 0 for no end.
+ * Where a word would not fit, all of the text goes below, to column 4.  Adds no new line at the end.
+ */
 void output_wrapped(FILE *out, const char *text, int left, int right);
 
 /* Radians in the style's unit of angles, and the name of that. */

@@ -13,7 +13,8 @@ enum {
     TEXT_LINE = 512,
     WORDS_ROOM = 30,
     WORDS_SHORT = 12, /* a column of these needs no more room than it takes */
-    WORDS_INDENT = 8
+    WORDS_INDENT = 8,
+    MEANING_ROOM = 20 /* less room beside a number, and its meaning goes below */
 };
 
 /* ---- Text ---- */
@@ -128,6 +129,41 @@ static int row_words(const struct answer *a, int digits)
     return a->width && a->width - at < room ? -1 : at;
 }
 
+/* Returns true if the columns of a table of rows fit into the terminal; a last one of long words may go
+ * below. */
+static bool rows_fit(const struct answer *a)
+{
+    int wide = -2, digits = row_digits(a);
+    for (const struct column *c = a->columns; c->key; c++)
+        if (c[1].key || c->width <= WORDS_SHORT)
+            wide += column_width(a, c, digits) + 2;
+    return a->width == 0 || wide <= a->width;
+}
+
+/* Writes a row for which the terminal is too narrow, a line a column. */
+static void row_stacked(struct answer *a, const struct cell *cells)
+{
+    char text[CELL_TEXT], letters[TEXT_LINE], unit[CELL_TEXT];
+    int key_width = 0;
+    for (const struct column *c = a->columns; c->key; c++) {
+        int key = terminal_columns(c->key);
+        key_width = key > key_width ? key : key_width;
+    }
+    if (a->begun)
+        putc('\n', a->out);
+    for (int i = 0; a->columns[i].key; i++) {
+        const struct column *c = &a->columns[i];
+        const char *said = table_text(a, measured_cell(a->measure[i], cells[i]), table_digits(a), text);
+        if (*said == '\0')
+            continue;
+        field(a->out, c->key, -key_width);
+        fputs("  ", a->out);
+        output_wrapped(a->out, pretty(a, said, letters), key_width + 2, a->width);
+        said = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, a->measure[i], unit);
+        fprintf(a->out, "%s%s\n", *said ? " " : "", said);
+    }
+}
+
 enum line { KEYS, UNITS, VALUES };
 
 /* Writes one line of a table of rows with such cells; of units only if there are any. */
@@ -148,7 +184,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
     for (int i = 0; i < end; i++) {
         const struct column *c = &a->columns[i];
         const char *shown = line == UNITS ? said[i] : pretty(a, said[i], letters);
-        bool left = cells[i].kind == CELL_WORD, last = !a->columns[i + 1].key;
+        bool last = !a->columns[i + 1].key, left = cells[i].kind == CELL_WORD && (c->width || last);
         int wide = column_width(a, c, digits);
         if (left && last && words >= 0) {
             fputs("  ", a->out);
@@ -173,7 +209,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
 static void row_lines(struct answer *a, const struct cell *cells)
 {
     char text[CELL_TEXT], line[TEXT_LINE], unit[CELL_TEXT];
-    int key_width = 0, unit_width = 0, digits = table_digits(a);
+    int key_width = 0, unit_width = 0, digits = table_digits(a), number = number_width(a, digits);
     const char *bold = a->bold ? "\033[1m" : "", *end = *bold ? "\033[m" : "";
     for (const struct column *c = a->columns; c->key; c++) {
         int key = terminal_columns(pretty(a, c->key, line));
@@ -181,17 +217,28 @@ static void row_lines(struct answer *a, const struct cell *cells)
         key_width = key > key_width ? key : key_width;
         unit_width = wide > unit_width ? wide : unit_width;
     }
+    if (a->width && key_width + number + unit_width + 4 > a->width)
+        number = a->width - key_width - unit_width - 4;
+    int left = key_width + number + unit_width + 5;
+    bool below = a->width && a->width - left < MEANING_ROOM; /* for all columns alike */
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         struct measure measure = measure_of(c->unit, cells[i].number);
         field(a->out, pretty(a, c->key, line), -key_width);
-        fprintf(a->out, "  %s", bold);
-        field(a->out, pretty(a, table_text(a, measured_cell(measure, cells[i]), digits, text), line),
-              number_width(a, digits));
-        fprintf(a->out, "%s %-*s  ", end, unit_width,
-                cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, unit));
-        output_wrapped(a->out, pretty(a, c->meaning, line),
-                       key_width + number_width(a, digits) + unit_width + 5, a->width);
+        const char *said = table_text(a, measured_cell(measure, cells[i]), digits, text);
+        if (a->width && terminal_columns(said) > number) /* too long beside its key, so below it */
+            fprintf(a->out, "\n%*s%s", WORDS_INDENT / 2, "", bold);
+        else
+            fprintf(a->out, "  %s", bold);
+        field(a->out, pretty(a, said, line), number);
+        said = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, unit);
+        if (below || !*c->meaning) /* no blanks at the end of the line */
+            fprintf(a->out, "%s%s%s", end, *said ? " " : "", said);
+        else
+            fprintf(a->out, "%s %-*s  ", end, unit_width, said);
+        if (below && *c->meaning)
+            fprintf(a->out, "\n%*s", WORDS_INDENT / 2, "");
+        output_wrapped(a->out, pretty(a, c->meaning, line), below ? WORDS_INDENT / 2 : left, a->width);
         putc('\n', a->out);
     }
 }
@@ -201,14 +248,16 @@ static void row_lines(struct answer *a, const struct cell *cells)
 static void table_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)reason;
-    for (enum line line = KEYS; a->rows && line <= UNITS; line++)
+    for (enum line line = KEYS; a->rows && rows_fit(a) && line <= UNITS; line++)
         row_line(a, a->like ? a->like : cells, line);
 }
 
 static void table_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)reason; /* answer_row says it below the table */
-    if (a->rows)
+    if (a->rows && !rows_fit(a))
+        row_stacked(a, cells);
+    else if (a->rows)
         row_line(a, cells, VALUES);
     else
         row_lines(a, cells);
