@@ -335,7 +335,7 @@ const struct command draw_commands[] = {
              "characters; 'draw 0.3 > train.svg' needs gnuplot. The ending of "
              "the file says as what: .svg, .png, .pdf, .txt. Without T it is where 'step' and 'goto' stand, "
              "or the launch. In csv and json the corners, contacts and forces come instead.",
-     .equation = "(b8) (A2)",
+     .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
      .see = "chain animate plot",
      .unswept = "it draws",

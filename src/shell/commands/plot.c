@@ -234,13 +234,13 @@ static bool plot_marginal(struct session *session, const struct call *call)
 
 static const struct column plot_columns[] = {
     {"theta", "rad", "energy, omega, chain: tilt of the head", 0},
-    {"dH", "mgh/2", "energy: potential energy of the train, H(theta) - H(0) (c1)", 0},
-    {"kinetic", "mgh/2", "energy: J tau^2 omega^2, up to a stop (c3)", 0},
-    {"J", "", "energy: inertia of the train (c2)", 0},
-    {"omegasq", "", "omega: tau^2 omega(theta)^2 (c3)", 0},
+    {"dH", "mgh/2", "energy: potential energy of the train, H(theta) - H(0) (19; c1)", 0},
+    {"kinetic", "mgh/2", "energy: J tau^2 omega^2, up to a stop (21; c3)", 0},
+    {"J", "", "energy: inertia of the train (20; c2)", 0},
+    {"omegasq", "", "omega: tau^2 omega(theta)^2 (21; c3)", 0},
     {"omega", "rad/s", "omega: angular velocity of the head", 0},
     {"i", "", "chain: number of the domino, 0 is the head", 5},
-    {"theta_i", "rad", "chain: its tilt (A2)", 0},
+    {"theta_i", "rad", "chain: its tilt (27; A2)", 0},
     {"event", "", "energy, omega, chain: launch, top, fall, stop or hit", 6},
     {"s", "h", "growth, marginal: separation", 0},
     {"hollow", "", "growth: r_max of hollow dominoes, q = 3", 0},
@@ -324,7 +324,7 @@ const struct command plot_commands[] = {
              "rmax' error against time. The ending of the file says as what: .svg, .png, .pdf, .txt. "
              "Pictures need gnuplot; in csv and json the data comes instead, of each picture its own "
              "columns, and those of 'cost'.",
-     .equation = "(c1) (c2) (c3) (A2), figures 'growth' and 'marginal'",
+     .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .see = "curve pair energy omega chain cost draw",
      .unswept = "it draws",
      .draws = true,
