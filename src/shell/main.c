@@ -102,7 +102,7 @@ static void run_text(struct session *session, const char *text)
     command_run_text(session, text);
 }
 
-/* Options are judged before the first command runs; false for wrong ones. */
+/* Checks the options before the first command runs. Returns false for wrong ones. */
 static bool options_judge(int argc, char **argv, struct session *session, struct plan *plan)
 {
     int option;
@@ -139,7 +139,7 @@ static void run_sources(int argc, char **argv, struct session *session)
             run_file(session, optarg);
     }
     for (; !stopped(session) && optind < argc; optind++)
-        run_file(session, argv[optind]); /* those behind "--" */
+        run_file(session, argv[optind]); /* those after "--" */
 }
 
 /* The start-up file is for people: scripts do not depend on it. */
@@ -149,7 +149,7 @@ static void run_init(struct session *session)
     struct stat status;
     if (!line_path("XDG_CONFIG_HOME", ".config", "init.dom", path, sizeof path) || stat(path, &status) != 0)
         return;
-    if (S_ISFIFO(status.st_mode)) /* nobody asked for a wait */
+    if (S_ISFIFO(status.st_mode)) /* to read a FIFO could wait for ever */
         session_error(session, "domino: the start-up file %s is not a regular file", path);
     else
         run_file(session, path);

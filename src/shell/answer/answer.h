@@ -24,7 +24,7 @@ struct answer {
     bool rows;                         /* a table with a head, rather than a line a column */
     bool units;                        /* csv names its columns with their units: it is read back */
     bool begun;
-    bool prepared; /* nothing else stands before the next row any more */
+    bool prepared; /* nothing more comes before the next row */
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
@@ -44,7 +44,7 @@ struct answer {
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
 };
 
-/* Returns true if programs find the bounds of column i behind it. */
+/* Returns true if programs get the bounds of column i in a column after it. */
 static inline bool answer_bounded(const struct answer *answer, int i)
 {
     return (answer->bounded >> i & 1) != 0;

@@ -12,13 +12,13 @@
 struct format {
     bool for_people; /* sentences, headings and units stand around the rows; else programs read them */
     bool escapes;    /* the format has its own way to write control characters, which a program reads back */
-    /* Writes what stands before the first row, whose cells and reason are given; NULL: nothing. */
+    /* Writes the beginning, before the first row, whose cells and reason are given; NULL: nothing. */
     void (*begin)(struct answer *answer, const struct cell *cells, const char *reason);
     /* Writes a row; reason, unless NULL, says why a value is missing, "" that there is nothing to say. */
     void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
     /* Writes a sentence; NULL: the format has no place for one. */
     void (*note)(struct answer *answer, const char *format, va_list arguments);
-    /* Writes what stands below the last row.  Returns what the format had no place for, or NULL. */
+    /* Writes the end, after the last row. Returns the text for which the format has no place, or NULL. */
     const char *(*end)(struct answer *answer);
 };
 

@@ -94,7 +94,7 @@ void output_wrapped(FILE *out, const char *text, int left, int right)
 
 /* ---- Before the first row ---- */
 
-/* Columns get one of their own for bounds behind them where the first row has numbers. */
+/* Adds a column for bounds after each column for which the first row has a number with a bound. */
 static void bounds_prepare(struct answer *a, const struct cell *cells)
 {
     for (int i = 0; a->columns[i].key && !a->begun && !a->planned && a->style.errors; i++)
@@ -196,8 +196,7 @@ static void answer_write(struct answer *a, const struct cell *cells, const char 
 {
     const struct format *format = a->style.format;
     struct cell shown[ANSWER_COLUMNS];
-    char *own[ANSWER_COLUMNS] = {NULL},
-         lost[ANSWER_REASON]; /* own: of words, and of the reason behind them */
+    char *own[ANSWER_COLUMNS] = {NULL}, lost[ANSWER_REASON]; /* own: of words, and of the reason after them */
     int count = 0;
     for (; a->columns[count].key; count++) {
         struct cell *cell = &shown[count];

@@ -61,10 +61,10 @@ static inline void answer_holds(struct answer *answer, bool yes)
     answer->holds = yes ? ANSWER_YES : ANSWER_NO;
 }
 
-/* Can the output not be written any more (full disk, closed pipe)?  Then more rows are in vain. */
+/* Returns true after a write error (full disk, closed pipe): stop producing rows. */
 bool answer_lost(const struct answer *answer);
 
-/* Is somebody there to read sentences? */
+/* Returns true if the output is a table for a person. */
 bool answer_for_people(const struct answer *answer);
 
 /* A sentence that only people see. */

@@ -118,7 +118,8 @@ static int row_digits(const struct answer *a)
     return width == 0 || room >= digits ? digits : room < 3 ? 3 : room;
 }
 
-/* Where the last column of words begins, or -1 if it finds too little room and stands below its row. */
+/* Returns the column where the last column of words begins; -1 if there is too little room, so that the words
+ * go below their row. */
 static int row_words(const struct answer *a, int digits)
 {
     int at = 0;
@@ -177,7 +178,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         said[i] = line == KEYS    ? c->key
                   : line == UNITS ? column_unit(a, c, a->measure[i], text[i])
                                   : table_text(a, measured_cell(a->measure[i], cells[i]), digits, text[i]);
-        end = *said[i] ? i + 1 : end; /* no blanks behind the last unit */
+        end = *said[i] ? i + 1 : end; /* no blanks after the last unit */
     }
     if (line == UNITS && end == 0)
         return;

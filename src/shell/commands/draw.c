@@ -75,7 +75,7 @@ static double canvas_step(const struct canvas *c)
 /* The ground with its marks, and their numbers below. */
 static void canvas_ground(const struct canvas *c, FILE *out)
 {
-    enum { LAST = 16 }; /* a number goes on behind the last column */
+    enum { LAST = 16 }; /* a longer number continues after the last column */
     char ground[WIDTH_MOST], numbers[WIDTH_MOST + LAST];
     double step = canvas_step(c);
     memset(ground, '-', (size_t)c->width);
@@ -188,7 +188,7 @@ static void draw_text(struct session *session, domq_real theta, const struct sce
 
 /* ---- By gnuplot ---- */
 
-/* The push on the back of a domino, square to it; its number stands at the free end. */
+/* Draws the push on the back of a domino, perpendicular to the back, with its number at the free end. */
 static void script_arrow(FILE *script, const struct drawn *k, double length)
 {
     double cosine = k->corner[1].y / k->height, sine = (k->corner[1].x - k->corner[0].x) / k->height;
@@ -282,7 +282,7 @@ static const char *forces_names(const void *context, int k)
     return k == 0 ? "forces" : NULL;
 }
 
-/* Returns true if 'forces' may stand behind T; a word in the place of T is -1 or less. */
+/* Returns true if 'forces' may follow T. A word instead of T has a place of -1 or less. */
 static bool forces_follow(domq_real place)
 {
     return place >= 0;
@@ -291,7 +291,7 @@ static bool forces_follow(domq_real place)
 static bool run_draw(struct session *session, const struct call *call)
 {
     static struct scene scene;
-    /* 'draw forces' has its word in the place of T. */
+    /* 'draw forces' has its word instead of T. */
     bool word = call->count > 0 && !forces_follow(call->number[0]), forces = word || call->count > 1;
     /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
     const struct walk *walk = call->count == 0 || word ? walk_now(session) : NULL;

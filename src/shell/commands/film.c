@@ -86,7 +86,7 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->top = 1.04 * (double)quad(pow)(t->r, (domq_real)film->cycles);
     struct moment last = moment_at(film, (double)INFINITY);
     film->right = last.place.shift + last.place.scale * film->r * film->pitch + 0.1 * film->top;
-    double behind = film->pitch * film->r / (film->r - 1); /* all that stood behind the first head */
+    double behind = film->pitch * film->r / (film->r - 1); /* all dominoes that leaned on the first head */
     film->left = behind < 1.8 ? -1.05 * behind : -1.8;
     double whole = last.begun + film->duration * last.slower;
     film->frames = (int)quad(ceil)((domq_real)(FRAMES_FIRST * whole / film->duration));

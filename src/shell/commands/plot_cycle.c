@@ -103,7 +103,7 @@ static double shown_angle(const struct session *session, domq_real theta)
     return (double)style_angle(&session->style, theta);
 }
 
-/* A line and a name for each event; names that would meet stand above each other. */
+/* Writes a line and a name for each event; names that would overlap are placed above each other. */
 static void script_events(FILE *out, const struct session *session, const struct cycle_samples *c, bool text)
 {
     double end = shown_angle(session, c->end);
@@ -224,7 +224,7 @@ bool plot_omega(struct session *session, const struct call *call)
 /* ---- Angles ---- */
 
 enum { LINES = 5 };
-#define LINES_APART ((domq_real)2 / 100) /* of theta_f: closer to that, lines are not told apart */
+#define LINES_APART ((domq_real)2 / 100) /* of theta_f: lines closer to theta_f are not distinguished */
 
 /* The tilts of the first dominoes at one tilt of the head. */
 struct angles {
@@ -239,7 +239,7 @@ static bool angles_link(const struct domq_link *link, void *context)
     return a->count < LINES;
 }
 
-/* One that is too light to matter, or has fallen off, is at theta_f. */
+/* Finds the angles of the dominoes. One that is too light to matter, or has detached, has theta_f. */
 static enum dom_status angles_find(const struct session *session, domq_real theta, domq_real theta_f,
                                    struct angles *a)
 {

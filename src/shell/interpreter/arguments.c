@@ -20,10 +20,10 @@ bool command_ends(const char *c)
 
 const char unclosed[] = "this '\"' is never closed";
 
-/* What stands in a message until names_find writes one: there was no word to find. */
+/* The text of a message until names_find writes one: there was no word to find. */
 #define NO_MEMORY "out of memory"
 
-/* Where a word stands in the line, without its quotes. */
+/* The place of a word in the line, without its quotes. */
 struct place {
     const char *begin, *end;
     bool quoted;
@@ -89,7 +89,7 @@ static bool is_value_name(const char *word)
     return names_exact(value_names, NULL, word) >= 0;
 }
 
-/* Is the word behind a value a value itself?  If not, it was meant as a unit. */
+/* Returns true if the word after a value is a value itself. If not, the word is meant as a unit. */
 static bool known_word(struct session *session, struct reader *r, const char *at)
 {
     struct reader behind = {.session = session, .text = r->text, .at = at};
@@ -244,7 +244,7 @@ static bool names_file(const char *word)
            (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(word));
 }
 
-/* Reads a value for the parameter that the call names, or the file in the place of its first value. */
+/* Reads a value for the parameter that the call names, or the file instead of its first value. */
 static bool read_setting(struct reader *r, const struct command *c, struct call *call, int i)
 {
     const struct parameter *p = call->parameter;

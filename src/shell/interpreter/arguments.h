@@ -6,7 +6,7 @@
 #include "interpreter/command.h"
 #include "language/text.h"
 
-/* Where reading stands in a line that is being run. */
+/* The place of reading in a line that is being run. */
 struct reader {
     struct session *session;
     const struct text *text;
@@ -17,12 +17,12 @@ struct reader {
 
 int reader_column(const struct reader *reader, const char *place);
 
-/* Does the command end here?  Comments begin at a blank. */
+/* Returns true if the command ends here. Comments begin at a blank. */
 bool command_ends(const char *c);
 
 /*
- * A run of characters without blanks, or what stands between "...", where '""' is one '"'; NULL where a '"'
- * is never closed, or without memory.
+ * Reads a run of characters without blanks, or the text between "...", where '""' is one '"'. NULL: a '"' is
+ * never closed, or there is no memory.
  */
 char *read_word(struct reader *reader, bool quotes);
 extern const char unclosed[];
@@ -30,7 +30,7 @@ extern const char unclosed[];
 /* A file name, '~' being the home folder. */
 char *read_file(struct reader *reader);
 
-/* Reads the i-th value of a parameter: one of its words, or an expression; name stands in the messages. */
+/* Reads the i-th value of a parameter: one of its words, or an expression. name: the source for messages. */
 bool read_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
                 domq_real *number);
 

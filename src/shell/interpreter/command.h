@@ -44,7 +44,8 @@ struct argument {
     bool optional;
     names_list *choices; /* the names that it takes, or that completion offers for it */
     bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
-    /* Unless NULL, tells whether it may stand behind the argument before it, given as its choice or place. */
+    /* Unless NULL, returns true if the argument may follow the one before it, given as its choice or
+     * place. */
     bool (*follows)(domq_real before);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                        /* what that is the largest number of */
@@ -59,7 +60,7 @@ struct call {
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
     const struct parameter *parameter; /* that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
-    int column[ARGUMENTS_MAX];         /* where they stand in the line, for messages */
+    int column[ARGUMENTS_MAX];         /* their places in the line, for messages */
     void *own; /* what argument.read keeps for its command; call_free calls own_free */
     void (*own_free)(void *own);
     struct answer *answer;
@@ -131,8 +132,9 @@ bool argument_check(struct session *session, const struct argument *argument, st
                     domq_real *number);
 
 /*
- * The most arguments that a command may have as a name in expressions, those before the first that is no
- * value (a file, a word); *fewest must be given.  -1: the command has no value there.
+ * Returns the most arguments that a command may have as a name in expressions: those before the first that
+ * cannot be a value (a file, a word). *fewest: the arguments that are required. -1: the command has no value
+ * there.
  */
 int command_values(const struct command *command, int *fewest);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs lines: the commands in them, with their answers in files behind '>'. */
+/* Runs lines: the commands in them, with their answers in the files after '>'. */
 #include "answer/format.h"
 #include "interpreter/arguments.h"
 #include "io/pager.h"
@@ -12,8 +12,8 @@
 #include <string.h>
 
 /*
- * Tells a person that the answer is not about the row: below the answer, or on standard error where a picture
- * takes the answer's file, whose format has no room for sentences.
+ * Reports to a person that the answer is not about the row: below the answer, or on standard error if a
+ * picture takes the answer's file, whose format has no room for sentences.
  */
 static void say_train(const struct session *session, struct answer *answer)
 {
@@ -120,7 +120,7 @@ static bool ending_fits(struct session *session, const struct command *c, const 
     return true;
 }
 
-/* What stands behind '>' or '>>' is a file that takes the answer, in the format that its ending names. */
+/* Runs a command whose answer goes to the file after '>' or '>>', in the format of the file's ending. */
 static bool run_redirected(struct reader *r, const struct command *c, struct call *call)
 {
     struct session *session = r->session;

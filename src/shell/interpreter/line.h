@@ -5,7 +5,7 @@
 
 #include "session/session.h"
 
-/* Runs a stream line by line; name stands in the messages. */
+/* Runs a stream line by line. name: the source for messages. */
 void line_stream(struct session *session, FILE *in, const char *name);
 
 /* Writes $variable/domino/name, or $HOME/fallback/domino/name, as XDG has it; false if neither is known. */

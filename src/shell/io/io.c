@@ -135,7 +135,8 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, co
     return stream;
 }
 
-/* A terminal takes what is written to it, or ^C drops it; regular files keep nobody waiting. */
+/* Returns true if opening the file may wait. A terminal takes what is written to it, or ^C drops it; regular
+ * files never wait. */
 static bool waits(int file, const char *mode)
 {
     struct stat status;

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Files that are opened, read and written without a wait that nobody can end: a FIFO has a partner who may
- * never come.  Where `interrupt` is not NULL, a wait ends with ECANCELED when the flag is raised (see
- * dom_raised), also if the handler of the signal has SA_RESTART; with NULL the program's signals keep what
- * they do.
+ * Opens, reads and writes files so that every wait can be ended: the other end of a FIFO may never be opened.
+ * Unless `interrupt` is NULL, a wait ends with ECANCELED when the flag is raised (see dom_raised), also if
+ * the handler of the signal has SA_RESTART; with NULL the signals of the program act as usual.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H

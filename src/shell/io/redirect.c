@@ -24,7 +24,7 @@ static void on_end(int number)
     raise(number);
 }
 
-/* Returns true if a signal that nobody handles ends a program; on SIGKILL no program has a say. */
+/* Returns true if a signal without a handler ends a program; SIGKILL cannot be handled. */
 static bool ends(int number)
 {
     static const int others[] = {SIGCHLD, SIGCONT, SIGURG,  SIGWINCH, SIGTSTP,
@@ -35,7 +35,8 @@ static bool ends(int number)
     return true;
 }
 
-/* Where nobody else handles the signals that end a program, they remove the drafts; or gives them back. */
+/* Makes the signals that end a program remove the drafts, if they have no handler; or restores these
+ * signals. */
 static void guard(bool on)
 {
     for (int number = 1; number <= SIGRTMAX; number++) {
@@ -88,7 +89,8 @@ static bool draft_end(struct redirect *r, bool keep)
 
 /* ---- Files ---- */
 
-/* Returns the path of the file behind all links, the last of which may point at nothing; NULL with errno. */
+/* Returns the path of the file after all links are followed, the last of which may point at nothing; NULL
+ * with errno. */
 static char *real_path(const char *path)
 {
     enum { LINKS = 40 };
@@ -170,7 +172,7 @@ const char *redirect_open(struct redirect *r, const char *path, bool append,
         int file = io_open(path, O_WRONLY, 0, interrupt);
         r->file = file >= 0 ? io_stream(file, "w", interrupt) : NULL;
     } else {
-        /* A file of many names, or of somebody else, keeps its place: the draft is copied into it. */
+        /* A file with several names, or of another owner, keeps its place: the draft is copied into it. */
         bool replace = !append && !(exists && (now.st_nlink > 1 || now.st_uid != geteuid()));
         r->file = replace ? draft_beside(r, exists ? &now : NULL) : NULL;
         r->copy = !r->file && (exists || append);
@@ -200,9 +202,8 @@ static bool draft_copy(FILE *draft, int to)
 }
 
 /*
- * Copies the draft into the file, or behind what is in it.  Where there is no room, the file stays as it was:
- * room is taken before the first byte is written over, and rows that were appended only in part are taken
- * back.
+ * Copies the draft into the file, or appends it. If there is no room, the file stays as it was: room is taken
+ * before the first byte is written over, and rows that were appended only in part are removed.
  */
 static bool file_fill(const struct redirect *r, int file)
 {

@@ -80,7 +80,7 @@ static void wipe(void)
 /* Written by the handler, and by whichever thread has the first row. */
 static atomic_int ticks, ticker_quiet;
 
-/* Whether the ticker has SIGALRM, and who had it before. */
+/* Whether the ticker uses SIGALRM, and the handler before it. */
 static bool ticking;
 static struct sigaction alarm_before;
 

@@ -9,14 +9,15 @@
 /* Colour only on a terminal that can, and if NO_COLOR is not set. */
 bool terminal_colour(FILE *stream);
 
-/* Finds the columns and rows of the terminal behind the stream; false, and 0 for both, if there is none. */
+/* Finds the columns and rows of the terminal of the stream. Returns false, and 0 for both, if there is
+ * none. */
 bool terminal_size(FILE *stream, int *width, int *height);
 
-/* Columns of the terminal behind the stream; 0 if there is none. */
+/* Returns the columns of the terminal of the stream; 0 if there is none. */
 int terminal_width(FILE *stream);
 
-/* Makes a stream into memory have what this terminal has, on which its text is shown later; NULL ends that.
- */
+/* Makes a stream into memory have what this terminal has, on which its text is shown later; NULL ends
+ * that. */
 void terminal_lend(FILE *memory, FILE *terminal);
 
 /* Does the locale have UTF-8? */

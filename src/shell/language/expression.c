@@ -89,7 +89,7 @@ static bool number(struct expression *e, struct quantity *q)
     return true;
 }
 
-/* A unit behind a value, with or without a blank. */
+/* Reads a unit after a value, with or without a blank. */
 static bool postfix_unit(struct expression *e, struct quantity *q)
 {
     const char *c = skip_blanks(e->end);
@@ -138,7 +138,7 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     return finite_result(e, at, q);
 }
 
-/* "(a, b)" behind a name; "()" has no values. */
+/* Reads "(a, b)" after a name; "()" has no values. */
 static bool arguments(struct expression *e, struct quantity *a, int *count)
 {
     *count = 0;

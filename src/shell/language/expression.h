@@ -13,7 +13,7 @@ enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
 struct expression {
     const char *text; /* where it begins */
-    const char *end;  /* behind it; after an error, where the error is */
+    const char *end;  /* the end of the expression; after an error, the place of the error */
     char message[EXPRESSION_MESSAGE];
     bool of_value; /* the error is in the values: with others the same expression may have one */
     /*
@@ -23,7 +23,7 @@ struct expression {
     bool (*lookup)(struct expression *expression, const char *name, const char *key,
                    const struct quantity *arguments, int count, struct quantity *result);
     void *context;       /* for lookup */
-    const char *no_unit; /* a unit's name that is none behind a blank; NULL for none */
+    const char *no_unit; /* a word after a blank that is not the name of a unit; NULL: none */
     domq_real angle;     /* what 1 is in radians where a bare number stands for an angle */
     int depth;
 };

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-/* The k-th name of a list; NULL behind the last. */
+/* Returns name k of a list; NULL after the last one. */
 typedef const char *names_list(const void *context, int k);
 
 enum { NAMES_MESSAGE = 256 };

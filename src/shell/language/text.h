@@ -31,17 +31,16 @@ void text_free(struct text *text);
  */
 ssize_t text_read(char **line, size_t *size, FILE *in);
 
-/* Returns the first place from c on that is no blank. */
+/* Returns the first place from c on that is not a blank. */
 const char *skip_blanks(const char *c);
 
-/* Returns the place behind the '"' that closes the one at c, NULL if none does; '""' in between is one '"'.
- */
+/* Returns the place after the '"' that closes the one at c, NULL if none does; '""' in between is one '"'. */
 const char *text_quote(const char *c);
 
 /*
  * Returns the first place from c on, outside of quotes, with one of these characters or with a '#' that
- * begins a comment: at c itself or behind a blank.  The end of the text if there is none, or if a '"' is
- * never closed.
+ * begins a comment: at c itself or after a blank. Returns the end of the text if there is none, or if a '"'
+ * is never closed.
  */
 const char *text_end(const char *c, const char *ends);
 

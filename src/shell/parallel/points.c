@@ -20,7 +20,7 @@ bool points_answer(struct session *session, struct answer *a, const struct point
     };
     struct workers_end end = workers_run(&w);
     *by_point = end.how == WORKERS_ENDED;
-    a->begun = a->prepared = true; /* what is said now stands behind them */
+    a->begun = a->prepared = true; /* later texts come after these rows */
     if (end.how == WORKERS_LOST)
         a->lost = a->lost ? a->lost : end.error;
     if (end.how == WORKERS_INTERRUPTED || end.how == WORKERS_NO_MEMORY)

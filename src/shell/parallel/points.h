@@ -8,8 +8,8 @@
 struct points {
     size_t total; /* of the whole, of which session_part takes its part */
     /*
-     * Writes the rows of a point, 0 being the one that begins the whole: false ends the answer behind the
-     * rows of the points before.  own is this worker's copy of `own` below, which it alone may change.
+     * Writes the rows of a point, where point 0 begins the whole answer. false ends the answer after the rows
+     * of the points before. own is this worker's copy of `own` below, which only this worker may change.
      */
     bool (*point)(void *own, size_t point, FILE *out);
     void *own;
@@ -18,8 +18,8 @@ struct points {
 };
 
 /*
- * True: all is written, or nobody reads it any more.  False: an error was reported, or a point ended it; then
- * *by_point, and own is as that worker left it.
+ * Writes the answer. Returns true if all is written, or if there is no reader any more; false if an error was
+ * reported, or a point ended the answer: then *by_point is set, and own is as that worker left it.
  */
 bool points_answer(struct session *session, struct answer *answer, const struct points *points,
                    bool *by_point);

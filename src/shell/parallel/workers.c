@@ -30,7 +30,7 @@ struct crew {
     const struct workers *asked;
     pthread_mutex_t lock;
     pthread_cond_t room;           /* a block was written, or all is over */
-    size_t next;                   /* the first point that nobody has taken */
+    size_t next;                   /* the first point that no worker has taken */
     size_t taken, written, window; /* blocks; block k is waiting[k % window] */
     struct block *waiting;
     bool over;

@@ -25,7 +25,7 @@ struct workers {
     unsigned count;                         /* of workers; 1 is the caller's thread alone */
     FILE *out;                              /* NULL: no rows are written */
     bool progress;                          /* shows how far the work is */
-    const volatile sig_atomic_t *interrupt; /* as of a train */
+    const volatile sig_atomic_t *interrupt; /* as in struct dom_compute */
 };
 
 struct workers_end {

@@ -28,7 +28,7 @@ void picture_room(const struct session *session, int *width, int *height)
     *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
 }
 
-/* Is there a gnuplot in one of the folders of PATH? */
+/* Returns true if one of the folders of PATH has a gnuplot. */
 static bool gnuplot_there(void)
 {
     const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
@@ -45,7 +45,7 @@ static bool gnuplot_there(void)
 /* The script up to what every picture has in common. */
 static bool script_begin(struct session *session, struct picture *picture, const char *terminal)
 {
-    /* Told apart by their points and dashes: in print and for people who see no colours. */
+    /* Lines also differ by their points and dashes, for print and for colour-blind readers. */
     static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555"};
     static const int points[] = {1, 2, 6, 4, 8, 10};
     if (!gnuplot_there())
@@ -118,7 +118,7 @@ bool picture_comes_to(struct session *session, domq_real theta)
     return true;
 }
 
-/* Waits for gnuplot, and ends it where somebody interrupts: by itself it would go on at a ^C. */
+/* Waits for gnuplot, and ends it after an interrupt: by itself gnuplot would continue at a ^C. */
 static int gnuplot_wait(const struct session *session, pid_t child)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
@@ -163,8 +163,8 @@ static int gnuplot_run(const struct session *session, FILE *script, FILE *drawin
     return failed ? failed : gnuplot_wait(session, child);
 }
 
-/* gnuplot does not report a full disk: where the drawing has no room behind it, its end is missing.  errno.
- */
+/* Checks the size of the drawing: gnuplot does not report a full disk, and then the end of the drawing is
+ * missing. Returns errno. */
 static int drawing_room(FILE *drawing, long size)
 {
     int wrong = posix_fallocate(fileno(drawing), size, BUFSIZ);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Pictures, drawn by gnuplot: a command writes a script, and the picture goes where its answer goes: as
- * text into the terminal, or into the file behind '>', whose name says as what.
+ * Pictures, drawn by gnuplot: a command writes a script. The picture goes where the answer of the command
+ * goes: as text into the terminal, or into the file after '>', whose ending decides the format.
  */
 #ifndef SHELL_PICTURE_H
 #define SHELL_PICTURE_H
@@ -9,13 +9,15 @@
 #include "session/session.h"
 
 struct picture {
-    FILE *script; /* of gnuplot; its terminal is set, its lines and points tell apart in black ink */
-    FILE *out;    /* takes the picture */
-    bool text;    /* drawn in characters */
+    /* of gnuplot; its terminal is set, and its lines and points can be distinguished in black ink */
+    FILE *script;
+    FILE *out;                 /* takes the picture */
+    bool text;                 /* drawn in characters */
     const char *theta, *omega; /* as its letters can show them */
 };
 
-/* False: an error was reported; that gnuplot is missing is one, found before there is work in vain. */
+/* Begins a picture. Returns false after an error, which also reports that gnuplot is missing, before any work
+ * is done. */
 bool picture_begin(struct session *session, struct picture *picture);
 
 /* The same for an animation of width x height dots, a plot command each frame, in hundredths of a second. */
@@ -32,7 +34,7 @@ bool picture_is_text(const struct session *session);
 /* Finds the columns and rows of a picture in characters; the line of the next prompt is not counted. */
 void picture_room(const struct session *session, int *width, int *height);
 
-/* Does the train move, and come as far as theta?  False: an error was reported. */
+/* Returns true if the train moves and reaches theta; false after an error. */
 bool picture_comes_to(struct session *session, domq_real theta);
 
 #endif

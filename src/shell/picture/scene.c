@@ -3,7 +3,7 @@
 #include "language/quad.h"
 
 #define SMALLEST 0.01 /* of the head: smaller ones are dots */
-#define WIDEST   2.4  /* of a picture, in its own height: what is farther behind is left out */
+#define WIDEST   2.4  /* of a picture, in its own height: dominoes farther back are left out */
 #define TALLEST  2.5  /* of a picture, in heights of the head: a larger next domino is cut off */
 
 /* ---- From the model to corners ---- */

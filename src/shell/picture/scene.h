@@ -14,10 +14,10 @@ struct point {
 
 /* A domino as it is drawn, in heights of the head. */
 struct drawn {
-    int number; /* 0 = head, 1, 2, ... behind it, -1 = the next, upright one */
+    int number; /* 0 = head; 1, 2, ... its followers; -1 = the next, upright domino */
     double height, foot, theta;
     struct point corner[CORNERS]; /* front foot, front top, back top, back foot */
-    bool touched;                 /* by the one behind it, at contact, else NaN */
+    bool touched;                 /* by its follower, at contact, else NaN */
     struct point contact;
     double force, of_own; /* of that contact, in m g of the head and of this domino; NaN: not known */
 };
@@ -44,7 +44,7 @@ struct drawn drawn_at(int number, double height, double foot, double theta, doub
 enum dom_status scene_make(const struct domq_train *train, const struct domq_compute *compute,
                            domq_real theta, double behind, struct scene *scene);
 
-/* The contact forces into the scene; a status as of domq_cycle_forces. */
+/* Adds the contact forces to the scene. Statuses as domq_cycle_forces. */
 enum dom_status scene_forces(const struct domq_train *train, const struct domq_compute *compute,
                              domq_real theta, struct scene *scene);
 

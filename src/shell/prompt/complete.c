@@ -9,7 +9,7 @@
 
 #include <readline/readline.h>
 
-/* What may stand at the cursor: up to three lists of names, or files. */
+/* The candidates at the cursor: up to three lists of names, or files. */
 struct offer {
     names_list *list[3];
     const void *context[3];
@@ -63,7 +63,7 @@ static struct offer offer_for(const struct argument *a, const struct parameter *
     return offer;
 }
 
-/* Returns true if an argument may stand behind this word, the argument before it. */
+/* Returns true if an argument may follow this word, the argument before it. */
 static bool may_follow(const struct argument *a, const char *word)
 {
     char message[NAMES_MESSAGE];
@@ -85,7 +85,8 @@ static const char *swept_names(const void *context, int k)
     return NULL;
 }
 
-/* What the words before the last one call for; swept: behind the ':' of a sweep. */
+/* Returns the candidates that the words before the last one ask for. swept: the line is the part after the
+ * ':' of a sweep. */
 static struct offer offer_at(const char *line, size_t length, bool swept)
 {
     struct offer offer = {.lists = 0};
@@ -141,7 +142,7 @@ static const struct command *command_before_dot(const char *text, const char *do
     return c && command_values(c, &fewest) >= 0 ? c : NULL;
 }
 
-/* Behind the ':' of a sweep a command begins. */
+/* After the ':' of a sweep a command begins. */
 static const char *swept_command(const char *line)
 {
     char name[32], message[NAMES_MESSAGE];
@@ -165,13 +166,13 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
     last = begin + strlen(begin);
     while (last > begin && !strchr(" \t", last[-1]))
         last--;
-    /* A file name that is being quoted begins behind its '"'. */
+    /* A file name in quotes begins after its '"'. */
     const char *quote = strchr(begin, '"');
     for (const char *behind; quote && (behind = text_quote(quote)) != NULL;)
         quote = strchr(behind, '"');
     last = quote ? quote + 1 : last;
     struct offer offer = offer_at(begin, (size_t)(last - (quote != NULL) - begin), begin > line_begin);
-    /* In an expression the name begins behind the operator. */
+    /* In an expression the name begins after the operator. */
     const char *name = last;
     for (const char *c = last; *c && offer.lists == 3; c++)
         if (!isalnum((unsigned char)*c) && *c != '_')
@@ -194,7 +195,7 @@ void complete_line(const char *line, bool files, void (*emit)(const char *, void
     char *file;
     for (int state = 0; offer.files && files && (file = rl_filename_completion_function(last, state)) != NULL;
          state = 1) {
-        rl_filename_completion_desired = 1; /* a '/' behind folders, '"' around blanks */
+        rl_filename_completion_desired = 1; /* a '/' after folders, '"' around blanks */
         if (!escape_needed(file))           /* it is written on the terminal */
             emit(file, context);
         free(file);

@@ -29,7 +29,7 @@ static void cannot(struct session *session, const char *reason)
     *history_file = '\0';
 }
 
-/* Is the file one to keep lines in?  If not, says so, unless it is a device. */
+/* Returns true if the file can keep lines. If not, reports that, unless the file is a device. */
 static bool is_regular(struct session *session, const struct stat *status)
 {
     if (S_ISREG(status->st_mode))
@@ -43,7 +43,7 @@ static bool is_regular(struct session *session, const struct stat *status)
 
 /* ---- Reading ---- */
 
-/* Writes the lines that are kept in the place of the file. */
+/* Replaces the file by the lines that are kept. */
 static const char *file_shorten(const volatile sig_atomic_t *interrupt)
 {
     struct redirect file;
@@ -83,7 +83,7 @@ void history_load(struct session *session)
         return;
     int file = io_open(history_file, O_RDONLY, 0, interrupt), locked = file >= 0 ? dup(file) : -1;
     FILE *in = file >= 0 ? io_stream(file, "r", interrupt) : NULL;
-    /* The lock is that of both: nobody adds a line between the reading of the file and its replacement. */
+    /* Both use one lock: no other process adds a line between the reading of the file and its replacement. */
     bool alone = in && locked >= 0 && io_lock(locked, LOCK_SECONDS, interrupt);
     const char *wrong = in && lines_read(in) > HISTORY_FILE && alone ? file_shorten(interrupt) : NULL;
     if (in)
@@ -113,7 +113,8 @@ static int file_open(const volatile sig_atomic_t *interrupt)
     int file = -1;
     for (int i = 0; i < TRIES; i++) {
         struct stat opened, named;
-        /* What one typed is nobody else's business; the mode of a file that is there is its owner's. */
+        /* The lines that a person types are private; the mode of an existing file is the choice of its
+         * owner. */
         file = io_open(history_file, O_RDWR | O_APPEND | O_CREAT, 0600, interrupt);
         if (file < 0)
             return -1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands from a person at a terminal: the prompt, its history, and what may stand at the cursor. */
+/* Commands from a person at a terminal: the prompt, its history, and completion. */
 #ifndef SHELL_INPUT_H
 #define SHELL_INPUT_H
 
@@ -9,8 +9,8 @@
 void line_prompt(struct session *session);
 
 /*
- * Emits everything that may stand in place of the last word of a line: commands, then what the command's
- * arguments are, files where they belong.
+ * Emits every candidate for the last word of a line: commands, then what the arguments of the command can be,
+ * and files where they belong.
  */
 void complete_line(const char *line, bool files, void (*emit)(const char *candidate, void *context),
                    void *context);

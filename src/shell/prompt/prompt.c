@@ -92,7 +92,7 @@ static void on_line(char *text)
         rl_callback_handler_remove();
 }
 
-/* Readline must know which bytes take no column: they stand between \001 and \002. */
+/* Readline must know which bytes take no column: those between \001 and \002. */
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";

@@ -57,7 +57,7 @@ static void session_tell(struct session *session, const char *format, va_list ar
     char told[1024], text[4 * sizeof told], shown[NAMES_SHOWN];
     const char *source = session->source;
     if (source && escape_needed(source))
-        source = names_shown(source, shown); /* a name may not hide the message behind it */
+        source = names_shown(source, shown); /* a name may not hide the message after it */
     int n = 0;
     fflush(session->out); /* so that both streams keep their order where they share a file */
     ticker_stop();

@@ -53,7 +53,7 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns what the parameter's i-th value is, counted from 0; NULL behind the last. */
+/* Returns what the parameter's i-th value is, counted from 0; NULL after the last one. */
 const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
 /* Return what the parameter stands for, in a few words; and more about it, or NULL. */
@@ -79,8 +79,8 @@ domq_real parameter_fallback(const struct session *session, const struct paramet
 void parameter_put(struct session *session, const struct parameter *parameter, domq_real value);
 
 /*
- * Gives a parameter these values, which are in their ranges, as 'set' does; path, unless NULL, is a file in
- * the place of the first.  Returns false after an error, see effect_turn.
+ * Gives a parameter these values, which are in their ranges, as 'set' does; path, unless NULL, is a file
+ * instead of the first value. Returns false after an error, see effect_turn.
  */
 bool parameter_set(struct session *session, const struct parameter *parameter, const domq_real *value,
                    int given, const char *path);

@@ -70,16 +70,16 @@ struct session {
     struct effect_state effect[DOM_EFFECT_COUNT];
     struct listed_row listed; /* the row, where it is not counted */
     struct walk walk;
-    FILE *out;          /* where answers go: standard output, or the file behind '>' */
+    FILE *out;          /* where answers go: standard output, or the file after '>' */
     const char *source; /* name of the script for messages; NULL at the prompt */
     long line;
     int column;        /* of what a message is about, from 1; 0 for none */
     int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
     const char *typed; /* the line that runs, as it was typed, not ended */
     int typed_length, typed_columns;
-    bool fresh;                  /* at the prompt: nothing stands below the typed line yet */
-    bool appended;               /* it is behind '>>' */
-    const char *redirected;      /* the name of the file behind '>' that out is; NULL for none */
+    bool fresh;                  /* at the prompt: no output is below the typed line yet */
+    bool appended;               /* the file comes after '>>' */
+    const char *redirected;      /* the name of the file after '>', which `out` is; NULL: none */
     const struct format *format; /* of that file, if its ending names one; NULL: as 'set output' has it */
     const char *command;         /* the one that runs, for messages */
     struct captured_error
@@ -132,15 +132,16 @@ bool session_report(struct session *session, enum message what, const char *form
 #define session_no_answer(session, ...) session_report(session, MESSAGE_NO_ANSWER, __VA_ARGS__)
 #define session_note(session, ...)      (void)session_report(session, MESSAGE_NOTE, __VA_ARGS__)
 
-/* Of so many points, or whatever stands in a row: the first of this session's part, and how many it has. */
+/* The part of a session in so many points, or other parts of an answer: its first number, and how many it
+ * has. */
 struct range {
     size_t first, count;
 };
 struct range session_part(const struct session *session, size_t points);
 
 /*
- * Is the rest of the input not to be run?  After quit, where nobody reads the output, after ^C, and with
- * bail after an error: session->errors was `errors` before.
+ * Returns true if the rest of the input must not be run: after quit, after ^C, if there is no reader of the
+ * output, and with bail after an error (session->errors was `errors` before).
  */
 bool session_stops(const struct session *session, long errors);
 
