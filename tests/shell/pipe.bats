@@ -117,7 +117,7 @@ answers_in() { # WAY
                 " >"$BATS_TEST_TMPDIR/answers"
             fuel_in_use=fuel_$fuel launch=launch_$fuel omega=omega_$fuel duration=duration_$fuel
             while read -r key expected; do
-                # The square of no speed: the table goes on with (c3) and (c6) where a train stops.
+                # The square of no speed: the table goes on with (21; c3) and (24; c6) where a train stops.
                 [[ $key == omega*sq && $expected == -* ]] && expected=''
                 # The table leaves out some durations, which take long in 40 digits.
                 [ "$key $expected" = "duration " ] && continue

@@ -954,7 +954,7 @@ separation|rmax pair best curve s
 seconds|duration
 significant|digits
 leave|quit thetac
-(c7)|fuel
+c7|fuel
 END
     all_wrong <<'END'
 0|apropos zzzz|^apropos: .*'zzzz'
