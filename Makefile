@@ -34,7 +34,8 @@ C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(IN
 GSL     := -lgsl -lgslcblas -lm -pthread
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-COMMON  := src/model/texts.c src/model/numerics/quiet.c
+# Proofs are in double alone.
+COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/proof/*.c)
 TYPED   := src/model/model.c src/model/train.c src/model/row/mend.c src/model/row/placement.c src/model/growth/design.c \
            $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
 MODEL   := $(COMMON) $(TYPED)
@@ -95,7 +96,7 @@ $(B)/obj/%.o: %.c | $(FIRST)
 $(call OBJ,$(MODEL) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=$(B)/objq/%.o): | $(HEADERS)
 
 # The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
-KERNEL_C := $(filter-out $(MODEL),$(wildcard src/model/*/*.c src/model/*/*.h))
+KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c src/model/*/*.h))
 $(B)/kernel_names.h: $(KERNEL_C) Makefile
 	@mkdir -p $(@D)
 	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z]\w*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@
@@ -341,7 +342,7 @@ format:
 
 # The installed files and their folders under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
-INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include \
+INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include include/domino_proof.h:include \
   $(B)/include/domino_quad.h:include $(B)/domino.pc:lib/pkgconfig \
   $(foreach page,$(PAGES),$(page):share/man/man$(subst .,,$(suffix $(page)))) \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \

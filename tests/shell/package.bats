@@ -171,8 +171,8 @@ C
         grep -E '^domq?_' "$names" >"$names.api"
     done
     same_file "$BATS_TEST_TMPDIR/static.api" "$BATS_TEST_TMPDIR/shared.api"
-    # They are the functions and the objects of the two headers, without types; dom_raised is defined there.
-    { header -E -P && header_quad; } | tr '\n;' ' \n' | grep -vE '\btypedef |\bstatic ' >"$BATS_TEST_TMPDIR/declarations"
+    # They are the functions and the objects of the headers, without types; dom_raised is defined there.
+    { header -E -P && header_quad && header -include "$root/include/domino_proof.h" -E -P; } | tr '\n;' ' \n' | grep -vE '\btypedef |\bstatic ' >"$BATS_TEST_TMPDIR/declarations"
     {
         grep -oE '\bdomq?_\w+ *\(' "$BATS_TEST_TMPDIR/declarations" | tr -d ' ('
         grep -oE '\bextern const struct domq?_effect domq?_\w+' "$BATS_TEST_TMPDIR/declarations" | sed 's/.* //'

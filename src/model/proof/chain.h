@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A train for a whole interval of growths, and its dominoes for a whole interval of tilts.
+ *
+ * A tilt theta travels as v = 1 - cos theta, which is 0 for an upright domino and increases with theta. The
+ * sine is sqrt(v (2 - v)): no function of libm is asked.
+ *
+ * Monotony. theta_1(theta, r) = theta + asin X, X = r (L cos theta - d), increases with theta up to
+ * min(theta_leave, theta_inf) and stays there what it is, since a follower detaches there: it is
+ * F(theta, r) = max over t <= theta of theta_1(t, r). F increases with theta as every running maximum does,
+ * and with r because theta_1(t, r) does for every t <= theta_inf, where X >= 0. So do theta_i = F(F(...
+ * theta)): the chain from the lower corner of a box is below, and that from the upper corner is above, every
+ * chain of the box.
+ */
+#ifndef DOM_PROOF_CHAIN_H
+#define DOM_PROOF_CHAIN_H
+
+#include "proof/span.h"
+
+/* A train without its growth. Its numbers are intervals around the doubles: decimals are in them, too. */
+struct shape {
+    struct span s, d, L, q;
+    struct span v_inf; /* of theta_inf: cos theta_inf = d/L (A16), so v = s/L */
+    struct span v_top; /* of theta_u, where one domino is highest: tan theta_u = d */
+    struct span g_top; /* h(theta_u) - 1 */
+    double steepest;   /* sqrt(1 + d^2), the largest |dh/dtheta| */
+    bool paper;        /* the paper's closed form of the fuel */
+    bool pair;         /* two dominoes instead of the endless train */
+};
+
+/* What a chain needs at one growth r. */
+struct corner {
+    double r;
+    struct span rs, rL, short_of; /* r s, r L, 1 - r s */
+    struct span leave;            /* v at min(theta_leave, theta_inf): there F ends to increase */
+    double last;                  /* upper bound of v of all followers: of theta_f or theta_inf */
+};
+
+/* A train for all growths r of an interval with r s <= 1. */
+struct growth {
+    const struct shape *shape;
+    struct span r;
+    struct corner low, high;         /* at the ends of the interval */
+    struct span leave;               /* for all its growths */
+    bool detaches_never;             /* theta_inf < theta_leave for all its growths */
+    struct span rq, weight, inertia; /* r^q, r^-q, r^-(q+1) */
+};
+
+/* One domino of a chain, for all tilts of the head and all growths of an interval. */
+struct domino {
+    struct span v;
+    struct span slope; /* dtheta_i/dtheta >= 0 */
+    struct span shift; /* dtheta_i/dr >= 0, for a head with a fixed tilt */
+};
+
+/* One contact: from domino i to domino i + 1. */
+struct contact {
+    struct span X, Y;  /* sine and cosine of theta_i+1 - theta_i */
+    struct span x;     /* sin theta_i */
+    struct span step;  /* dF/dtheta */
+    struct span shift; /* dF/dr */
+    bool held;         /* theta_i is beyond theta_leave for the whole box: the follower stays at theta_f */
+    bool may_hold;     /* for a part of it */
+};
+
+struct shape shape_make(double s, double d, double q);
+struct growth growth_make(const struct shape *shape, double r_low, double r_high);
+
+/* Returns sin theta of the tilts v. */
+struct span tilt_sine(struct span v);
+
+/* Returns g = h(theta) - 1 = d sin theta - v, and its derivative dh/dtheta, of the tilts v. */
+struct span tilt_height(const struct shape *shape, struct span v);
+struct span tilt_rise(const struct shape *shape, struct span v);
+
+/* Returns v of the follower. */
+struct span chain_follow(const struct growth *growth, struct span v);
+
+/* Returns the contact of a domino with its follower, with derivatives. */
+struct contact chain_contact(const struct growth *growth, struct span v);
+
+/* Returns the follower with derivatives. */
+struct domino chain_next(const struct growth *growth, const struct domino *leader,
+                         const struct contact *contact);
+
+/* Returns the largest tilt of any follower, with its derivative dtheta/dr in `shift`: theta_f or theta_inf.
+ */
+struct domino chain_last(const struct growth *growth);
+
+/* Returns v of theta_c, sin theta_c = r s: the tilt of domino 1 while the head is upright. */
+struct span chain_hit(const struct growth *growth);
+
+#endif

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "proof/cover.h"
+
+#include <stdlib.h>
+
+enum { DEEPEST = 48, PER_STRIP = 400, PER_WIDE_STRIP = 64 };
+
+bool proof_begin(struct proof *proof, const struct shape *shape)
+{
+    *proof = (struct proof){.shape = *shape, .boxes_most = 200000};
+    proof->links = malloc(2 * (LINKS_MOST + 2) * sizeof *proof->links);
+    if (!proof->links)
+        return false;
+    proof->box.link = proof->links;
+    proof->point.link = proof->links + LINKS_MOST + 2;
+    return true;
+}
+
+void proof_end(struct proof *proof)
+{
+    free(proof->links);
+    proof->links = NULL;
+}
+
+static struct climb climb_of(struct proof *proof, const struct upright *upright, double low, double high,
+                             bool derivatives)
+{
+    proof->chains += low < high ? 2 : 1;
+    return climb_find(upright, low, high, derivatives);
+}
+
+/* What has to be more than D: K, or a level; with its derivative. */
+struct level {
+    struct span box, point, by_r;
+    bool refute;
+};
+
+/* Returns by how much K - D may be less in the strip than at its upper end: see 3. below. */
+static double growth_loss(const struct level *level, struct span climb_by_r, double width)
+{
+    double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);
+    return PROOF_BOUND(MEAN_VALUE_GROWTH, loss, 0);
+}
+
+/*
+ * Shows K - D > 0 for tilts from low to high and all growths of the strip. Any of three lower bounds will do:
+ * 1. Monotony: K and D are what they are at the corners of the box.
+ * 2. The mean value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|; where D is
+ * monotonic in the box, its largest value is at an end.
+ * 3. The same in r: where d(K - D)/dr <= M, K - D is at least what it is at the upper end, less max(M, 0)
+ * times the width of the strip. Where M <= 0 the upper end of the strip decides for all growths of it. No
+ * part of the tilts does better than its middle alone: where that fails, the strip is too wide.
+ */
+static enum outcome cover_tilts(struct proof *proof, const struct level *level, double low, double high,
+                                int depth, size_t *left)
+{
+    const struct upright *box = &proof->box, *point = &proof->point;
+    if (proof->interrupt && *proof->interrupt)
+        return OUTCOME_INTERRUPTED;
+    if (*left == 0 || depth > DEEPEST)
+        return OUTCOME_OPEN;
+    --*left;
+    if (++proof->boxes > proof->boxes_most)
+        return OUTCOME_LIMIT;
+    struct climb all = climb_of(proof, box, low, high, true);
+    if (down(level->box.lo - all.height.hi) > 0)
+        return OUTCOME_PROVED;
+
+    double at = 0.5 * (low + high), spread = 0;
+    if (all.by_tilt.lo >= 0)
+        at = high;
+    else if (all.by_tilt.hi <= 0)
+        at = low;
+    else
+        spread =
+            PROOF_BOUND(MEAN_VALUE_TILT,
+                        up(larger(all.by_tilt.hi, -all.by_tilt.lo) * larger(up(high - at), up(at - low))), 0);
+    struct climb thin = climb_of(proof, box, at, at, true);
+    double by_monotony = down(level->box.lo - thin.height.hi);
+    if (down(by_monotony - spread) > 0)
+        return OUTCOME_PROVED;
+
+    double width = up(box->growth.r.hi - box->growth.r.lo), here = -HUGE_VAL;
+    if (box->by_r && isfinite(all.by_r.lo)) {
+        struct climb end = climb_of(proof, point, at, at, false);
+        if (level->refute && at <= upright_hit_below(point) && up(level->point.hi - end.height.lo) < 0)
+            return OUTCOME_REFUTED;
+        double by_end = down(level->point.lo - end.height.hi);
+        if (down(down(by_end - spread) - growth_loss(level, all.by_r, width)) > 0)
+            return OUTCOME_PROVED;
+        here = by_end - growth_loss(level, thin.by_r, width);
+    }
+    if (!(by_monotony > 0) && !(here > 0))
+        return OUTCOME_OPEN;
+    double middle = 0.5 * (low + high);
+    enum outcome first = cover_tilts(proof, level, low, middle, depth + 1, left);
+    return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
+}
+
+/* Finds both trains; their sums leave out no more than `rest`. */
+static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
+{
+    proof->chains += 3;
+    return upright_find(&proof->shape, r_low, r_high, rest, &proof->box) &&
+           upright_find(&proof->shape, r_high, r_high, smaller(rest, 1e-17), &proof->point);
+}
+
+static enum outcome cover_all(struct proof *proof, const struct level *level)
+{
+    /* A wide strip that needs many parts is better halved. */
+    const struct span r = proof->box.growth.r;
+    size_t left = r.hi - r.lo > 1e-4 * r.hi ? PER_WIDE_STRIP : PER_STRIP;
+    return cover_tilts(proof, level, 0, upright_hit_above(&proof->box), 0, &left);
+}
+
+enum outcome proof_strip(struct proof *proof, double r_low, double r_high)
+{
+    if (!strip_begin(proof, r_low, r_high, 1e-17))
+        return OUTCOME_OPEN;
+    if (proof->point.fuel.hi <= 0)
+        return OUTCOME_REFUTED;
+    struct level level = {proof->box.kinetic, proof->point.kinetic, proof->box.kinetic_by_r, true};
+    return cover_all(proof, &level);
+}
+
+enum outcome proof_below(struct proof *proof, double r_low, double r_high, double most)
+{
+    if (!strip_begin(proof, r_low, r_high, 1e-17))
+        return OUTCOME_LIMIT;
+    struct level level = {span_of(most), span_of(most), span_of(0), false};
+    return cover_all(proof, &level);
+}
+
+enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop)
+{
+    double end = r_high;
+    while (*done < r_high) {
+        enum outcome outcome = proof_strip(proof, *done, end);
+        double width = end - *done;
+        if (outcome == OUTCOME_PROVED) {
+            *done = end;
+            end = smaller(end + 2 * width, r_high);
+        } else if (outcome == OUTCOME_OPEN && width > finest) {
+            end = *done + 0.5 * width;
+        } else {
+            *stop = end;
+            return outcome;
+        }
+    }
+    return OUTCOME_PROVED;
+}
+
+bool proof_stops(struct proof *proof, double r_low, double r_high, double top)
+{
+    proof->boxes++;
+    proof->chains += 2;
+    if (!upright_find(&proof->shape, r_low, r_high, 1e-17, &proof->box))
+        return false;
+    if (proof->box.fuel.hi <= 0)
+        return true;
+    double at = smaller(top, upright_hit_below(&proof->box));
+    struct climb climb = climb_of(proof, &proof->box, at, at, false);
+    return up(proof->box.kinetic.hi - climb.height.lo) < 0;
+}
+
+static double guess_height(struct proof *proof, double at)
+{
+    return span_middle(climb_of(proof, &proof->point, at, at, false).height);
+}
+
+double proof_guess(struct proof *proof, double r, double *top)
+{
+    enum { SAMPLES = 48, STEPS = 60 };
+    *top = 0;
+    if (!upright_find(&proof->shape, r, r, 1e-17, &proof->point))
+        return NAN;
+    double hit = upright_hit_below(&proof->point), best = 0, kinetic = span_middle(proof->point.kinetic);
+    for (int k = 1; k <= SAMPLES; k++) {
+        double height = guess_height(proof, hit * k / SAMPLES);
+        if (height > best) {
+            best = height;
+            *top = hit * k / SAMPLES;
+        }
+    }
+    /* By the sign of the slope, between the neighbours of the highest sample. */
+    double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit);
+    for (int k = 0; k < STEPS && high - low > 1e-9 * hit; k++) {
+        double at = 0.5 * (low + high);
+        struct climb climb = climb_of(proof, &proof->point, at, at, true);
+        if (span_middle(climb.by_tilt) > 0)
+            low = at;
+        else
+            high = at;
+    }
+    double at = 0.5 * (low + high), height = guess_height(proof, at);
+    if (height > best) {
+        best = height;
+        *top = at;
+    }
+    return kinetic - best;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Proofs for all tilts of a cycle, and for all growths of an interval. */
+#ifndef DOM_PROOF_COVER_H
+#define DOM_PROOF_COVER_H
+
+#include "proof/energy.h"
+#include <signal.h>
+
+enum outcome {
+    OUTCOME_PROVED,  /* the train goes on, for all growths of the interval */
+    OUTCOME_REFUTED, /* it stops at the upper end of the interval */
+    OUTCOME_OPEN,    /* neither could be shown on an interval so wide */
+    OUTCOME_LIMIT,   /* more dominoes or boxes than allowed */
+    OUTCOME_INTERRUPTED
+};
+
+/* A proof in progress. */
+struct proof {
+    struct shape shape;
+    struct upright box, point; /* of the interval, and of its upper end */
+    struct link *links;        /* memory of both */
+    size_t boxes, chains;      /* that the proof took */
+    size_t boxes_most;
+    const volatile sig_atomic_t *interrupt;
+};
+
+/* False: out of memory. */
+bool proof_begin(struct proof *proof, const struct shape *shape);
+void proof_end(struct proof *proof);
+
+/* Proves that the train goes on for every growth from r_low to r_high: K > D for every tilt of the cycle. */
+enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
+
+/*
+ * The same in parts that are no narrower than `finest`, upwards from *done, which is moved to where the proof
+ * has come. *stop is the end of the part that failed.
+ */
+enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
+
+/* Proves that the train stops at every growth from r_low to r_high, by the tilt 2 sin(theta/2) = top. */
+bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
+
+/* Proves that D < level for all tilts at all growths of the interval. */
+enum outcome proof_below(struct proof *proof, double r_low, double r_high, double level);
+
+/* Returns an estimate of the margin K - B, and of where the barrier is highest. It proves nothing. */
+double proof_guess(struct proof *proof, double r, double *top);
+
+#endif

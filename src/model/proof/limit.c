@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The first growth at which a train stops. Strips of growths are proved upwards from r = 1: the next one is
+ * twice as wide where a strip succeeded, half as wide where it did not. Where the end of a strip seems to
+ * stop, an estimated root says for which two decimals around it a proof is tried; a wrong estimate makes that
+ * proof fail, nothing else.
+ */
+#include "proof/limit.h"
+
+static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
+
+/* Estimates where the margin has a root, between a growth that goes on and one that stops. */
+static double root_between(struct proof *proof, double low, double high, double *top)
+{
+    double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
+    for (int k = 0; k < 80 && high - low > 2e-16 * high; k++) {
+        double at = low - at_low * (high - low) / (at_high - at_low);
+        if (k % 3 == 2 || !(at > low && at < high))
+            at = 0.5 * (low + high);
+        if (!(at > low && at < high))
+            break;
+        double margin = proof_guess(proof, at, top);
+        if (margin > 0) {
+            low = at;
+            at_low = margin;
+        } else {
+            high = at;
+            at_high = margin;
+        }
+    }
+    return low;
+}
+
+/* The decimals that a proof is tried for: n / unit. */
+struct grid {
+    double unit;
+    int decimals;
+};
+
+static struct grid grid_for(double r, double tol)
+{
+    struct grid grid = {1, 0};
+    while (1 / grid.unit > tol * r * (1 + 1e-9) && r * grid.unit < 0x1p49) {
+        grid.unit *= 10;
+        grid.decimals++;
+    }
+    return grid;
+}
+
+/* Finds a decimal, from n on and upwards, at which the train stops. The decimal lies between the neighbours
+ * of the double that is nearest to it. */
+static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
+{
+    for (double more = 1; more <= 256; more *= 2) {
+        double r = (n + more) / grid->unit, low = nextafter(r, 0), above = nextafter(r, INFINITY);
+        if (low * proof->shape.s.hi < 1 && proof_stops(proof, low, above, top)) {
+            *high = r;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Proves that every growth goes on up to a decimal that is at most n, and as near to it as can be. */
+static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
+                           struct limit_proof *limit)
+{
+    for (double less = 0; less <= 1024; less = less > 0 ? 2 * less : 1) {
+        double end = nextafter((n - less) / grid->unit, INFINITY);
+        limit->low = (n - less) / grid->unit;
+        limit->outcome = OUTCOME_PROVED;
+        if (*done < end)
+            limit->outcome = proof_range(proof, done, end, larger(1e-3 / grid->unit, LAST_STRIP * end), stop);
+        if (limit->outcome != OUTCOME_OPEN)
+            break;
+    }
+    return limit->outcome == OUTCOME_PROVED;
+}
+
+/*
+ * Proves both sides of the root that the guess sees between *done and high. False: the train stops earlier,
+ * at *stop, or the outcome says what failed.
+ */
+static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
+                          struct limit_proof *limit)
+{
+    double top, root = root_between(proof, *done, high, &top);
+    *stop = NAN;
+    limit->outcome = OUTCOME_OPEN;
+    proof_guess(proof, root, &top);
+    /* A coarse decimal may be beyond the next root, or beyond the reach. */
+    for (double finer = 1; finer > 1e-9; finer /= 10) {
+        struct grid grid = grid_for(root, tol * finer);
+        double n = floor(root * grid.unit);
+        limit->decimals = grid.decimals;
+        if (!stops_after(proof, &grid, n, top, &limit->high))
+            continue;
+        if (n / grid.unit <= limit->from)
+            continue;
+        if (goes_on_before(proof, &grid, n, done, stop, limit)) {
+            limit->kind = LIMIT_BRACKET;
+            return true;
+        }
+        break;
+    }
+    return false;
+}
+
+static struct limit_proof limit_from(struct proof *proof, double from, double tol)
+{
+    struct limit_proof limit = {.kind = LIMIT_PARTLY, .from = from, .low = from, .high = NAN, .decimals = 17};
+    double end = up(1 / proof->shape.s.lo), width = FIRST_STRIP, done = from;
+    while (done < end && width > LAST_STRIP * done) {
+        double next = smaller(done + width, end), top;
+        limit.outcome = proof_strip(proof, done, next);
+        if (limit.outcome == OUTCOME_PROVED) {
+            done = next;
+            width *= 2;
+            continue;
+        }
+        if (limit.outcome == OUTCOME_LIMIT || limit.outcome == OUTCOME_INTERRUPTED)
+            break;
+        bool stops = limit.outcome == OUTCOME_REFUTED || (next < end && proof_guess(proof, next, &top) < 0);
+        while (stops) {
+            double stop;
+            if (bracket_prove(proof, tol, &done, next, &stop, &limit))
+                return limit;
+            stops = limit.outcome == OUTCOME_REFUTED;
+            next = stop;
+        }
+        if (limit.outcome == OUTCOME_LIMIT || limit.outcome == OUTCOME_INTERRUPTED)
+            break;
+        width /= 2;
+    }
+    if (done >= end)
+        limit.kind = LIMIT_REACH;
+    limit.low = done;
+    return limit;
+}
+
+/*
+ * Looks for a growth at which a pair goes on, where equal dominoes do not. Returns one just above the lowest
+ * root that samples show, as a decimal; NaN if there is none.
+ */
+static double band_begin(struct proof *proof)
+{
+    enum { SAMPLES = 400 };
+    double last = 1, reach = 1 / proof->shape.s.hi, top;
+    for (int k = 1; k <= SAMPLES; k++) {
+        double r = 1 + (reach - 1) * k / (SAMPLES + 1);
+        if (proof_guess(proof, r, &top) > 0) {
+            double low = last, high = r;
+            for (int step = 0; step < 24; step++) {
+                double at = 0.5 * (low + high);
+                if (proof_guess(proof, at, &top) > 0)
+                    high = at;
+                else
+                    low = at;
+            }
+            double from = ceil(high * 1e6) / 1e6;
+            return from < r && proof_strip(proof, from, from) == OUTCOME_PROVED ? from : r;
+        }
+        last = r;
+    }
+    return NAN;
+}
+
+struct limit_proof limit_prove(struct proof *proof, double tol)
+{
+    double top, from = 1;
+    enum outcome first = proof_strip(proof, 1, 1);
+    if (first == OUTCOME_PROVED)
+        return limit_from(proof, 1, tol);
+    proof_guess(proof, 1, &top);
+    bool none = first != OUTCOME_INTERRUPTED && proof_stops(proof, 1, 1, top);
+    if (none && proof->shape.pair)
+        from = band_begin(proof);
+    if (from > 1)
+        return limit_from(proof, from, tol);
+    return (struct limit_proof){
+        .kind = none ? LIMIT_NONE : LIMIT_PARTLY, .from = 1, .low = NAN, .high = 1, .outcome = first};
+}

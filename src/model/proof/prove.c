@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Public entry points of <domino_proof.h>: check the arguments, then prove. */
+#include "domino_proof.h"
+#include "proof/limit.h"
+
+const char *dom_proof_gap_text(enum dom_proof_gap gap)
+{
+    static const char *const text[] = {
+#define GAP_TEXT(name, text) [DOM_PROOF_##name] = text,
+        DOM_PROOF_GAPS(GAP_TEXT)
+#undef GAP_TEXT
+    };
+    return text[gap];
+}
+
+static enum dom_status train_check(const struct dom_train *t, double tol)
+{
+    const struct {
+        double value, lowest, highest;
+        enum dom_status status;
+    } range[] = {
+#define BAD_s                                                 DOM_BAD_S
+#define BAD_r                                                 DOM_BAD_R
+#define BAD_d                                                 DOM_BAD_D
+#define BAD_q                                                 DOM_BAD_Q
+#define RANGE(name, default_, lowest, highest, unit, meaning) {t->name, lowest, highest, BAD_##name},
+        DOM_TRAIN_PARAMETERS(RANGE)
+#undef RANGE
+    };
+    for (size_t k = 0; k < sizeof range / sizeof *range; k++)
+        if (!(range[k].value >= range[k].lowest && range[k].value <= range[k].highest))
+            return range[k].status;
+    if (t->fuel != DOM_FUEL_EXACT && t->fuel != DOM_FUEL_PAPER)
+        return DOM_BAD_FUEL;
+    return tol > 0 && tol <= 0.1 ? DOM_OK : DOM_BAD_TOL;
+}
+
+static enum dom_proof_gap gap_of(enum outcome outcome)
+{
+    return outcome == OUTCOME_INTERRUPTED ? DOM_PROOF_INTERRUPTED
+           : outcome == OUTCOME_LIMIT     ? DOM_PROOF_BOXES
+                                          : DOM_PROOF_ROUNDING;
+}
+
+static double tolerance_of(const struct dom_compute *compute)
+{
+    return compute ? compute->tol : dom_compute_default().tol;
+}
+
+/* Begins a proof of a train whose parameters are in their ranges. */
+static enum dom_status begin(struct proof *proof, const struct dom_train *train,
+                             const struct dom_compute *compute, bool pair)
+{
+    struct shape shape = shape_make(train->s, train->d, train->q);
+    shape.paper = train->fuel == DOM_FUEL_PAPER;
+    shape.pair = pair;
+    if (!proof_begin(proof, &shape))
+        return DOM_NO_MEMORY;
+    proof->interrupt = compute ? compute->interrupt : NULL;
+    return DOM_OK;
+}
+
+static struct dom_proof_work work_of(const struct proof *proof)
+{
+    return (struct dom_proof_work){proof->boxes, proof->chains};
+}
+
+static enum dom_status prove_limit(const struct dom_train *train, const struct dom_compute *compute,
+                                   bool pair, struct dom_proof *result)
+{
+    struct proof proof;
+    enum dom_status status = train_check(train, tolerance_of(compute));
+    if (status != DOM_OK)
+        return status;
+    *result = (struct dom_proof){
+        .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = DOM_PROOF_EFFECT};
+    if (dom_dynamics(train))
+        return DOM_OK;
+    status = begin(&proof, train, compute, pair);
+    if (status != DOM_OK)
+        return status;
+    struct limit_proof limit = limit_prove(&proof, larger(tolerance_of(compute), 1e-15));
+    static const enum dom_proof_end end[] = {[LIMIT_BRACKET] = DOM_PROVED_BARRIER,
+                                             [LIMIT_REACH] = DOM_PROVED_REACH,
+                                             [LIMIT_NONE] = DOM_PROVED_NONE,
+                                             [LIMIT_PARTLY] = DOM_PROVED_PARTLY};
+    *result = (struct dom_proof){.ends = end[limit.kind],
+                                 .from = limit.from,
+                                 .low = limit.low,
+                                 .high = limit.high,
+                                 .decimals = limit.decimals,
+                                 .gap = limit.kind == LIMIT_PARTLY ? gap_of(limit.outcome) : DOM_PROOF_NONE,
+                                 .work = work_of(&proof)};
+    if (limit.kind == LIMIT_REACH) {
+        result->low = down(1 / proof.shape.s.hi);
+        result->high = up(1 / proof.shape.s.lo);
+    }
+    proof_end(&proof);
+    return DOM_OK;
+}
+
+enum dom_status dom_prove_rmax(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_proof *proof)
+{
+    return prove_limit(train, compute, false, proof);
+}
+
+enum dom_status dom_prove_pair(const struct dom_train *train, const struct dom_compute *compute,
+                               struct dom_proof *proof)
+{
+    return prove_limit(train, compute, true, proof);
+}
+
+static struct dom_interval interval_of(struct span a)
+{
+    return (struct dom_interval){a.lo, a.hi};
+}
+
+/* Encloses the barrier: from below by the height at one tilt, from above by a level that no tilt exceeds. */
+static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
+                                 enum outcome *outcome)
+{
+    struct span barrier = {0, INFINITY};
+    if (upright_find(&proof->shape, low, high, 1e-17, &proof->box)) {
+        double at = smaller(top, upright_hit_below(&proof->box));
+        barrier.lo = least_0(climb_find(&proof->box, at, at, false).height.lo);
+    }
+    double kinetic = larger(proof->box.kinetic.hi, 0);
+    *outcome = OUTCOME_OPEN;
+    for (double more = larger(tol * (barrier.lo + kinetic), 1e-16); more < 1 && *outcome == OUTCOME_OPEN;
+         more *= 4) {
+        *outcome = proof_below(proof, low, high, barrier.lo + more);
+        if (*outcome == OUTCOME_PROVED)
+            barrier.hi = up(barrier.lo + more);
+    }
+    return barrier;
+}
+
+static void cycle_prove(struct proof *proof, double r, double tol, struct dom_proof_cycle *result)
+{
+    double low = r > 1 ? larger(1, nextafter(r, 0)) : 1, high = r > 1 ? nextafter(r, INFINITY) : 1, top;
+    enum outcome outcome;
+    proof_guess(proof, r, &top);
+    if (!upright_find(&proof->shape, low, high, 1e-17, &proof->box)) {
+        result->gap = DOM_PROOF_BOXES;
+        return;
+    }
+    result->gap = DOM_PROOF_NONE;
+    if (proof->box.fuel.hi <= 0) {
+        result->verdict = DOM_PROVED_NO_FUEL;
+        return;
+    }
+    struct span kinetic = proof->box.kinetic, barrier = barrier_prove(proof, low, high, tol, top, &outcome),
+                margin = span_sub(kinetic, barrier);
+    bool fuel = proof->box.fuel.lo > 0;
+    result->kinetic = interval_of(kinetic);
+    result->barrier = interval_of(barrier);
+    result->margin = interval_of(margin);
+    if (margin.hi < 0)
+        result->verdict = DOM_PROVED_STOPS;
+    else if (fuel && (margin.lo >= 0 || proof_strip(proof, low, high) == OUTCOME_PROVED))
+        result->verdict = DOM_PROVED_GOES_ON;
+    else
+        result->gap = outcome == OUTCOME_PROVED ? DOM_PROOF_ROUNDING : gap_of(outcome);
+}
+
+enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
+                                struct dom_proof_cycle *result)
+{
+    struct proof proof;
+    const struct dom_interval none = {DOM_NAN, DOM_NAN};
+    double tol = tolerance_of(compute);
+    enum dom_status status = train_check(train, tol);
+    if (status != DOM_OK)
+        return status;
+    *result = (struct dom_proof_cycle){.verdict = DOM_PROVED_NOTHING,
+                                       .kinetic = none,
+                                       .barrier = none,
+                                       .margin = none,
+                                       .gap = DOM_PROOF_EFFECT};
+    if (dom_dynamics(train))
+        return DOM_OK;
+    status = begin(&proof, train, compute, false);
+    if (status != DOM_OK)
+        return status;
+    struct span reach = span_times(span_around(train->r), proof.shape.s);
+    if (reach.lo > 1) {
+        result->verdict = DOM_PROVED_OUT_OF_REACH;
+        result->gap = DOM_PROOF_NONE;
+    } else {
+        cycle_prove(&proof, train->r, larger(tol, 1e-15), result);
+    }
+    result->work = work_of(&proof);
+    proof_end(&proof);
+    return DOM_OK;
+}
+
+/* Returns a b with bounds that are equal where the product is exact: the fma has its rounding error. */
+static struct span times_exactly(struct span a, double b)
+{
+    double lo = a.lo * b, hi = a.hi * b;
+    return (struct span){fma(a.lo, b, -lo) == 0 ? lo : down(lo), fma(a.hi, b, -hi) == 0 ? hi : up(hi)};
+}
+
+/* Returns the smallest n with first r^n >= height for sure, of numbers between bounds; infinite where there
+ * is none. */
+static double count_until(struct span first, double r, double height, bool surely)
+{
+    enum { MOST = 10000000 };
+    struct span tall = first;
+    double n = 0;
+    for (; n < MOST && (surely ? tall.lo : tall.hi) < height; n++) {
+        struct span next = times_exactly(tall, r);
+        if (!((surely ? next.lo : next.hi) > (surely ? tall.lo : tall.hi)))
+            return INFINITY;
+        tall = next;
+    }
+    return n < MOST ? n : HUGE_VAL;
+}
+
+enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most)
+{
+    if (!(first > 0 && height > 0 && isfinite(first) && isfinite(height)))
+        return DOM_BAD_HEIGHT;
+    if (!(r >= 1 && isfinite(r)))
+        return DOM_BAD_R;
+    /* The doubles themselves decide where their powers are exact; else all numbers that round to them. */
+    struct span exact = span_of(first);
+    double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
+    struct span last = exact;
+    for (double k = 0; k < n && isfinite(n) && last.lo == last.hi; k++)
+        last = times_exactly(last, r);
+    if (n == same && (last.lo == last.hi || r == 1)) {
+        *least = *most = n;
+        return DOM_OK;
+    }
+    *least = count_until(span_around(first), up(r), down(height), false);
+    *most = count_until(span_around(first), r > 1 ? larger(1, down(r)) : 1, up(height), true);
+    return DOM_OK;
+}

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Intervals that contain the truth: every operation is + - * / or sqrt in double, followed by one step
+ * outwards.
+ *
+ * IEEE 754 rounds these five operations correctly, to the nearest double. From the rounded result z, up(z)
+ * and down(z) are beyond the neighbours of z, and so beyond what was rounded (Rump, Zimmermann, Boldo,
+ * Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419). Rounding modes are
+ * not changed: no compiler has to be told, and threads do not disturb each other.
+ */
+#ifndef DOM_SPAN_H
+#define DOM_SPAN_H
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+
+#ifdef __FAST_MATH__
+#error "A proof needs every rounding where it is written: compile without -ffast-math."
+#endif
+_Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof is in IEEE 754 double.");
+_Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
+
+/*
+ * Marks a bound and what would be wrong in its place. The tests compile these sources with a definition that
+ * takes the wrong one, and must notice.
+ */
+#ifndef PROOF_BOUND
+#define PROOF_BOUND(name, right, wrong) (right)
+#endif
+
+struct span {
+    double lo, hi;
+};
+
+/* Return a double above or below every real number that rounds to z. DBL_MIN is for results that underflow.
+ */
+static inline double up(double z)
+{
+    return PROOF_BOUND(ROUND_UP, z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
+}
+
+static inline double down(double z)
+{
+    return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
+}
+
+/* Clip a bound of what is known to be >= 0, or <= 1; NaN becomes the bound that is always true. */
+static inline double least_0(double lo)
+{
+    return lo > 0 ? lo : 0;
+}
+
+static inline double most_1(double hi)
+{
+    return hi < 1 ? hi : 1;
+}
+
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline struct span span_of(double x)
+{
+    return (struct span){x, x};
+}
+
+/* Returns the numbers that are rounded to x: decimals and fractions that were typed, for example. */
+static inline struct span span_around(double x)
+{
+    return (struct span){down(x), up(x)};
+}
+
+static inline struct span span_add(struct span a, struct span b)
+{
+    return (struct span){down(a.lo + b.lo), up(a.hi + b.hi)};
+}
+
+static inline struct span span_sub(struct span a, struct span b)
+{
+    return (struct span){down(a.lo - b.hi), up(a.hi - b.lo)};
+}
+
+static inline struct span span_negate(struct span a)
+{
+    return (struct span){-a.hi, -a.lo};
+}
+
+/* Returns k a for k >= 0. */
+static inline struct span span_times(struct span k, struct span a)
+{
+    return (struct span){down(a.lo * (a.lo < 0 ? k.hi : k.lo)), up(a.hi * (a.hi < 0 ? k.lo : k.hi))};
+}
+
+/* Returns a / k for k > 0. */
+static inline struct span span_over(struct span a, struct span k)
+{
+    return (struct span){down(a.lo / (a.lo < 0 ? k.lo : k.hi)), up(a.hi / (a.hi < 0 ? k.hi : k.lo))};
+}
+
+static inline struct span span_mul(struct span a, struct span b)
+{
+    double p = a.lo * b.lo, q = a.lo * b.hi, r = a.hi * b.lo, s = a.hi * b.hi;
+    return (struct span){down(smaller(smaller(p, q), smaller(r, s))), up(larger(larger(p, q), larger(r, s)))};
+}
+
+/* Returns the square of a >= 0. */
+static inline struct span span_square(struct span a)
+{
+    return (struct span){down(a.lo * a.lo), up(a.hi * a.hi)};
+}
+
+/* Returns the root of a >= 0, whose lower bound may be below 0. */
+static inline struct span span_sqrt(struct span a)
+{
+    return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};
+}
+
+/* Returns the smallest interval that contains both. */
+static inline struct span span_hull(struct span a, struct span b)
+{
+    return (struct span){smaller(a.lo, b.lo), larger(a.hi, b.hi)};
+}
+
+static inline bool span_finite(struct span a)
+{
+    return isfinite(a.lo) && isfinite(a.hi) && a.lo <= a.hi;
+}
+
+static inline double span_middle(struct span a)
+{
+    return 0.5 * a.lo + 0.5 * a.hi;
+}
+
+#endif

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The train with an upright head: its fuel, its inertia, and the kinetic energy with which a cycle begins. */
+#include "proof/energy.h"
+#include "proof/rest.h"
+
+/* Domino i of the chain, and the sums over those before it. */
+struct walk {
+    struct domino domino;
+    struct span twist;        /* d slope / dr */
+    struct span share, power; /* r^(-(q+1) i), r^(-q i) */
+    struct span fuel, fuel_by_r, T, T_by_r;
+};
+
+static struct span least_zero(struct span a)
+{
+    return (struct span){least_0(a.lo), a.hi};
+}
+
+/* Returns d(dF/dtheta)/dr along the chain, of dF/dtheta = 1 - r L x / Y, with dtheta_i/dr = shift. */
+static struct span step_bend(const struct growth *g, const struct contact *c, struct span v,
+                             struct span shift)
+{
+    struct span y = least_zero((struct span){down(1 - v.hi), up(1 - v.lo)}),
+                rL = {g->low.rL.lo, g->high.rL.hi};
+    struct span off = least_zero(span_over(span_times(rL, c->x), c->Y));
+    /* By theta: (r L / Y) ((r L x / Y) (X x / Y) ... - y); by r: -L x / Y^3. */
+    struct span pull = span_sub(span_times(off, span_over(span_times(c->X, c->x), c->Y)), y);
+    struct span by_theta = span_over(span_mul(rL, pull), c->Y);
+    struct span by_r = span_over(span_over(span_times(g->shape->L, c->x), span_square(c->Y)), c->Y);
+    return span_sub(span_times(shift, by_theta), by_r);
+}
+
+static struct span chain_twist(const struct growth *g, const struct walk *w, const struct contact *c)
+{
+    if (c->held)
+        return span_of(0);
+    struct span bend = step_bend(g, c, w->domino.v, w->domino.shift);
+    struct span twist = span_add(span_times(c->step, w->twist), span_times(w->domino.slope, bend));
+    return c->may_hold ? span_hull(twist, span_of(0)) : twist;
+}
+
+/* Adds r^(-(q+1) i) slope^2, domino i's part of T, and its derivative. */
+static void add_inertia(const struct growth *g, struct walk *w, int i)
+{
+    struct span square = span_square(w->domino.slope),
+                per_r = span_over(span_add(g->shape->q, span_of(1)), g->r);
+    struct span change = span_sub(span_times(span_add(w->domino.slope, w->domino.slope), w->twist),
+                                  span_times(span_times(span_of(i), per_r), square));
+    w->T = span_add(w->T, span_times(w->share, square));
+    w->T_by_r = span_add(w->T_by_r, span_times(w->share, change));
+}
+
+/* Adds r^(-q i) (h(theta_i) - h(theta_i+1)), domino i's part of P, and its derivative. */
+static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
+{
+    struct span power = link[0].weight;
+    struct span drop = span_sub(link[0].g, link[1].g);
+    struct span per_r = span_times(span_of(i), span_over(g->shape->q, g->r));
+    struct span change = span_sub(span_sub(link[0].slide, link[1].slide), span_times(per_r, drop));
+    w->fuel = span_add(w->fuel, span_times(power, drop));
+    w->fuel_by_r = span_add(w->fuel_by_r, span_times(power, change));
+}
+
+/*
+ * Adds the rest of T from domino n on: slope_n+k <= p^k slope_n (rest.h), so with e = r^-(q+1) p^2 its terms
+ * are below a geometric series. Its derivative has the terms 2 slope twist - (q+1) i/r slope^2, where
+ * twist_i+1 = step twist_i
+ * + slope_i bend with |bend| <= Q; so |twist_n+k| <= p^k |twist_n| + k p^(k-1) slope_n Q.
+ */
+static void rest_of_inertia(const struct upright *u, struct walk *w, const struct contact *c,
+                            const struct rest *rest)
+{
+    const struct growth *g = &u->growth;
+    double m = g->inertia.hi, p = rest->p, e = up(up(p * p) * m), series = up(1 / least_0(down(1 - e)));
+    double slope = w->domino.slope.hi, square = up(up(slope * slope) * w->share.hi), n = u->n;
+    double rL = g->high.rL.hi, Y = c->Y.lo, cube = down(Y * down(Y * Y));
+    w->T.hi = PROOF_BOUND(REST_OF_T, up(w->T.hi + up(square * series)), w->T.hi);
+    double by_theta = up(rL / Y + up(up(c->X.hi * up(rL * rL)) / cube));
+    double Q = up(up(up(by_theta) * rest->shift) + up(g->shape->L.hi / cube));
+    double twist = larger(w->twist.hi, -w->twist.lo);
+    double first = up(up(2 * up(slope * w->share.hi)) *
+                      up(up(twist * series) + up(up(up(slope * Q) * up(p * m)) * up(series * series))));
+    double second =
+        up(up(up(up(g->shape->q.hi + 1) / g->r.lo) * square) * up(series * up(n + up(e * series))));
+    w->T_by_r = span_add(w->T_by_r, (struct span){-up(first + second), first});
+}
+
+/*
+ * Adds the rest of the fuel: r^(-q i) <= r^(-q n), and h decreases beyond theta_u; so the rest of
+ * sum r^(-q i) (h(theta_i) - h(theta_i+1)) is between 0 and r^(-q n) (h(theta_n) - h(theta_last)).
+ */
+static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, const struct rest *rest)
+{
+    w->fuel.hi = PROOF_BOUND(REST_OF_FUEL, up(w->fuel.hi + up(w->power.hi * fall)), w->fuel.hi);
+    struct span change = {-up(rest->slides + rest->drops), up(rest->slides / u->growth.weight.lo)};
+    w->fuel_by_r = span_add(w->fuel_by_r, change);
+}
+
+/* (c6): K = P / E, E = r^q (1 + 1/T) - 1, where P > 0. */
+static void kinetic_of_train(struct upright *u, const struct walk *w)
+{
+    const struct growth *g = &u->growth;
+    struct span one = span_of(1), T = w->T;
+    struct span E = span_sub(span_times(g->rq, span_add(one, span_over(one, T))), one);
+    struct span rq_by_r = span_times(g->rq, span_over(g->shape->q, g->r));
+    struct span E_by_r = span_sub(span_times(rq_by_r, span_add(one, span_over(one, T))),
+                                  span_times(span_over(g->rq, span_square(T)), w->T_by_r));
+    u->fuel = w->fuel;
+    u->inertia = T;
+    u->kinetic = E.lo > 0 ? span_over(u->fuel, E) : (struct span){-INFINITY, INFINITY};
+    u->kinetic_by_r = span_over(span_sub(w->fuel_by_r, span_mul(u->kinetic, E_by_r)), E);
+}
+
+/*
+ * Section "Two dominoes": domino 1, just tipped over, brings h(theta_u) - h(theta_c); with k = r^-(q+1) the
+ * pair starts with r k^2/(1 + k) of that. The derivative of r k^2/(1 + k) is itself over r, times 1 - (q +
+ * 1)(2 + k)/(1 + k).
+ */
+static void kinetic_of_pair(struct upright *u, struct span hit)
+{
+    const struct growth *g = &u->growth;
+    struct span one = span_of(1), k = g->inertia, sum = span_add(one, k);
+    struct span part = span_over(span_square(k), sum), share = span_times(g->r, part);
+    struct span push = span_sub(g->shape->g_top, u->link[1].g);
+    struct span order = span_over(span_times(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
+    u->fuel = push;
+    if (!(hit.lo > g->shape->v_top.hi)) /* perhaps it has not tipped over when it hits (b0) */
+        u->fuel.lo = -1;
+    if (hit.hi < g->shape->v_top.lo)
+        u->fuel.hi = -1;
+    u->kinetic = span_times(share, u->fuel);
+    u->kinetic_by_r =
+        span_sub(span_mul(span_times(part, span_sub(one, order)), push), span_times(share, u->link[1].slide));
+    u->by_r = u->by_r && hit.lo > g->shape->v_top.hi;
+}
+
+/* The paper's closed form P = 1 - h(theta_last) in the place of the sum. */
+static void paper_fuel(const struct upright *u, struct walk *w)
+{
+    const struct growth *g = &u->growth;
+    struct domino last = chain_last(g);
+    w->fuel = span_negate(tilt_height(g->shape, last.v));
+    w->fuel_by_r = span_negate(span_mul(tilt_rise(g->shape, last.v), last.shift));
+}
+
+/* Writes domino i to its link. */
+static void link_make(struct upright *u, const struct walk *w, int i)
+{
+    struct span rise = tilt_rise(u->growth.shape, w->domino.v);
+    u->link[i] = (struct link){.g = tilt_height(u->growth.shape, w->domino.v),
+                               .slide = span_mul(rise, w->domino.shift),
+                               .weight = w->power};
+    if (i == 0) {
+        u->link[i].g = span_of(0);
+        u->link[i].slide = span_of(0);
+    }
+}
+
+bool upright_find(const struct shape *shape, double r_low, double r_high, double rest_most, struct upright *u)
+{
+    struct contact c;
+    struct walk w = {.domino = {.slope = {1, 1}}, .share = {1, 1}, .power = {1, 1}};
+    double fall = 0, rest_before = INFINITY, v_before = 0;
+    bool finite = true;
+    u->growth = growth_make(shape, r_low, r_high);
+    const struct growth *g = &u->growth;
+    if (!shape->pair && g->high.last <= shape->v_top.lo) {
+        /* No domino comes to theta_u, so each lies higher than the one before it: every part of P is
+         * negative. */
+        u->n = 0;
+        u->exact_end = true;
+        u->by_r = false;
+        u->fuel = u->kinetic = (struct span){-HUGE_VAL, 0};
+        u->inertia = (struct span){0, HUGE_VAL};
+        return true;
+    }
+    u->g_last = tilt_height(shape, span_of(g->high.last)).lo;
+    link_make(u, &w, 0);
+    for (u->n = 0;; u->n++) {
+        int i = u->n;
+        c = chain_contact(g, w.domino.v);
+        u->exact_end = i > 0 && w.domino.v.lo >= g->leave.hi;
+        struct walk next = w;
+        next.domino = chain_next(g, &w.domino, &c);
+        next.twist = chain_twist(g, &w, &c);
+        if (i == 0) { /* exactly, since sin theta = 0 */
+            next.domino.slope = span_of(1);
+            next.twist = span_of(0);
+        }
+        finite = finite && c.Y.lo > 0 && isfinite(c.shift.hi) && span_finite(next.twist);
+        w = next;
+        w.power = span_times(w.power, g->weight);
+        w.share = span_times(w.share, g->inertia);
+        if (i + 1 > LINKS_MOST)
+            return false;
+        link_make(u, &w, i + 1);
+        add_fuel(g, &w, &u->link[i], i);
+        if (u->exact_end || (shape->pair && i == 1)) {
+            u->n = i + 1;
+            break;
+        }
+        fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
+        double rest = up(w.power.hi * fall);
+        /* In a wide interval more dominoes make the rest no smaller, once the lower chain has come to its
+         * end. */
+        bool still = w.domino.v.lo < v_before * (1 + 1e-3) && rest > 0.98 * rest_before;
+        if (!shape->pair && w.domino.v.lo > shape->v_top.hi && (rest <= rest_most || still)) {
+            u->n = i + 1;
+            break;
+        }
+        rest_before = rest;
+        v_before = w.domino.v.lo;
+        add_inertia(g, &w, i + 1);
+    }
+    u->by_r = finite;
+    u->slide_rest = 0;
+    if (shape->pair) {
+        u->exact_end = true; /* there are no others */
+        kinetic_of_pair(u, chain_hit(g));
+    } else {
+        if (!u->exact_end) {
+            c = chain_contact(g, w.domino.v);
+            struct rest rest = rest_find(g, &w.domino, &c, w.power.hi, fall, u->n);
+            u->slide_rest = rest.slides;
+            rest_of_fuel(u, &w, fall, &rest);
+            rest_of_inertia(u, &w, &c, &rest);
+        }
+        if (shape->paper)
+            paper_fuel(u, &w);
+        kinetic_of_train(u, &w);
+    }
+    u->by_r = u->by_r && span_finite(u->kinetic_by_r);
+    return true;
+}
+
+double upright_hit_above(const struct upright *u)
+{
+    return up(sqrt(up(2 * chain_hit(&u->growth).hi)));
+}
+
+double upright_hit_below(const struct upright *u)
+{
+    return least_0(down(sqrt(least_0(down(2 * chain_hit(&u->growth).lo)))));
+}

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Proved against computed: of random trains and of the hard cases r_max lies in what is proved, one unit in
+ * its ninth digit is refuted, and verdicts agree.
+ */
+#include "../unit/support.h"
+#include "cases.h"
+#include "domino_proof.h"
+#include "sweep.h"
+
+struct counts {
+    int brackets, reaches, none, partly, wrong, refuted;
+};
+
+static struct dom_train doubles(const struct asked *a)
+{
+    struct dom_train t = dom_train_default();
+    t.s = (double)a->s;
+    t.r = (double)a->r;
+    t.d = (double)a->d;
+    t.q = (double)a->q;
+    t.fuel = a->fuel;
+    return t;
+}
+
+static void say(const char *what, const struct dom_train *t, bool pair, const struct dom_proof *p,
+                double r_max)
+{
+    print_error("%s: s %.17g d %.17g q %.17g fuel %d%s: proved %.17g ... %.17g, computed %.17g\n", what, t->s,
+                t->d, t->q, t->fuel, pair ? " pair" : "", p->low, p->high, r_max);
+}
+
+/* Is r_max refuted: the train goes on at every growth up to it and a little farther, or stops before it? */
+static bool refutes(const struct dom_proof *p, double r_max)
+{
+    return r_max < p->low * (1 - 1e-15) || r_max > p->high * (1 + 1e-15);
+}
+
+/* Compares one limit with its proof, to 1e-10, and to `tol` of what is computed. */
+static void compare(const struct asked *asked, bool pair, struct counts *c)
+{
+    const struct dom_train train = doubles(asked);
+    struct dom_compute compute = dom_compute_default();
+    struct dom_limit limit;
+    struct dom_proof proof;
+    compute.tol = 1e-10;
+    enum dom_status status = (pair ? dom_limit_pair : dom_limit_rmax)(&train, NULL, &limit);
+    if (status != DOM_OK)
+        return;
+    assert_status((pair ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof), DOM_OK);
+    c->brackets += proof.ends == DOM_PROVED_BARRIER;
+    c->reaches += proof.ends == DOM_PROVED_REACH;
+    c->none += proof.ends == DOM_PROVED_NONE;
+    c->partly += proof.ends == DOM_PROVED_PARTLY;
+    /* A limit beside the reach is within rounding of both ends. */
+    bool beside = (double)limit.r_max * train.s > 1 - 1e-12;
+    bool wrong = limit.ends == DOM_END_NONE ? proof.ends != DOM_PROVED_NONE && !isnan(proof.low) && !pair
+                                            : proof.ends == DOM_PROVED_NONE || refutes(&proof, limit.r_max);
+    if (limit.ends == DOM_END_BARRIER && !beside)
+        wrong = wrong || proof.ends == DOM_PROVED_REACH;
+    if (limit.ends == DOM_END_REACH && proof.ends == DOM_PROVED_BARRIER)
+        wrong = wrong || proof.high * train.s < 1 - 1e-12;
+    if (wrong && ++c->wrong)
+        say("not in what is proved", &train, pair, &proof, limit.r_max);
+    if (proof.ends != DOM_PROVED_BARRIER)
+        return;
+    double unit = pow(10, floor(log10(limit.r_max)) - 8);
+    if (proof.high - proof.low > 0.5 * unit)
+        return; /* rounding leaves less than nine digits */
+    if (refutes(&proof, limit.r_max + unit) && refutes(&proof, limit.r_max - unit))
+        c->refuted++;
+    else if (++c->wrong)
+        say("does not refute", &train, pair, &proof, limit.r_max);
+}
+
+static struct asked any_train(uint64_t *seed)
+{
+    struct asked train = asked_default();
+    train.d = random_log(seed, 1e-3, 0.75);
+    train.s = random_log(seed, 0.02, 1);
+    train.q = random_unit(seed) < 0.5 ? 3 + (random_unit(seed) < 0.5) : random_log(seed, 0.4, 6);
+    train.fuel = random_unit(seed) < 0.3 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+    return train;
+}
+
+static void limits_of_random_trains_lie_in_what_is_proved(void **state)
+{
+    (void)state;
+    uint64_t seed = 2026;
+    struct counts c = {0};
+    int trains = (int)ceil(200 * sweep_size());
+    for (int i = 0; i < trains; i++) {
+        struct asked train = any_train(&seed);
+        compare(&train, false, &c);
+        train.fuel = DOM_FUEL_EXACT;
+        if (i % 2 == 0)
+            compare(&train, true, &c);
+    }
+    print_message("# %d brackets, %d reaches, %d none, %d in part, %d refute a ninth digit\n", c.brackets,
+                  c.reaches, c.none, c.partly, c.refuted);
+    assert_int_equal(c.wrong, 0);
+    assert_true(c.refuted > trains / 3 && c.partly * 50 <= trains);
+}
+
+static void limits_of_hard_cases_lie_in_what_is_proved(void **state)
+{
+    (void)state;
+    struct counts c = {0};
+    int step = sweep_size() < 1 ? 4 : 1;
+    for (int i = 0; i < hard_cases_number; i += step) {
+        const struct hard_case *h = &hard_cases[i];
+        struct asked train = asked_default();
+        train.s = h->s;
+        train.d = h->d;
+        train.q = h->q;
+        train.fuel = h->paper ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+        if (!h->lengthy && h->s >= 0.001)
+            compare(&train, false, &c);
+    }
+    print_message("# %d brackets, %d reaches, %d none, %d in part\n", c.brackets, c.reaches, c.none,
+                  c.partly);
+    assert_int_equal(c.wrong, 0);
+    assert_true(c.brackets + c.reaches + c.none > 3 * c.partly);
+}
+
+/* A verdict that is proved is the computed one. */
+static void verdicts_agree(void **state)
+{
+    (void)state;
+    uint64_t seed = 88;
+    int goes = 0, stops = 0, open = 0, wrong = 0, trains = (int)ceil(150 * sweep_size());
+    for (int i = 0; i < trains; i++) {
+        struct asked asked = any_train(&seed);
+        asked.r = pow((double)asked.s, -0.8 * random_unit(&seed));
+        const struct dom_train train = doubles(&asked);
+        struct dom_barrier b;
+        struct dom_proof_cycle proof;
+        enum dom_status status = dom_barrier_find(&train, NULL, &b);
+        assert_status(dom_prove_cycle(&train, NULL, &proof), DOM_OK);
+        goes += proof.verdict == DOM_PROVED_GOES_ON;
+        stops += proof.verdict == DOM_PROVED_STOPS || proof.verdict == DOM_PROVED_NO_FUEL;
+        open += proof.verdict == DOM_PROVED_NOTHING;
+        bool agree = proof.verdict == DOM_PROVED_NOTHING ||
+                     (proof.verdict == DOM_PROVED_GOES_ON ? status == DOM_OK
+                      : proof.verdict == DOM_PROVED_STOPS ? status == DOM_STOPS
+                                                          : status == DOM_NO_FUEL);
+        /* Both enclosures have what is computed to 1e-12 of itself. */
+        if (status == DOM_OK && proof.verdict == DOM_PROVED_GOES_ON) {
+            double slack = 4e-12 * (b.kinetic + b.barrier);
+            agree = agree && b.kinetic >= proof.kinetic.low - slack &&
+                    b.kinetic <= proof.kinetic.high + slack && b.barrier >= proof.barrier.low - slack &&
+                    b.barrier <= proof.barrier.high + slack;
+        }
+        if (!agree && ++wrong)
+            print_error("s %.17g d %.17g q %.17g r %.17g fuel %d: %s, proved %d\n", train.s, train.d, train.q,
+                        train.r, train.fuel, dom_status_text(status), proof.verdict);
+    }
+    print_message("# %d go on, %d stop, %d are open\n", goes, stops, open);
+    assert_int_equal(wrong, 0);
+    assert_true(goes > trains / 5 && stops > trains / 5 && open * 50 <= trains);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(limits_of_random_trains_lie_in_what_is_proved),
+        cmocka_unit_test(limits_of_hard_cases_lie_in_what_is_proved),
+        cmocka_unit_test(verdicts_agree),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

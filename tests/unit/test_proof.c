@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The bounds of the proofs, one by one: this program compiles the sources of the proofs with a switch that
+ * puts a wrong bound in the place of a right one. With all bounds right every check holds; with any one wrong
+ * a check has to fail.
+ */
+#include "support.h"
+
+#define BOUNDS_OF_CHAINS(X) X(ROUND_UP) X(ROUND_DOWN) X(SINE) X(TOP_OF_ONE) X(DETACHED) X(CORNERS)
+#define BOUNDS_OF_RESTS(X)  X(CONTRACTION) X(REST_OF_T) X(REST_OF_FUEL) X(REST_OF_HEIGHT)
+#define BOUNDS(X)           BOUNDS_OF_CHAINS(X) BOUNDS_OF_RESTS(X) X(MEAN_VALUE_TILT) X(MEAN_VALUE_GROWTH)
+
+enum bound {
+    ALL_RIGHT,
+#define BOUND_ENUM(name) BREAK_##name,
+    BOUNDS(BOUND_ENUM)
+};
+
+static enum bound broken;
+
+#define PROOF_BOUND(name, right, wrong) (broken == BREAK_##name ? (wrong) : (right))
+
+/* NOLINTBEGIN(bugprone-suspicious-include): the sources themselves, with the switch. */
+#include "proof/chain.c"
+#include "proof/climb.c"
+#include "proof/cover.c"
+#include "proof/limit.c"
+#include "proof/power.c"
+#include "proof/rest.c"
+#include "proof/upright.c"
+/* NOLINTEND(bugprone-suspicious-include) */
+
+/* Is a value outside? NaN is no enclosure. */
+static int outside(struct span a, double value, double slack)
+{
+    return !(a.lo <= value + slack && a.hi >= value - slack);
+}
+
+/* Every operation encloses its exact result, which an fma compares with a bound: the compiler has kept every
+ * rounding. */
+static int arithmetic_wrong(void)
+{
+    uint64_t seed = 1;
+    int wrong = 0;
+    for (int k = 0; k < 2000; k++) {
+        double a = 1 + random_unit(&seed), b = 1 + random_unit(&seed);
+        struct span product = span_times(span_of(a), span_of(b)), ratio = span_over(span_of(a), span_of(b)),
+                    root = span_sqrt(span_of(a)), sum = span_add(span_of(a), span_of(b * 0x1p-9));
+        wrong += fma(a, b, -product.lo) < 0 || fma(a, b, -product.hi) > 0;
+        wrong += fma(ratio.lo, b, -a) > 0 || fma(ratio.hi, b, -a) < 0;
+        wrong += fma(root.lo, root.lo, -a) > 0 || fma(root.hi, root.hi, -a) < 0;
+        wrong += (sum.lo - a) - b * 0x1p-9 > 0 || (sum.hi - a) - b * 0x1p-9 < 0;
+        /* A tilt and its sine: x^2 = v (2 - v), exactly. */
+        double v = ldexp(floor(ldexp(b - 1, 20)) + 1, -20), exact = v * (2 - v);
+        struct span x = tilt_sine(span_of(v));
+        wrong += fma(x.lo, x.lo, -exact) > 0 || fma(x.hi, x.hi, -exact) < 0;
+    }
+    /* ln 2, ln 10, e and 2^0.5 to 20 digits are above the first double and below the second one. */
+    const struct {
+        struct span is;
+        double below;
+    } known[] = {{span_log(span_of(2)), 0x1.62e42fefa39efp-1},
+                 {span_log(span_of(10)), 0x1.26bb1bbb55515p+1},
+                 {span_exp(span_of(1)), 0x1.5bf0a8b145769p+1},
+                 {span_power(span_of(2), span_of(0.5)), 0x1.6a09e667f3bccp+0}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        wrong += known[k].is.lo > known[k].below || known[k].is.hi < nextafter(known[k].below, 10);
+        wrong += known[k].is.hi - known[k].is.lo > 1e-14;
+    }
+    return wrong;
+}
+
+/* What 25 digits say of single trains, with remainders that are as large as they may be, and small. */
+static int points_wrong(struct proof *proof)
+{
+    int wrong = 0;
+    struct csv *csv = csv_open("tests/reference/points.csv");
+    while (csv_next(csv)) {
+        double s = csv_number(csv, "s"), r = csv_number(csv, "r"), theta = csv_number(csv, "theta"),
+               J0 = csv_number(csv, "J0");
+        double w[2] = {csv_number(csv, "omega0sq_exact"), csv_number(csv, "omega0sq_paper")},
+               P[2] = {csv_number(csv, "fuel_exact"), csv_number(csv, "fuel_paper")},
+               sigma = 2 * sin(theta / 2);
+        for (int k = 0; k < 8; k++) {
+            struct shape shape = shape_make(s, csv_number(csv, "d"), csv_number(csv, "q"));
+            struct upright *u = &proof->point;
+            shape.paper = k % 2;
+            if (!upright_find(&shape, r, r, k < 2 ? 1e-17 : k < 4 ? 1e-9 : k < 6 ? 1e-5 : 1e-2, u))
+                return wrong + 1;
+            double slack = 4e-16 * (1 + J0);
+            struct span D = climb_find(u, sigma, sigma, false).height;
+            wrong += outside(u->fuel, P[k % 2], slack) + outside(u->inertia, J0 - 1, slack) +
+                     outside(u->kinetic, J0 * w[k % 2], slack) + outside(D, csv_number(csv, "dH"), slack);
+            if (k < 2 && s >= 0.1)
+                wrong += !(u->kinetic.hi - u->kinetic.lo < 1e-11 && D.hi - D.lo < 1e-11);
+        }
+    }
+    return wrong;
+}
+
+/* Boxes of tilts and growths contain what single tilts and growths in them have, and derivatives their
+ * differences. */
+static int boxes_wrong(struct proof *proof, bool paper, bool pair)
+{
+    uint64_t seed = 7;
+    int wrong = 0;
+    for (int k = 0; k < 300; k++) {
+        double s = 0.05 + 0.9 * random_unit(&seed), d = 0.02 + 0.3 * random_unit(&seed);
+        struct shape shape = shape_make(s, d, k % 2 ? 3 : 2 + 2 * random_unit(&seed));
+        double r[2], sigma[2], span = pow(10, -4 * random_unit(&seed));
+        shape.paper = paper;
+        shape.pair = pair;
+        r[0] = 1 + (1 / s - 1) * 0.95 * random_unit(&seed);
+        r[1] = r[0] + (0.99 / s - r[0]) * span;
+        if (r[1] <= r[0] || !upright_find(&shape, r[0], r[1], 1e-6, &proof->box))
+            continue;
+        double hit = upright_hit_below(&proof->box);
+        sigma[0] = hit * random_unit(&seed);
+        sigma[1] = sigma[0] + (hit - sigma[0]) * span;
+        struct climb box = climb_find(&proof->box, sigma[0], sigma[1], true);
+        struct span D[2][2], K[2];
+        for (int i = 0; i < 2; i++) {
+            if (!upright_find(&shape, r[i], r[i], 1e-15, &proof->point))
+                return wrong + 1;
+            K[i] = proof->point.kinetic;
+            wrong += !pair && (outside(proof->box.inertia, proof->point.inertia.lo, 1e-14) ||
+                               outside(proof->box.fuel, span_middle(proof->point.fuel), 1e-14));
+            wrong += outside(proof->box.kinetic, span_middle(K[i]), 1e-14);
+            for (int j = 0; j < 2; j++) {
+                D[i][j] = climb_find(&proof->point, sigma[j], sigma[j], false).height;
+                wrong += outside(box.height, D[i][j].lo, 0) || outside(box.height, D[i][j].hi, 1e-14);
+            }
+        }
+        double slack = 2e-14, by_tilt = (span_middle(D[0][1]) - span_middle(D[0][0])) / (sigma[1] - sigma[0]);
+        if (sigma[1] - sigma[0] > 1e-6)
+            wrong += outside(box.by_tilt, by_tilt, slack / (sigma[1] - sigma[0]));
+        double width = r[1] - r[0], by_r = (span_middle(D[1][0]) - span_middle(D[0][0])) / width;
+        if (width > 1e-6 && proof->box.by_r) {
+            wrong += outside(box.by_r, by_r, slack / width);
+            wrong += outside(proof->box.kinetic_by_r, (span_middle(K[1]) - span_middle(K[0])) / width,
+                             slack / width);
+        }
+    }
+    return wrong;
+}
+
+/* Is a growth that stops shown to go on, or one that goes on to stop? */
+static int verdicts_wrong(struct proof *proof)
+{
+    static const struct {
+        double s, d, q, low, high;
+        bool pair, goes_on;
+    } strip[] = {
+        {0.4, 7.0 / 48, 4, 1.65, 1.65, false, false},     {0.4, 7.0 / 48, 4, 1.6, 1.6443, false, false},
+        {0.4, 7.0 / 48, 4, 1.5, 1.501, false, true},      {0.53, 7.0 / 48, 3, 1.8866, 1.8866, false, false},
+        {0.2, 7.0 / 48, 3, 1.5548, 1.5549, false, false}, {0.1, 7.0 / 48, 3, 1.5, 1.7, true, false},
+        {0.1, 7.0 / 48, 0.65, 3.3, 3.6, true, false},
+    };
+    int wrong = 0;
+    for (size_t k = 0; k < sizeof strip / sizeof *strip; k++) {
+        proof->shape = shape_make(strip[k].s, strip[k].d, strip[k].q);
+        proof->shape.pair = strip[k].pair;
+        bool goes_on = proof_strip(proof, strip[k].low, strip[k].high) == OUTCOME_PROVED;
+        wrong += goes_on != strip[k].goes_on;
+        wrong += strip[k].goes_on && proof_stops(proof, strip[k].low, strip[k].high, 0.05);
+    }
+    return wrong;
+}
+
+/* The digits of the reference lie in what is proved, to 12 digits. */
+static int limits_wrong(struct proof *proof, const char *path, bool pair)
+{
+    int wrong = 0;
+    struct csv *csv = csv_open(path);
+    while (csv_next(csv)) {
+        double r_max = csv_number(csv, "r_max");
+        proof->shape =
+            shape_make(csv_number(csv, "s"), pair ? 7.0 / 48 : csv_number(csv, "d"), csv_number(csv, "q"));
+        proof->shape.pair = pair;
+        proof->shape.paper = !pair && strcmp(csv_text(csv, "fuel"), "paper") == 0;
+        struct limit_proof limit = limit_prove(proof, 1e-12);
+        bool reach = strcmp(csv_text(csv, "ends_by"), "reach") == 0;
+        wrong += reach ? limit.kind != LIMIT_REACH
+                       : limit.kind != LIMIT_BRACKET || !(limit.low <= r_max && r_max <= limit.high) ||
+                             limit.high - limit.low > 4e-12 * r_max;
+    }
+    return wrong;
+}
+
+static int all_wrong(struct proof *proof)
+{
+    int wrong = arithmetic_wrong();
+    wrong += points_wrong(proof);
+    wrong +=
+        boxes_wrong(proof, false, false) + boxes_wrong(proof, true, false) + boxes_wrong(proof, false, true);
+    return wrong + verdicts_wrong(proof);
+}
+
+static void every_bound_holds(void **state)
+{
+    (void)state;
+    struct proof proof;
+    struct shape shape = shape_make(0.4, 0.1, 3);
+    assert_true(proof_begin(&proof, &shape));
+    broken = ALL_RIGHT;
+    assert_int_equal(arithmetic_wrong(), 0);
+    assert_int_equal(points_wrong(&proof), 0);
+    for (int k = 0; k < 3; k++)
+        assert_int_equal(boxes_wrong(&proof, k == 1, k == 2), 0);
+    assert_int_equal(verdicts_wrong(&proof), 0);
+    proof_end(&proof);
+}
+
+static void limits_of_the_reference_lie_in_what_is_proved(void **state)
+{
+    (void)state;
+    struct proof proof;
+    struct shape shape = shape_make(0.4, 0.1, 3);
+    assert_true(proof_begin(&proof, &shape));
+    assert_int_equal(limits_wrong(&proof, "tests/reference/rmax.csv", false), 0);
+    assert_int_equal(limits_wrong(&proof, "tests/reference/pair.csv", true), 0);
+    proof_end(&proof);
+}
+
+static void each_wrong_bound_is_noticed(void **state)
+{
+    (void)state;
+    static const char *const name[] = {"none",
+#define BOUND_NAME(name) #name,
+                                       BOUNDS(BOUND_NAME)};
+    struct proof proof;
+    struct shape shape = shape_make(0.4, 0.1, 3);
+    int missed = 0;
+    assert_true(proof_begin(&proof, &shape));
+    for (int k = 1; k < (int)(sizeof name / sizeof *name); k++) {
+        broken = (enum bound)k;
+        int wrong = all_wrong(&proof);
+        if (wrong == 0)
+            print_error("%s is wrong, and nothing notices\n", name[k]);
+        missed += wrong == 0;
+    }
+    broken = ALL_RIGHT;
+    proof_end(&proof);
+    assert_int_equal(missed, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_bound_holds),
+        cmocka_unit_test(limits_of_the_reference_lie_in_what_is_proved),
+        cmocka_unit_test(each_wrong_bound_is_noticed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
