@@ -209,14 +209,14 @@ quad() { # COMMANDS KEY DIGITS
 
 @test "plot cost: text in a pipe, and each kind of file" {
     run -0 "$DOMINO" -e 'plot cost launch'
-    for words in 'What a digit costs' 'time of one answer' 'ours, quad' 'recipe'; do
+    for words in 'What accuracy costs' 'time of one answer' 'this program, quad' 'recipe'; do
         grep -q "$words" <<<"$output"
     done
     dir=$BATS_TEST_TMPDIR
     "$DOMINO" -e "plot cost launch > $dir/a.svg; plot cost launch > $dir/b.png; plot cost launch > $dir/c.pdf
 plot cost launch > $dir/d.txt"
     head -c 5 "$dir/a.svg" | grep -q '<?xml'
-    grep -q 'ours, double' "$dir/a.svg"
+    grep -q 'this program, double' "$dir/a.svg"
     same png '89504e470d0a1a0a' "$(head -c 8 "$dir/b.png" | od -An -tx1 | tr -d ' \n')"
     same pdf '%PDF-' "$(head -c 5 "$dir/c.pdf")"
     grep -q 'time of one answer' "$dir/d.txt"
@@ -238,7 +238,7 @@ plot cost launch > $dir/d.txt"
     same 'nothing is left' '(nothing)' "$(find "$dir" -maxdepth 1 -type f -name 'a.*')"
     run -1 "$DOMINO" -e 'plot cst launch'
     [[ $output == *"did you mean 'cost'?"* ]]
-    run -1 "$DOMINO" --safe -e 'plot cost launch'
+    run -1 "$DOMINO" --safe -e "plot cost launch > $dir/a.svg"
     [[ $output == *'files are off in a safe session'* ]]
 }
 

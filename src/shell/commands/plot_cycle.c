@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/tables.h"
+/* plot energy, omega, inertia, chain: one cycle with its events. */
+#include "commands/plots.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "picture/picture.h"
 
-enum { STEPS = 160, SAMPLES = STEPS + 1 + DOM_EVENTS_MAX, ROWS_MAX = 3 };
+enum { STEPS = 160, SAMPLES = STEPS + 1 + DOM_EVENTS_MAX };
 
 #define BEYOND_STOP 4
 
@@ -98,81 +99,57 @@ static bool samples_find(struct session *session, struct cycle_samples *c)
 
 /* ---- What these pictures have in common ---- */
 
-static double shown_angle(const struct session *session, domq_real theta)
+/* Begins a chart over the tilt of the head, with a line and a name for each event. */
+static struct chart cycle_chart(const struct session *session, const struct cycle_samples *c,
+                                const char *what)
 {
-    return (double)style_angle(&session->style, theta);
-}
-
-/* Writes a line and a name for each event; names that would overlap are placed above each other. */
-static void script_events(FILE *out, const struct session *session, const struct cycle_samples *c, bool text)
-{
-    double end = shown_angle(session, c->end);
-    domq_real last[ROWS_MAX] = {-1, -1, -1}, room = c->end / 7;
-    for (int k = 0; k < c->event_count; k++) {
-        const struct domq_event *e = &c->events[k];
-        double at = shown_angle(session, e->theta);
-        int row = 0;
-        while (row + 1 < ROWS_MAX && e->theta - last[row] < room && last[row] >= 0)
-            row++;
-        last[row] = e->theta;
-        fprintf(out, "set arrow from %.8g, graph 0 to %.8g, graph %g nohead lc rgb '#555555' lw 1 dt 3\n", at,
-                at, text ? 0.94 : 1.0);
-        const char *side = k == 0 ? "left" : k + 1 == c->event_count && at > 0.9 * end ? "right" : "center";
-        fprintf(out, "set label '%s' at %.8g, graph 1 %s offset 0,%g\n", dom_event_text(e->kind), at, side,
-                (text ? 1 : 0.7) + row);
-    }
-}
-
-static void script_cycle(const struct picture *picture, const struct session *session,
-                         const struct cycle_samples *c, const char *what)
-{
-    FILE *out = picture->script;
+    struct chart chart = chart_make();
     const struct domq_train *t = &session->train;
-    fprintf(out, "set title \"%s over a cycle: s = %.4g, r = %.4g, d = %.4g, q = %.4g\" offset 0,%d\n", what,
-            (double)t->s, (double)t->r, (double)t->d, (double)t->q, ROWS_MAX);
-    fprintf(out, "set xlabel 'tilt of the head, %s [%s]'\nset xrange [0:%.8g]\nset tmargin %d\n",
-            picture->theta, style_angle_unit(&session->style), shown_angle(session, c->end), ROWS_MAX + 3);
-    script_events(out, session, c, picture->text);
+    snprintf(chart.title, sizeof chart.title, "%s over a cycle: s = %.4g, r = %.4g, d = %.4g, q = %.4g", what,
+             (double)t->s, (double)t->r, (double)t->d, (double)t->q);
+    snprintf(chart.x.label, sizeof chart.x.label, "tilt of the head in %s",
+             style_angle_unit(&session->style));
+    chart.x.low = 0;
+    chart.x.high = plot_angle(session, c->end);
+    for (int k = 0; k < c->event_count; k++)
+        chart_event(&chart, plot_angle(session, c->events[k].theta), dom_event_text(c->events[k].kind));
+    return chart;
 }
 
 /* Draws a picture of the samples of a cycle; for programs, writes the rows of each. */
 static bool plot_samples(struct session *session, const struct call *call,
                          bool (*rows)(struct session *, struct cycle_samples *, const struct sample *,
                                       struct answer *),
-                         bool (*script)(const struct picture *, struct session *, struct cycle_samples *))
+                         bool (*draw)(struct session *, struct cycle_samples *))
 {
     static struct cycle_samples c;
-    struct picture picture;
     bool people = answer_for_people(call->answer);
-    if (people && !picture_begin(session, &picture))
+    if (people && !chart_ready(session))
         return false;
     bool good = samples_find(session, &c);
     for (int k = 0; k < c.count && good && !people; k++)
         good = rows(session, &c, &c.at[k], call->answer);
-    if (!people)
-        return good;
-    return picture_end(session, &picture, good && script(&picture, session, &c));
+    return good && (!people || draw(session, &c));
 }
 
 /* ---- Energy ---- */
 
-static bool energy_script(const struct picture *picture, struct session *session, struct cycle_samples *c)
+static bool energy_draw(struct session *session, struct cycle_samples *c)
 {
-    FILE *out = picture->script;
-    /* Text has no room beside an axis. */
-    script_cycle(picture, session, c, picture->text ? "Energy [m g h / 2]" : "Energy");
-    fprintf(out,
-            "set ylabel 'energy [m g h / 2]'\nset border 11\nset y2tics\nset xzeroaxis lt 6 lw 1 dt 1\n");
-    if (!picture->text) /* where it would hide the numbers; the legend says it, too */
-        fprintf(out, "set y2label 'inertia J'\n");
-    fprintf(out, "$cycle << END\n");
+    struct chart chart = cycle_chart(session, c, "Energy");
+    snprintf(chart.y.label, sizeof chart.y.label, "energy in m g h/2 of the head");
+    struct chart_curve *dH =
+        chart_curve(&chart, CHART_LINE, INK_BLUE, 0, "potential energy, from the launch on");
     for (int k = 0; k < c->count; k++)
-        fprintf(out, "%.8g %.8g %.8g %.8g\n", shown_angle(session, c->at[k].theta), (double)c->at[k].dH,
-                (double)(c->at[k].J * c->at[k].omegasq), (double)c->at[k].J);
-    fprintf(out, "END\nplot $cycle using 1:2 with lines lt 1 lw 3 title ' potential energy, dH', "
-                 "$cycle using 1:3 with lines lt 2 lw 3 title ' kinetic energy', "
-                 "$cycle using 1:4 axes x1y2 with linespoints lt 3 pi 20 title ' J (right)'\n");
-    return true;
+        chart_point(&chart, dH, plot_angle(session, c->at[k].theta), (double)c->at[k].dH);
+    struct chart_curve *kinetic = chart_curve(&chart, CHART_LINE, INK_RED, 1, "kinetic energy");
+    for (int k = 0; k < c->count; k++)
+        chart_point(&chart, kinetic, plot_angle(session, c->at[k].theta),
+                    (double)(c->at[k].J * c->at[k].omegasq));
+    struct chart_curve *zero = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "%s", "");
+    chart_point(&chart, zero, 0, 0);
+    chart_point(&chart, zero, chart.x.high, 0);
+    return chart_show(session, &chart);
 }
 
 static bool energy_row(struct session *session, struct cycle_samples *c, const struct sample *at,
@@ -185,26 +162,49 @@ static bool energy_row(struct session *session, struct cycle_samples *c, const s
 
 bool plot_energy(struct session *session, const struct call *call)
 {
-    return plot_samples(session, call, energy_row, energy_script);
+    return plot_samples(session, call, energy_row, energy_draw);
+}
+
+/* ---- Inertia ---- */
+
+static bool inertia_draw(struct session *session, struct cycle_samples *c)
+{
+    struct chart chart = cycle_chart(session, c, "Inertia");
+    snprintf(chart.y.label, sizeof chart.y.label, "inertia J of all that move, 1 for the head alone");
+    struct chart_curve *J = chart_curve(&chart, CHART_LINE, INK_BLUE, 0, "J (20; c2)");
+    for (int k = 0; k < c->count; k++)
+        chart_point(&chart, J, plot_angle(session, c->at[k].theta), (double)c->at[k].J);
+    return chart_show(session, &chart);
+}
+
+static bool inertia_row(struct session *session, struct cycle_samples *c, const struct sample *at,
+                        struct answer *answer)
+{
+    (void)session, (void)c;
+    return answer_cells(answer, cell_real(at->theta), cell_real(at->J), cell_word(at->event));
+}
+
+bool plot_inertia(struct session *session, const struct call *call)
+{
+    return plot_samples(session, call, inertia_row, inertia_draw);
 }
 
 /* ---- Angular velocity ---- */
 
-static bool omega_script(const struct picture *picture, struct session *session, struct cycle_samples *c)
+static bool omega_draw(struct session *session, struct cycle_samples *c)
 {
-    FILE *out = picture->script;
+    struct chart chart = cycle_chart(session, c, "Angular velocity");
     domq_real tau = domq_scale_tau(&session->scale, session->train.d);
-    script_cycle(picture, session, c, picture->text ? "Angular velocity [1/s]" : "Angular velocity");
-    fprintf(out, "set ylabel '%s [%s/s]'\nset yrange [0:*]\n$cycle << END\n", picture->omega,
-            style_angle_unit(&session->style));
+    snprintf(chart.y.label, sizeof chart.y.label, "angular velocity in %s/s",
+             style_angle_unit(&session->style));
+    chart.y.low = 0;
+    struct chart_curve *omega = chart_curve(&chart, CHART_LINE, INK_BLUE, 0,
+                                            "the head, %.4g mm tall; the next is sqrt(r) times slower",
+                                            (double)(1000 * session->scale.h));
     for (int k = 0; k < c->count; k++)
-        fprintf(out, "%.8g %.8g\n", shown_angle(session, c->at[k].theta),
-                shown_angle(session, quad(sqrt)(c->at[k].omegasq) / tau));
-    fprintf(out,
-            "END\nplot $cycle using 1:2 with lines lt 1 lw 3 "
-            "title ' of the head, h = %.4g mm; the next is sqrt(r) times slower'\n",
-            (double)(1000 * session->scale.h));
-    return true;
+        chart_point(&chart, omega, plot_angle(session, c->at[k].theta),
+                    plot_angle(session, quad(sqrt)(c->at[k].omegasq) / tau));
+    return chart_show(session, &chart);
 }
 
 static bool omega_row(struct session *session, struct cycle_samples *c, const struct sample *at,
@@ -218,7 +218,7 @@ static bool omega_row(struct session *session, struct cycle_samples *c, const st
 
 bool plot_omega(struct session *session, const struct call *call)
 {
-    return plot_samples(session, call, omega_row, omega_script);
+    return plot_samples(session, call, omega_row, omega_draw);
 }
 
 /* ---- Angles ---- */
@@ -283,33 +283,36 @@ static bool chain_rows(struct session *session, struct cycle_samples *c, const s
     return true;
 }
 
-static bool chain_script(const struct picture *picture, struct session *session, struct cycle_samples *c)
+static bool chain_draw(struct session *session, struct cycle_samples *c)
 {
-    FILE *out = picture->script;
+    static const enum ink inks[LINES] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE};
     struct angles a = {.count = 0};
-    script_cycle(picture, session, c, picture->text ? "Tilts theta_i" : "Tilts");
-    fprintf(out, "set ylabel 'tilt %s_i of domino i [%s]'\nset yrange [0:%.8g]\n$chain << END\n",
-            picture->theta, style_angle_unit(&session->style),
-            1.02 * shown_angle(session, c->angles.theta_f));
+    struct chart chart = cycle_chart(session, c, "Tilts");
+    struct chart_curve *line[LINES];
+    snprintf(chart.y.label, sizeof chart.y.label, "tilt of domino i in %s",
+             style_angle_unit(&session->style));
+    chart.y.low = 0;
+    chart.y.high = 1.04 * plot_angle(session, c->angles.theta_f);
     for (int k = 0; k < c->count; k++) {
-        if (!lines_at(session, c, c->at[k].theta, &a))
+        if (!lines_at(session, c, c->at[k].theta, &a)) {
+            chart_free(&chart);
             return false;
-        fprintf(out, "%.8g", shown_angle(session, c->at[k].theta));
-        for (int i = 0; i < c->lines; i++)
-            fprintf(out, " %.8g", shown_angle(session, a.theta[i]));
-        fprintf(out, "\n");
+        }
+        for (int i = 0; i < c->lines; i++) {
+            if (k == 0)
+                line[i] =
+                    chart_curve(&chart, CHART_LINE, inks[i], i, "i = %d%s", i, i == 0 ? ", the head" : "");
+            chart_point(&chart, line[i], plot_angle(session, c->at[k].theta),
+                        plot_angle(session, a.theta[i]));
+        }
     }
-    fprintf(out, "END\n");
-    fprintf(out, "plot ");
-    for (int i = 0; i < c->lines; i++)
-        fprintf(out, "$chain using 1:%d with lines lt %d lw 2.5 title ' i = %d%s', ", i + 2, i + 1, i,
-                i == 0 ? ", the head" : "");
-    fprintf(out, "%.8g with lines lt 6 lw 1 dt 3 title ' %s_f, the last'\n",
-            shown_angle(session, c->angles.theta_f), picture->theta);
-    return true;
+    struct chart_curve *last = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "the last");
+    chart_point(&chart, last, 0, plot_angle(session, c->angles.theta_f));
+    chart_point(&chart, last, chart.x.high, plot_angle(session, c->angles.theta_f));
+    return chart_show(session, &chart);
 }
 
 bool plot_chain(struct session *session, const struct call *call)
 {
-    return plot_samples(session, call, chain_rows, chain_script);
+    return plot_samples(session, call, chain_rows, chain_draw);
 }

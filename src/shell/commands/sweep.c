@@ -2,6 +2,7 @@
 /* sweep: the answers of a command over a grid of parameters and effects. */
 #include "answer/format.h"
 #include "commands/grid.h"
+#include "commands/plots.h"
 #include "commands/swept.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -29,7 +30,7 @@ static void sweep_free(void *own)
     free(s);
 }
 
-static bool sweep_read_grid(struct reader *r, struct call *call)
+bool sweep_read_grid(struct reader *r, struct call *call)
 {
     struct sweep *s = calloc(1, sizeof *s);
     if (!s)
@@ -44,7 +45,7 @@ static bool sweep_read_grid(struct reader *r, struct call *call)
                                               "'sweep s 0.1 0.9 9 : rmax'"));
 }
 
-static bool sweep_read_command(struct reader *r, struct call *call)
+bool sweep_read_command(struct reader *r, struct call *call)
 {
     struct session *session = r->session;
     struct sweep *s = call->own;
@@ -379,7 +380,7 @@ static bool sweep_rows(struct session *session, struct answer *a, struct sweeper
     return points_answer(session, a, &points, &by_point) || (by_point && sweep_error(session, w));
 }
 
-static bool run_sweep(struct session *session, const struct call *call)
+bool run_sweep(struct session *session, const struct call *call)
 {
     char renamed[AXES_MAX][RENAMED], where[256];
     long errors = session->errors;
@@ -399,28 +400,22 @@ static bool run_sweep(struct session *session, const struct call *call)
     return done;
 }
 
-/* The columns follow from the arguments. */
-static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
-
-const struct command sweep_commands[] = {
-    {.name = "sweep",
-     .synonyms = "loop batch table scan grid",
-     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID, .read = sweep_read_grid, .choices = grid_names},
-                  {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = sweep_read_command}},
-     .summary = "the answers of a command over a grid of any parameters",
-     .help =
-         "GRID has a part for each parameter or effect: NAME FROM TO N is N values in equal steps, NAME FROM "
-         "TO N log is N values with equal ratios, and NAME VALUE, VALUE, ... is a list. The first parameter "
-         "changes slowest. ANSWER is a command; its arguments are evaluated at each point, as in 'sweep s "
-         "0.1 0.9 9 : count 112 0.9*rmax'. A row has the values of the point, then the answer, which may "
-         "take several rows. For a point without an answer, csv and json give the reason. The parameters "
-         "of the session do not change. Points are computed on all cores ('set threads'); the rows are the "
-         "same bytes on any number of cores. 'domino --shard 2/7' gives the second of seven parts.",
-     .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
-     .see = "curve set effect",
-     .columns = sweep_answers,
-     .unswept = "name all parameters in one grid",
-     .rows = true,
-     .run = run_sweep},
-    {.name = NULL},
-};
+struct sweep_shape sweep_shape(const struct call *call)
+{
+    const struct sweep *s = call->own;
+    struct sweep_shape shape = {.axes = s->grid.axes, .command = s->command};
+    for (int i = 0; i < s->grid.axes && i < SWEEP_AXES; i++) {
+        const struct axis *axis = &s->grid.axis[i];
+        shape.axis[i] = (struct sweep_axis){.name = axis->parameter->name,
+                                            .unit = axis->parameter->value->unit,
+                                            .parameter = axis->parameter,
+                                            .count = axis->count,
+                                            .logarithmic = axis->logarithmic};
+    }
+    const char *arguments = skip_blanks(s->arguments), *end = text_end(arguments, ";>");
+    while (end > arguments && (end[-1] == ' ' || end[-1] == '\t'))
+        end--;
+    snprintf(shape.asked, sizeof shape.asked, "%s%s%.*s", s->command->name, end > arguments ? " " : "",
+             (int)(end - arguments), arguments);
+    return shape;
+}

@@ -44,11 +44,6 @@ const char *cycle_by(const void *context, int k);
 /* Returns how many cycles one picture can show: the first head can still be seen, and the film has an end. */
 int film_most(const struct session *session);
 
-/* Draw one cycle, with its events, for 'plot'; their columns are those of its table. */
-bool plot_energy(struct session *session, const struct call *call);
-bool plot_omega(struct session *session, const struct call *call);
-bool plot_chain(struct session *session, const struct call *call);
-
 /*
  * Writes the answer of 'placement' from what was counted: stops[k] of the rows ended at domino k + 1, of
  * `count`.  reason, unless NULL, says what is missing.

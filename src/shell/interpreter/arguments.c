@@ -191,8 +191,7 @@ static bool is_expression_topic(const char *word)
     return is_value_name(word) || names_exact(expression_units, NULL, word) >= 0;
 }
 
-/* One of the argument's names; what is none of them hears which there are. */
-static bool read_choice(struct reader *r, const struct argument *a, char **word, domq_real *number)
+bool read_choice(struct reader *r, const struct argument *a, char **word, domq_real *number)
 {
     char message[NAMES_MESSAGE] = NO_MEMORY, shown[NAMES_SHOWN], all[128] = "";
     *word = read_word(r, false);

@@ -34,6 +34,9 @@ char *read_file(struct reader *reader);
 bool read_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
                 domq_real *number);
 
+/* Reads one of the argument's names; a word that is none of them is an error with all names. */
+bool read_choice(struct reader *reader, const struct argument *argument, char **word, domq_real *number);
+
 /* An expression for an argument. */
 bool read_quantity(struct reader *reader, const struct argument *argument, struct quantity *quantity,
                    domq_real *number);

@@ -3,10 +3,11 @@
 #include <string.h>
 #include <strings.h>
 
-/* The fonts are what fontconfig and a browser take for 'sans': a bare Debian has one. */
-#define SVG "svg size 800,560 dynamic font 'sans,14' background rgb 'white'"
-#define PNG "pngcairo size 1000,700 font 'sans,13'"
-#define PDF "pdfcairo size 16cm,11cm font 'sans,11'"
+/* The font is what fontconfig or a browser takes for 'sans', which a bare Debian has; letters are large
+ * enough to be read where a telephone shrinks the picture. */
+#define SVG "svg size 720,540 dynamic font 'sans,17' background rgb 'white'"
+#define PNG "pngcairo size 960,720 font 'sans,17'"
+#define PDF "pdfcairo size 16cm,12cm font 'sans,11'"
 
 #define ENDING_OF_FORMAT(name) {"." #name, ENDING_DATA, &format_##name, NULL},
 #define FOREIGN(text)                                                                                        \

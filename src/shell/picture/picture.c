@@ -29,7 +29,7 @@ void picture_room(const struct session *session, int *width, int *height)
 }
 
 /* Returns true if one of the folders of PATH has a gnuplot. */
-static bool gnuplot_there(void)
+bool picture_possible(void)
 {
     const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
     char path[4096];
@@ -42,15 +42,30 @@ static bool gnuplot_there(void)
     return false;
 }
 
+static bool gnuplot_ready(struct session *session)
+{
+    return picture_possible() ||
+           session_error(session, "pictures need gnuplot, which is not installed: 'apt install "
+                                  "gnuplot-nox'; 'set output csv' gives the data");
+}
+
+bool picture_ready(struct session *session)
+{
+    char shown[NAMES_SHOWN];
+    if (session->appended)
+        return session_error(session, "'%s' holds one picture: '>' draws it anew, '>>' cannot add another",
+                             names_shown(session->redirected, shown));
+    return gnuplot_ready(session);
+}
+
 /* The script up to what every picture has in common. */
 static bool script_begin(struct session *session, struct picture *picture, const char *terminal)
 {
     /* Lines also differ by their points and dashes, for print and for colour-blind readers. */
     static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555"};
     static const int points[] = {1, 2, 6, 4, 8, 10};
-    if (!gnuplot_there())
-        return session_error(session, "pictures need gnuplot, which is not installed: 'apt install "
-                                      "gnuplot-nox'; 'set output csv' gives the data");
+    if (!gnuplot_ready(session))
+        return false;
     picture->script = tmpfile();
     if (!picture->script)
         return session_error(session, "cannot draw: %s", strerror(errno));
@@ -68,22 +83,26 @@ static bool script_begin(struct session *session, struct picture *picture, const
 
 bool picture_begin(struct session *session, struct picture *picture)
 {
-    char shown[NAMES_SHOWN], terminal[128];
-    const char *path = session->redirected;
+    char terminal[128];
     bool text = picture_is_text(session);
     int width, height;
-    if (!text && session->appended)
-        return session_error(session, "'%s' holds one picture: '>' draws it anew, '>>' cannot add another",
-                             names_shown(path, shown));
+    if (!text && !picture_ready(session))
+        return false;
     picture_room(session, &width, &height);
     if (text)
         snprintf(terminal, sizeof terminal, "dumb size %d,%d noenhanced", width, height);
     else
-        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(path)->terminal);
+        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(session->redirected)->terminal);
     *picture = (struct picture){.out = session->out,
                                 .text = text,
                                 .theta = text ? "theta" : "\u03b8",
                                 .omega = text ? "omega" : "\u03c9"};
+    return script_begin(session, picture, terminal);
+}
+
+bool picture_on(struct session *session, struct picture *picture, FILE *out, const char *terminal)
+{
+    *picture = (struct picture){.out = out, .theta = "\u03b8", .omega = "\u03c9"};
     return script_begin(session, picture, terminal);
 }
 

@@ -16,6 +16,12 @@ struct picture {
     const char *theta, *omega; /* as its letters can show them */
 };
 
+/* Returns true if there is a gnuplot. */
+bool picture_possible(void);
+
+/* Reports an error if the file behind '>' cannot take a picture: without gnuplot, or behind '>>'. */
+bool picture_ready(struct session *session);
+
 /* Begins a picture. Returns false after an error, which also reports that gnuplot is missing, before any work
  * is done. */
 bool picture_begin(struct session *session, struct picture *picture);
@@ -23,6 +29,9 @@ bool picture_begin(struct session *session, struct picture *picture);
 /* The same for an animation of width x height dots, a plot command each frame, in hundredths of a second. */
 bool picture_animation(struct session *session, struct picture *picture, FILE *out, int width, int height,
                        int delay);
+
+/* The same for a picture on a stream, by a terminal of gnuplot with its options. */
+bool picture_on(struct session *session, struct picture *picture, FILE *out, const char *terminal);
 
 /* Closes; draws, if the script is whole.  False: it is not, or an error was reported. */
 bool picture_end(struct session *session, struct picture *picture, bool whole);

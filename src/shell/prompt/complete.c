@@ -85,6 +85,16 @@ static const char *swept_names(const void *context, int k)
     return NULL;
 }
 
+/* Returns the candidates for the n-th word after a choice that decides them. */
+static struct offer offer_behind(const struct command *c, const char *choice, int n)
+{
+    char message[NAMES_MESSAGE];
+    struct argument a = c->argument[1];
+    int k = names_find(c->argument[0].choices, NULL, c->argument[0].of, choice, message);
+    a.choices = k < 0 ? NULL : a.offers(k, n);
+    return a.choices ? offer_for(&a, NULL, n == 1) : (struct offer){.lists = 0};
+}
+
 /* Returns the candidates that the words before the last one ask for. swept: the line is the part after the
  * ':' of a sweep. */
 static struct offer offer_at(const char *line, size_t length, bool swept)
@@ -92,7 +102,7 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
     struct offer offer = {.lists = 0};
     const struct command *c = NULL;
     const struct parameter *p = NULL;
-    char word[64], last[64] = "", message[NAMES_MESSAGE];
+    char word[64], last[64] = "", choice[64] = "", message[NAMES_MESSAGE];
     int words = 0;
     for (size_t i = 0; i < length;) {
         size_t n = strcspn(line + i, " \t");
@@ -110,11 +120,15 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
             int k = names_find(c->argument[0].choices, NULL, "parameter", word, message);
             p = k < 0 ? NULL : parameter_find(c->argument[0].choices(NULL, k));
         }
+        if (words == 1)
+            memcpy(choice, word, sizeof choice);
         memcpy(last, word, sizeof last);
         words++;
     }
     if (words == 0)
         offer_list(&offer, swept ? swept_names : command_names, NULL);
+    else if (c && words > 1 && c->argument[1].offers)
+        offer = offer_behind(c, choice, words - 1);
     else if (c && c->argument[0].kind == ARGUMENT_GRID)
         offer = offer_for(&c->argument[0], NULL, words == 1); /* as long as it may be */
     else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_VALUE && words > 2)
@@ -150,7 +164,7 @@ static const char *swept_command(const char *line)
     snprintf(name, sizeof name, "%.*s", (int)strcspn(line, " \t:"), line);
     int k = colon && *name ? names_find(command_names, NULL, "command", name, message) : -1;
     const struct command *c = k < 0 ? NULL : command_find(command_names(NULL, k));
-    if (!c || c->argument[0].kind != ARGUMENT_GRID)
+    if (!c || (c->argument[0].kind != ARGUMENT_GRID && c->argument[1].kind != ARGUMENT_GRID))
         return line;
     return colon + 1 + strspn(colon + 1, " \t");
 }

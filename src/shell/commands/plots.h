@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The pictures of 'plot': each gives its data where programs read, and draws it where people do. */
+#ifndef SHELL_PLOTS_H
+#define SHELL_PLOTS_H
+
+#include "interpreter/arguments.h"
+#include "picture/chart.h"
+
+/* A picture draws for people, and answers its data to programs; false: an error was reported. */
+typedef bool plot_run(struct session *session, const struct call *call);
+plot_run plot_energy, plot_omega, plot_inertia, plot_chain; /* over a cycle */
+plot_run plot_growth, plot_marginal;                        /* limits over s */
+plot_run plot_cost;
+plot_run plot_fall, plot_speed, plot_gaps; /* along a row */
+plot_run plot_placement;
+plot_run plot_sweep; /* of the arguments that sweep_arguments has read */
+
+/* Reads the grid and the command of a sweep: behind 'sweep' itself, and behind 'plot sweep'. */
+bool sweep_read_grid(struct reader *reader, struct call *call);
+bool sweep_read_command(struct reader *reader, struct call *call);
+
+/* A sweep as its picture sees it. */
+struct sweep_axis {
+    const char *name, *unit;
+    const struct parameter *parameter;
+    size_t count;
+    bool logarithmic;
+};
+enum { SWEEP_AXES = 2 };
+struct sweep_shape {
+    int axes;
+    struct sweep_axis axis[SWEEP_AXES]; /* of the first two */
+    const struct command *command;
+    char asked[96]; /* the command with its arguments, as typed */
+};
+struct sweep_shape sweep_shape(const struct call *call);
+bool run_sweep(struct session *session, const struct call *call);
+
+/* Returns a unit for lengths up to this one, and what one of it is in m. */
+const char *plot_length(double longest, double *metres);
+
+/* Returns the angle unit of the session's answers, and a tilt in it. */
+double plot_angle(const struct session *session, domq_real theta);
+
+#endif

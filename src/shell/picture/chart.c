@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/chart.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The data ---- */
+
+struct chart chart_make(void)
+{
+    const struct chart_axis axis = {.low = (double)NAN, .high = (double)NAN};
+    return (struct chart){.x = axis, .y = axis};
+}
+
+void chart_free(struct chart *c)
+{
+    for (int k = 0; k < c->curves; k++)
+        free(c->curve[k].point);
+    free(c->map.value);
+    c->curves = 0;
+    c->map.value = NULL;
+}
+
+struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink ink, int dash,
+                                const char *format, ...)
+{
+    va_list arguments;
+    c->curves -= c->curves == CHART_CURVES; /* no caller has more; the last one would be written over */
+    struct chart_curve *curve = &c->curve[c->curves++];
+    *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
+    va_start(arguments, format);
+    vsnprintf(curve->title, sizeof curve->title, format, arguments);
+    va_end(arguments);
+    return curve;
+}
+
+void chart_range(struct chart *c, struct chart_curve *curve, double x, double y, double low, double high)
+{
+    if (curve->count == curve->room) {
+        size_t room = 2 * curve->room + 16;
+        struct chart_point *more = realloc(curve->point, room * sizeof *more);
+        c->failed = c->failed || !more;
+        if (!more)
+            return;
+        curve->point = more;
+        curve->room = room;
+    }
+    curve->point[curve->count++] = (struct chart_point){x, y, low, high};
+}
+
+void chart_point(struct chart *c, struct chart_curve *curve, double x, double y)
+{
+    chart_range(c, curve, x, y, (double)NAN, (double)NAN);
+}
+
+void chart_event(struct chart *c, double x, const char *name)
+{
+    if (c->events == CHART_EVENTS)
+        return;
+    struct chart_event *e = &c->event[c->events++];
+    e->x = x;
+    snprintf(e->name, sizeof e->name, "%s", name);
+}
+
+/* ---- Axes ---- */
+
+static void axis_include(const struct chart_axis *axis, double value, double *low, double *high)
+{
+    if (!isfinite(value) || (axis->logarithmic && value <= 0))
+        return;
+    *low = fmin(*low, value);
+    *high = fmax(*high, value);
+}
+
+/* Sets the ends that are NaN; pad: leaves room above and below, as a share of what there is. */
+static void axis_fit(struct chart_axis *a, double low, double high, double pad)
+{
+    if (!(low <= high)) { /* nothing is there to be seen */
+        low = a->logarithmic ? 0.1 : 0;
+        high = 1;
+    }
+    if (a->logarithmic) {
+        double more = fmax(pow(high / low, pad), 1.05);
+        low /= more;
+        high *= more;
+    } else {
+        double more = high > low ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
+        low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
+        high += more;
+    }
+    a->low = isnan(a->low) ? low : a->low;
+    a->high = isnan(a->high) ? high : a->high;
+    if (!(a->high > a->low))
+        a->high = a->low + (a->logarithmic ? a->low : 1);
+}
+
+void chart_fit(struct chart *c)
+{
+    double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL, aside = 0;
+    for (int k = 0; k < c->curves; k++)
+        for (size_t i = 0; i < c->curve[k].count; i++) {
+            const struct chart_point *p = &c->curve[k].point[i];
+            bool beside = c->curve[k].kind == CHART_BARS || c->curve[k].kind == CHART_RANGES;
+            axis_include(&c->x, p->x, &x0, &x1);
+            axis_include(&c->y, p->y, &y0, &y1);
+            axis_include(&c->y, p->low, &y0, &y1);
+            axis_include(&c->y, p->high, &y0, &y1);
+            aside = beside ? 0.6 : aside; /* of a bar, half; and a little */
+        }
+    if (c->map.value) {
+        const struct chart_map *m = &c->map;
+        double dx = m->across > 1 ? (m->x1 - m->x0) / (m->across - 1) / 2 : 0.5;
+        double dy = m->down > 1 ? (m->y1 - m->y0) / (m->down - 1) / 2 : 0.5;
+        c->x.low = c->x.logarithmic ? pow(10, m->x0 - dx) : m->x0 - dx;
+        c->x.high = c->x.logarithmic ? pow(10, m->x1 + dx) : m->x1 + dx;
+        c->y.low = c->y.logarithmic ? pow(10, m->y0 - dy) : m->y0 - dy;
+        c->y.high = c->y.logarithmic ? pow(10, m->y1 + dy) : m->y1 + dy;
+    }
+    axis_fit(&c->x, x0 - aside, x1 + aside, 0);
+    axis_fit(&c->y, y0, y1, 0.06);
+}
+
+double axis_place(const struct chart_axis *a, double value)
+{
+    if (a->logarithmic)
+        return value > 0 ? log(value / a->low) / log(a->high / a->low) : value == 0 ? -1 : (double)NAN;
+    return (value - a->low) / (a->high - a->low);
+}
+
+/* Writes the multiples of a step of 1, 2 or 5 and zeros. */
+static int ticks_even(const struct chart_axis *a, int most, double tick[TICKS])
+{
+    double least = (a->high - a->low) / most, ten = pow(10, floor(log10(least))), step = ten;
+    for (int k = 0; step < least * (1 - 1e-9) || (a->whole && step < 1); k++)
+        step = ten * (k % 3 == 0 ? 2 : k % 3 == 1 ? 5 : 10) * pow(10, k / 3);
+    int n = 0;
+    double first = ceil(a->low / step - 1e-9);
+    for (double k = first; k * step <= a->high + 1e-9 * step && n < TICKS; k++)
+        tick[n++] = k == 0 ? 0 : k * step;
+    return n;
+}
+
+int axis_ticks(const struct chart_axis *a, int most, double tick[TICKS])
+{
+    static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}}; /* of each decade: coarse to fine */
+    double decades = a->logarithmic ? log10(a->high / a->low) : 0;
+    most = most < TICKS ? most : TICKS;
+    if (decades < 0.8) /* a short piece of a logarithm is nearly even */
+        return ticks_even(a, most, tick);
+    int low = (int)floor(log10(a->low)), high = (int)ceil(log10(a->high)), n = 0;
+    int fine = 2, step = 1 + (int)(decades / most);
+    while (fine > 0 && (fine + 1) * decades > fmax(most, 4))
+        fine--;
+    for (int ten = low; ten <= high; ten += step)
+        for (int k = 0; k <= fine && n < TICKS; k++) {
+            double value = parts[fine][k] * pow(10, ten);
+            if (value >= a->low * (1 - 1e-9) && value <= a->high * (1 + 1e-9))
+                tick[n++] = value;
+        }
+    return n;
+}

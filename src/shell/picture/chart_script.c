@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Charts as scripts of gnuplot. */
+#include "picture/chart.h"
+#include <math.h>
+#include <string.h>
+
+/* Writes text between single quotes, where gnuplot takes every letter as it is. */
+static void quoted(FILE *out, const char *text)
+{
+    putc('\'', out);
+    for (; *text; text++)
+        fputs(*text == '\'' ? "''" : (char[]){*text, '\0'}, out);
+    putc('\'', out);
+}
+
+static void setting(FILE *out, const char *name, const char *text, const char *more)
+{
+    fprintf(out, "set %s ", name);
+    quoted(out, text);
+    fprintf(out, " noenhanced%s\n", more);
+}
+
+static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
+{
+    double tick[TICKS];
+    int n = axis_ticks(a, a->whole ? 20 : 9, tick);
+    char label[8];
+    snprintf(label, sizeof label, "%slabel", name);
+    setting(out, label, a->label, "");
+    if (a->logarithmic)
+        fprintf(out, "set logscale %s\n", name);
+    fprintf(out, "set %srange [%.10g:%.10g]\nset %stics (", name, a->low, a->high, name);
+    for (int k = 0; k < n; k++)
+        fprintf(out, "%s'%.6g' %.10g", k ? ", " : "", tick[k], tick[k]);
+    fprintf(out, ")\n");
+}
+
+/* Writes the title, and below it the note in lines of a width that fits. */
+static void title_script(const struct chart *c, FILE *out)
+{
+    enum { WIDTH = 72 };
+    fprintf(out, "set title \"");
+    int column = 0;
+    for (const char *part[] = {c->title, c->note, NULL}, **p = part; *p; p++) {
+        for (const char *at = *p; *at; at++) {
+            bool breaks = *at == ' ' && column + (int)strcspn(at + 1, " ") > WIDTH;
+            if (breaks)
+                fputs("\\n", out);
+            else
+                fprintf(out, *at == '"' || *at == '\\' ? "\\%c" : "%c", *at);
+            column = breaks ? 0 : column + 1;
+        }
+        if (p == part && *c->note)
+            fputs("\\n", out);
+        column = 0;
+    }
+    fprintf(out, "\" noenhanced%s\n", c->events ? " offset 0,2" : "");
+    if (c->events)
+        fprintf(out, "set tmargin %d\n", *c->note ? 6 : 5);
+}
+
+/* Draws vertical lines; names that would meet stand above each other. */
+static void events_script(const struct chart *c, FILE *out)
+{
+    enum { ROWS = 2 };
+    double last[ROWS] = {-1, -1};
+    for (int k = 0; k < c->events; k++) {
+        const struct chart_event *e = &c->event[k];
+        double place = axis_place(&c->x, e->x);
+        int row = last[0] >= 0 && place - last[0] < 0.16 ? 1 : 0;
+        last[row] = place;
+        fprintf(out, "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n",
+                e->x, e->x);
+        fprintf(out, "set label ");
+        quoted(out, e->name);
+        fprintf(out, " noenhanced at %.10g, graph 1 %s offset 0,%g\n", e->x,
+                place < 0.05   ? "left"
+                : place > 0.92 ? "right"
+                               : "center",
+                0.6 + row);
+    }
+}
+
+/* A number of a row of data; gnuplot reads NaN as what is missing. */
+static const char *number(double value, char text[32])
+{
+    if (isfinite(value))
+        snprintf(text, 32, "%.8g", value);
+    else
+        snprintf(text, 32, "NaN");
+    return text;
+}
+
+static void points_script(const struct chart *c, int k, FILE *out)
+{
+    char text[4][32];
+    const struct chart_curve *curve = &c->curve[k];
+    fprintf(out, "$curve%d << END\n", k);
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct chart_point *p = &curve->point[i];
+        fprintf(out, "%s %s %s %s\n", number(p->x, text[0]), number(p->y, text[1]), number(p->low, text[2]),
+                number(p->high, text[3]));
+    }
+    if (curve->count == 0)
+        fprintf(out, "NaN NaN NaN NaN\n");
+    fprintf(out, "END\n");
+}
+
+static void map_points(const struct chart *c, FILE *out)
+{
+    char text[32];
+    const struct chart_map *m = &c->map;
+    double dx = m->across > 1 ? (m->x1 - m->x0) / (m->across - 1) : 1;
+    double dy = m->down > 1 ? (m->y1 - m->y0) / (m->down - 1) : 1;
+    bool image = !c->x.logarithmic && !c->y.logarithmic; /* needs every point, NaN too */
+    fprintf(out, "$map << END\n");
+    for (int k = 0; k < m->down; k++)
+        for (int i = 0; i < m->across; i++) {
+            /* Boxes overlap a little: between edges that only meet, the ground shines through. */
+            double x[2] = {m->x0 + (i - 0.5) * dx, m->x0 + (i + (i + 1 < m->across ? 0.55 : 0.5)) * dx};
+            double y[2] = {m->y0 + (k - 0.5) * dy, m->y0 + (k + (k + 1 < m->down ? 0.55 : 0.5)) * dy};
+            for (int side = 0; side < 2; side++) {
+                x[side] = c->x.logarithmic ? pow(10, x[side]) : x[side];
+                y[side] = c->y.logarithmic ? pow(10, y[side]) : y[side];
+            }
+            if (image) /* takes the middles */
+                fprintf(out, "%.8g %.8g %s\n", m->x0 + i * dx, m->y0 + k * dy,
+                        number(m->value[k * m->across + i], text));
+            else if (isfinite(m->value[k * m->across + i]))
+                fprintf(out, "%.8g %.8g %.8g %.8g %s\n", x[0], x[1], y[0], y[1],
+                        number(m->value[k * m->across + i], text));
+        }
+    fprintf(out, "END\nset palette defined (");
+    for (int k = 0; k <= 8; k++) {
+        int rgb[3];
+        shade_colour(k / 8.0, rgb);
+        fprintf(out, "%s%d '#%02x%02x%02x'", k ? ", " : "", k, (unsigned)rgb[0], (unsigned)rgb[1],
+                (unsigned)rgb[2]);
+    }
+    fprintf(out, ")\nunset grid\nunset key\n");
+    setting(out, "cblabel", m->label, "");
+}
+
+static void style_script(const struct chart_curve *curve, FILE *out)
+{
+    static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
+    const char *colour = ink_colour(curve->ink);
+    double lw = curve->ink == INK_GREY ? 1.5 : 2.5;
+    switch (curve->kind) {
+    case CHART_LINE:
+        fprintf(out, "using 1:2 with lines lc rgb '%s' lw %g dt %d", colour, lw, curve->dash + 1);
+        break;
+    case CHART_MARKED:
+        fprintf(out, "using 1:2 with linespoints lc rgb '%s' lw %g dt %d pt %d ps 0.8", colour, lw,
+                curve->dash + 1, points[curve->ink]);
+        break;
+    case CHART_STEPS:
+        fprintf(out, "using 1:2 with steps lc rgb '%s' lw %g dt %d", colour, lw, curve->dash + 1);
+        break;
+    case CHART_POINTS:
+        fprintf(out, "using 1:2 with points lc rgb '%s' pt %d ps 1.3 lw 1.5", colour, points[curve->ink]);
+        break;
+    case CHART_BARS:
+        fprintf(out, "using 1:2:(0.75) with boxes fs solid %s lc rgb '%s' dt 1",
+                curve->ink == INK_RED    ? "1 border lc rgb 'black'"
+                : curve->ink == INK_GREY ? "0.25 noborder"
+                                         : "0.8 noborder",
+                colour);
+        break;
+    case CHART_RANGES:
+        fprintf(out, "using 1:3:3:4 with yerrorbars pt -1 lc rgb '%s' lw 4", colour);
+        break;
+    case CHART_BOTH:
+        fprintf(out, "using 1:2:3:4 with yerrorlines pt %d lc rgb '%s' lw %g dt %d", points[curve->ink],
+                colour, lw, curve->dash + 1);
+        break;
+    }
+    if (*curve->title) {
+        fprintf(out, " title ");
+        quoted(out, curve->title);
+    } else {
+        fprintf(out, " notitle");
+    }
+}
+
+void chart_script(const struct chart *c, FILE *out)
+{
+    title_script(c, out);
+    fprintf(out, "set key noenhanced\nset style fill noborder\n");
+    axis_script(out, &c->x, "x");
+    axis_script(out, &c->y, "y");
+    events_script(c, out);
+    for (int k = 0; k < c->curves; k++)
+        points_script(c, k, out);
+    if (c->map.value)
+        map_points(c, out);
+    const char *between = "plot ";
+    if (c->map.value && !c->x.logarithmic && !c->y.logarithmic) {
+        fprintf(out, "plot $map using 1:2:3 with image notitle");
+        between = ", ";
+    } else if (c->map.value) {
+        fprintf(out, "plot $map using (($1+$2)/2):(($3+$4)/2):1:2:3:4:5 with boxxyerror fs solid noborder "
+                     "lc palette z notitle");
+        between = ", ";
+    }
+    for (int k = 0; k < c->curves; k++) {
+        fprintf(out, "%s$curve%d ", between, k);
+        style_script(&c->curve[k], out);
+        between = ", ";
+    }
+    fprintf(out, "\n");
+}

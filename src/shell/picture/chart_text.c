@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Charts in characters: title, axes, curves, legend. */
+#include "answer/output.h"
+#include "io/terminal.h"
+#include "picture/chart.h"
+#include <math.h>
+#include <string.h>
+
+enum { LABEL = 24, LEGEND_APART = 3 };
+
+/* The part of the canvas between the axes, in cells; bottom is the row of the axis. */
+struct frame {
+    struct canvas *canvas;
+    const struct chart *chart;
+    int left, top, right, bottom;
+};
+
+static bool has_line(enum chart_kind kind)
+{
+    return kind == CHART_LINE || kind == CHART_STEPS || kind == CHART_MARKED || kind == CHART_BOTH;
+}
+
+static bool has_points(enum chart_kind kind)
+{
+    return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
+}
+
+/* ---- From values to dots ---- */
+
+static double dot_x(const struct frame *f, double x)
+{
+    int across = f->canvas->across;
+    return f->left * across + axis_place(&f->chart->x, x) * ((f->right - f->left) * across - 1) + 0.5;
+}
+
+static double dot_y(const struct frame *f, double y)
+{
+    int down = f->canvas->down;
+    return f->top * down + (1 - axis_place(&f->chart->y, y)) * ((f->bottom - f->top) * down - 1) + 0.5;
+}
+
+static double clamp(double value, double low, double high)
+{
+    return fmin(fmax(value, low), high);
+}
+
+/* Cuts [*from, *to], parts of a line, to where a + part * change is in [low, high]. */
+static void clip(double a, double change, double low, double high, double *from, double *to)
+{
+    double first = (low - a) / change, last = (high - a) / change;
+    if (change == 0) {
+        *to = a >= low && a <= high ? *to : -1;
+        return;
+    }
+    *from = fmax(*from, fmin(first, last));
+    *to = fmin(*to, fmax(first, last));
+}
+
+/* Draws a line, as far as it is between the axes. */
+static void line_draw(const struct frame *f, double x0, double y0, double x1, double y1,
+                      const struct chart_curve *curve, int *phase)
+{
+    const struct canvas *c = f->canvas;
+    double from = 0, to = 1, dx = x1 - x0, dy = y1 - y0;
+    clip(x0, dx, f->left * c->across, f->right * c->across - 0.01, &from, &to);
+    clip(y0, dy, f->top * c->down, f->bottom * c->down - 0.01, &from, &to);
+    if (from <= to)
+        canvas_line(f->canvas, x0 + from * dx, y0 + from * dy, x0 + to * dx, y0 + to * dy, curve->ink,
+                    curve->dash, phase);
+}
+
+static void point_draw(const struct frame *f, double x, double y, enum ink ink)
+{
+    double px = axis_place(&f->chart->x, x), py = axis_place(&f->chart->y, y);
+    if (!(px >= -1e-9 && px <= 1 + 1e-9 && py >= -1e-9 && py <= 1 + 1e-9))
+        return;
+    int dot[] = {(int)dot_x(f, x), (int)dot_y(f, y)};
+    if (f->canvas->look.braille)
+        canvas_text(f->canvas, dot[0] / f->canvas->across, dot[1] / f->canvas->down, "●", ink);
+    else
+        canvas_dot(f->canvas, dot[0], dot[1], ink);
+}
+
+static void curve_draw(const struct frame *f, const struct chart_curve *curve)
+{
+    int phase = 0;
+    for (size_t i = 0; i + 1 < curve->count; i++) {
+        const struct chart_point *a = &curve->point[i], *b = a + 1;
+        double x0 = dot_x(f, a->x), y0 = dot_y(f, a->y), x1 = dot_x(f, b->x), y1 = dot_y(f, b->y);
+        bool steps = curve->kind == CHART_STEPS;
+        if (isnan(x0 + y0 + x1) || (isnan(y1) && !steps))
+            continue;
+        line_draw(f, x0, y0, x1, steps ? y0 : y1, curve, &phase);
+        if (steps && !isnan(y1))
+            line_draw(f, x1, y0, x1, y1, curve, &phase);
+    }
+}
+
+static void ranges_draw(const struct frame *f, const struct chart_curve *curve)
+{
+    const struct canvas *c = f->canvas;
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct chart_point *p = &curve->point[i];
+        double x = dot_x(f, p->x), low = f->top * c->down, high = f->bottom * c->down - 1;
+        double y0 = clamp(dot_y(f, p->low), low, high), y1 = clamp(dot_y(f, p->high), low, high);
+        int phase = 0;
+        if (isnan(p->low) || isnan(p->high) || isnan(x))
+            continue;
+        for (int row = (int)y1; row <= (int)y0 && !c->look.braille; row++)
+            canvas_text(f->canvas, (int)x, row, "|", curve->ink);
+        if (!c->look.braille)
+            continue;
+        canvas_line(f->canvas, x, y0, x, y1, curve->ink, 0, &phase);
+        for (int k = -1; k <= 1; k++) {
+            canvas_dot(f->canvas, (int)x + k, (int)y0, curve->ink);
+            canvas_dot(f->canvas, (int)x + k, (int)y1, curve->ink);
+        }
+    }
+}
+
+/* Returns what a bar is made of without blocks. */
+static const char *bar_letter(enum ink ink)
+{
+    return ink == INK_RED ? "#" : ink == INK_GREY ? ":" : "=";
+}
+
+/* Draws bars in eighths of a cell, as wide as their distance leaves. */
+static void bars_draw(const struct frame *f, const struct chart_curve *curve)
+{
+    static const char *const parts[] = {"", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+    const struct canvas *c = f->canvas;
+    double apart = (dot_x(f, 1) - dot_x(f, 0)) / c->across;
+    int wide = (int)(0.75 * apart) < 1 ? 1 : (int)(0.75 * apart) > 6 ? 6 : (int)(0.75 * apart);
+    for (size_t i = 0; i < curve->count; i++) {
+        double place = clamp(axis_place(&f->chart->y, curve->point[i].y), 0, 1);
+        if (isnan(place))
+            continue;
+        int column = (int)(dot_x(f, curve->point[i].x) / c->across - (wide - 1) / 2.0);
+        int eighths = (int)lround(8 * place * (f->bottom - f->top));
+        eighths = eighths > 0 ? eighths : 1;
+        for (int row = f->bottom - 1; eighths > 0; row--, eighths -= 8)
+            for (int k = 0; k < wide; k++) {
+                if (c->look.braille)
+                    canvas_text(f->canvas, column + k, row, parts[eighths < 8 ? eighths : 8], curve->ink);
+                else if (eighths >= 4 || row == f->bottom - 1)
+                    canvas_text(f->canvas, column + k, row, bar_letter(curve->ink), curve->ink);
+            }
+    }
+}
+
+static double map_at(const struct chart_map *m, double x, double y)
+{
+    int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
+    return m->value[k * m->across + i];
+}
+
+static void map_ends(const struct chart_map *m, double *low, double *high)
+{
+    *low = HUGE_VAL;
+    *high = -HUGE_VAL;
+    for (int i = 0; i < m->across * m->down; i++)
+        if (isfinite(m->value[i])) {
+            *low = fmin(*low, m->value[i]);
+            *high = fmax(*high, m->value[i]);
+        }
+}
+
+static double shade_of(double value, double low, double high)
+{
+    return isfinite(value) ? (high > low ? (value - low) / (high - low) : 0.5) : (double)NAN;
+}
+
+static void map_draw(const struct frame *f)
+{
+    double low, high;
+    map_ends(&f->chart->map, &low, &high);
+    int wide = f->right - f->left, tall = f->bottom - f->top;
+    for (int row = 0; row < tall; row++)
+        for (int column = 0; column < wide; column++) {
+            double x = (column + 0.5) / wide, upper = 1 - (row + 0.25) / tall,
+                   lower = 1 - (row + 0.75) / tall;
+            canvas_shade(f->canvas, f->left + column, f->top + row,
+                         shade_of(map_at(&f->chart->map, x, upper), low, high),
+                         shade_of(map_at(&f->chart->map, x, lower), low, high));
+        }
+}
+
+/* ---- Around it ---- */
+
+static void text_centred(struct canvas *c, int left, int right, int row, const char *text, enum ink ink)
+{
+    int wide = terminal_columns(text), at = left + (right - left - wide) / 2;
+    canvas_text(c, at > 0 ? at : 0, row, text, ink);
+}
+
+static int ticks_y(const struct chart *chart, int rows, double tick[TICKS], char label[TICKS][LABEL])
+{
+    int widest = 0, n = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3, tick);
+    for (int k = 0; k < n; k++) {
+        int wide = snprintf(label[k], LABEL, "%.6g", tick[k]);
+        widest = wide > widest ? wide : widest;
+    }
+    for (int k = n; k < TICKS; k++)
+        tick[k] = (double)NAN;
+    return widest;
+}
+
+static void axis_y_draw(const struct frame *f, const double tick[TICKS], char label[TICKS][LABEL])
+{
+    bool boxes = f->canvas->look.braille;
+    for (int row = f->top; row < f->bottom; row++)
+        canvas_text(f->canvas, f->left - 1, row, boxes ? "│" : "|", INK_TEXT);
+    for (int k = 0; k < TICKS && !isnan(tick[k]); k++) {
+        int row = (int)dot_y(f, tick[k]) / f->canvas->down;
+        row = row >= f->bottom ? f->bottom - 1 : row;
+        canvas_text(f->canvas, f->left - 2 - (int)strlen(label[k]), row, label[k], INK_TEXT);
+        canvas_text(f->canvas, f->left - 1, row, boxes ? "┤" : "+", INK_TEXT);
+    }
+}
+
+static void axis_x_draw(const struct frame *f)
+{
+    struct canvas *c = f->canvas;
+    bool boxes = c->look.braille;
+    double tick[TICKS];
+    int n = axis_ticks(&f->chart->x, (f->right - f->left) / 9, tick), free_from = 0;
+    canvas_text(c, f->left - 1, f->bottom, boxes ? "└" : "+", INK_TEXT);
+    for (int column = f->left; column < f->right; column++)
+        canvas_text(c, column, f->bottom, boxes ? "─" : "-", INK_TEXT);
+    for (int k = 0; k < n; k++) {
+        char label[LABEL];
+        int wide = snprintf(label, sizeof label, "%.6g", tick[k]);
+        int column = (int)dot_x(f, tick[k]) / c->across, at = column - wide / 2;
+        at = at + wide > c->width ? c->width - wide : at;
+        if (at < free_from)
+            continue;
+        free_from = at + wide + 1;
+        canvas_text(c, column, f->bottom, boxes ? "┴" : "+", INK_TEXT);
+        canvas_text(c, at, f->bottom + 1, label, INK_TEXT);
+    }
+    text_centred(c, f->left, f->right, f->bottom + 2, f->chart->x.label, INK_TEXT);
+}
+
+/* Draws vertical lines; names that would meet stand above each other. */
+static void events_draw(const struct frame *f, int rows)
+{
+    int end[CHART_EVENTS] = {0};
+    for (int k = 0; k < f->chart->events; k++) {
+        const struct chart_event *e = &f->chart->event[k];
+        const struct chart_curve line = {.ink = INK_GREY, .dash = 2};
+        double x = clamp(dot_x(f, e->x), f->left * f->canvas->across, f->right * f->canvas->across - 1);
+        int phase = 0, wide = terminal_columns(e->name), row = 0;
+        int at = (int)clamp((int)x / f->canvas->across - wide / 2, f->left, f->right - wide);
+        line_draw(f, x, f->bottom * f->canvas->down - 1, x, f->top * f->canvas->down, &line, &phase);
+        while (row + 1 < rows && at <= end[row])
+            row++;
+        end[row] = at + wide;
+        canvas_text(f->canvas, at, f->top - 1 - row, e->name, INK_TEXT);
+    }
+}
+
+/* ---- The legend ---- */
+
+/* Draws the legend if `draw`, and returns the rows it takes. */
+static int legend(const struct chart *chart, struct canvas *c, int row, bool draw)
+{
+    int column = 2, rows = 0;
+    for (int k = 0; k < chart->curves; k++) {
+        const struct chart_curve *curve = &chart->curve[k];
+        char sample[4 * GLYPH], text[160];
+        if (!*curve->title)
+            continue;
+        bool braille = c->look.braille, dot = has_points(curve->kind);
+        canvas_sample(c, curve->ink, curve->dash, sample);
+        if (braille && dot)
+            snprintf(sample, sizeof sample, "●");
+        else if (curve->kind == CHART_BARS)
+            snprintf(sample, sizeof sample, "%s", braille ? "█" : bar_letter(curve->ink));
+        else if (curve->kind == CHART_RANGES)
+            snprintf(sample, sizeof sample, "%s", braille ? "│" : "|");
+        snprintf(text, sizeof text, " %s", curve->title);
+        int wide = terminal_columns(sample) + terminal_columns(text);
+        if (rows == 0 || column + wide > c->width) {
+            column = 2;
+            rows++;
+        }
+        if (draw) {
+            canvas_text(c, column, row + rows - 1, sample, curve->ink);
+            canvas_text(c, column + terminal_columns(sample), row + rows - 1, text, INK_TEXT);
+        }
+        column += wide + LEGEND_APART;
+    }
+    return rows;
+}
+
+/* Draws the shades of a map with the values of their ends. */
+static void map_legend(const struct chart *chart, struct canvas *c, int row)
+{
+    enum { SHADES = 24 };
+    double low, high;
+    char text[160];
+    map_ends(&chart->map, &low, &high);
+    int at = snprintf(text, sizeof text, "%s: %.4g ", chart->map.label, low);
+    if (!(low <= high))
+        at = snprintf(text, sizeof text, "%s: no value", chart->map.label);
+    canvas_text(c, 2, row, text, INK_TEXT);
+    for (int k = 0; k < SHADES && low <= high; k++)
+        canvas_shade(c, 2 + at + k, row, (double)k / (SHADES - 1), (double)k / (SHADES - 1));
+    snprintf(text, sizeof text, " %.4g", high);
+    if (low <= high)
+        canvas_text(c, 2 + at + SHADES, row, text, INK_TEXT);
+}
+
+/* ---- All of it ---- */
+
+static void chart_draw(const struct frame *f, int event_rows)
+{
+    const struct chart *chart = f->chart;
+    if (chart->map.value)
+        map_draw(f);
+    events_draw(f, event_rows);
+    for (int k = 0; k < chart->curves; k++) {
+        const struct chart_curve *curve = &chart->curve[k];
+        if (curve->kind == CHART_BARS)
+            bars_draw(f, curve);
+        if (curve->kind == CHART_RANGES || curve->kind == CHART_BOTH)
+            ranges_draw(f, curve);
+        if (has_line(curve->kind))
+            curve_draw(f, curve);
+        for (size_t i = 0; i < curve->count && has_points(curve->kind); i++)
+            point_draw(f, curve->point[i].x, curve->point[i].y, curve->ink);
+    }
+}
+
+bool chart_text(const struct chart *chart, struct look look, int width, int height, FILE *out)
+{
+    struct canvas canvas;
+    double tick[TICKS];
+    char label[TICKS][LABEL];
+    int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0;
+    if (!canvas_make(&canvas, look, width, height - note_rows))
+        return false;
+    int legend_rows = legend(chart, &canvas, 0, false) + (chart->map.value != NULL);
+    int event_rows = chart->events ? 2 : 0;
+    struct frame f = {.canvas = &canvas,
+                      .chart = chart,
+                      .top = 2 + event_rows,
+                      .right = width,
+                      .bottom = canvas.height - 3 - legend_rows};
+    f.left = ticks_y(chart, f.bottom - f.top, tick, label) + 3;
+    chart_draw(&f, event_rows);
+    axis_y_draw(&f, tick, label);
+    axis_x_draw(&f);
+    text_centred(&canvas, 0, width, 0, chart->title, INK_TEXT);
+    canvas_text(&canvas, 0, 1, chart->y.label, INK_TEXT);
+    legend(chart, &canvas, f.bottom + 3, true);
+    if (chart->map.value)
+        map_legend(chart, &canvas, canvas.height - 1);
+    canvas_write(&canvas, out);
+    canvas_free(&canvas);
+    if (*chart->note) {
+        output_wrapped(out, chart->note, 0, width);
+        putc('\n', out);
+    }
+    return true;
+}

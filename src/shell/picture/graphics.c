@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/graphics.h"
+#include "io/terminal.h"
+#include "picture/picture.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+/* ---- Which terminal it is ---- */
+
+/* Reads an answer up to its last letter; false if none comes in time. */
+static bool answer_read(int terminal, char *answer, size_t size)
+{
+    enum { WAIT = 1000 /* ms; over a slow line, too, an answer is there by then */ };
+    size_t n = 0;
+    struct pollfd ready = {.fd = terminal, .events = POLLIN};
+    while (n + 1 < size && poll(&ready, 1, WAIT) > 0 && read(terminal, answer + n, 1) == 1) {
+        answer[++n] = '\0';
+        if (answer[n - 1] == 'c')
+            return true;
+    }
+    return false;
+}
+
+/* Returns true if attribute 4, sixel, is in "ESC [ ? 62 ; 4 ; 22 c". */
+static bool says_sixel(const char *answer)
+{
+    const char *at = strstr(answer, "[?");
+    for (at = at ? at + 1 : NULL; at && *at && *at != 'c'; at = strpbrk(at, ";c")) {
+        char *end;
+        if (strtol(++at, &end, 10) == 4 && (*end == ';' || *end == 'c'))
+            return true;
+    }
+    return false;
+}
+
+/* Asks the terminal for its attributes (DA1), unless somebody is typing already: that would be lost. */
+static bool asked_sixel(void)
+{
+    char answer[64] = "";
+    struct termios before, quiet;
+    int terminal = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
+    struct pollfd typed = {.fd = terminal, .events = POLLIN};
+    bool may = terminal >= 0 && tcgetpgrp(terminal) == getpgrp() && tcgetattr(terminal, &before) == 0;
+    if (may) {
+        quiet = before;
+        quiet.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+        quiet.c_cc[VMIN] = 1;
+        quiet.c_cc[VTIME] = 0;
+        tcsetattr(terminal, TCSANOW, &quiet);
+        if (poll(&typed, 1, 0) == 0 && write(terminal, "\033[c", 3) == 3)
+            (void)answer_read(terminal, answer, sizeof answer);
+        tcsetattr(terminal, TCSANOW, &before);
+    }
+    if (terminal >= 0)
+        close(terminal);
+    return says_sixel(answer);
+}
+
+static bool begins(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+enum graphics graphics_of(FILE *stream)
+{
+    static const char *const asked[] = {"xterm",   "foot", "mlterm", "wezterm",
+                                        "contour", "tmux", "screen", "yaft"};
+    static int sixel = -1; /* not known yet; one answer holds for the session */
+    const char *term = getenv("TERM"), *wanted = getenv("DOMINO_GRAPHICS");
+    if (!terminal_colour(stream))
+        return GRAPHICS_NONE;
+    if (wanted && *wanted)
+        return strcmp(wanted, "kitty") == 0   ? GRAPHICS_KITTY
+               : strcmp(wanted, "sixel") == 0 ? GRAPHICS_SIXEL
+                                              : GRAPHICS_NONE;
+    bool inside = begins(term, "tmux") || begins(term, "screen"); /* it passes no pictures of kitty on */
+    if (begins(term, "xterm-kitty") || begins(term, "xterm-ghostty") ||
+        (getenv("KITTY_WINDOW_ID") && !inside))
+        return GRAPHICS_KITTY;
+    bool may = false;
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++)
+        may = may || begins(term, asked[i]);
+    if (sixel < 0)
+        sixel = may && asked_sixel();
+    return sixel ? GRAPHICS_SIXEL : GRAPHICS_NONE;
+}
+
+/* ---- The picture ---- */
+
+/* Finds the dots of a picture that leaves room for the prompt, no taller than two thirds of its width. */
+static void picture_size(FILE *stream, int *width, int *height)
+{
+    struct winsize size = {0};
+    int columns, rows;
+    terminal_size(stream, &columns, &rows);
+    (void)ioctl(fileno(stream), TIOCGWINSZ, &size);
+    int wide = size.ws_xpixel ? size.ws_xpixel : 10 * columns,
+        tall = size.ws_ypixel ? size.ws_ypixel : 20 * rows;
+    *width = wide > 1200 ? 1200 : wide < 320 ? 320 : wide;
+    *height = rows > 4 ? tall * (rows - 3) / rows : tall;
+    *height = *height > 2 * *width / 3 ? 2 * *width / 3 : *height < 200 ? 200 : *height;
+}
+
+/* Writes a file as kitty takes it: base64, in pieces of 4096 letters. */
+static bool kitty_write(FILE *png, FILE *out)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    enum { PIECE = 3072 };
+    unsigned char bytes[PIECE + 2];
+    size_t n, next;
+    rewind(png);
+    n = fread(bytes, 1, PIECE, png);
+    for (bool first = true; n > 0; first = false, n = next) {
+        unsigned char now[PIECE + 2] = {0};
+        memcpy(now, bytes, n);
+        next = fread(bytes, 1, PIECE, png);
+        fprintf(out, first ? "\033_Gf=100,a=T,q=2,m=%d;" : "\033_Gm=%d;", next > 0);
+        for (size_t i = 0; i < n; i += 3) {
+            unsigned three = (unsigned)now[i] << 16 | (unsigned)now[i + 1] << 8 | now[i + 2];
+            for (size_t k = 0; k < 4; k++)
+                putc(i + k > n ? '=' : digits[three >> (18 - 6 * k) & 63], out);
+        }
+        fputs("\033\\", out);
+    }
+    putc('\n', out);
+    return !ferror(png);
+}
+
+bool graphics_show(struct session *session, const struct chart *chart)
+{
+    struct picture picture;
+    char terminal[128];
+    int width, height;
+    bool kitty = graphics_of(session->out) == GRAPHICS_KITTY;
+    FILE *png = kitty ? tmpfile() : NULL;
+    if (kitty && !png)
+        return session_error(session, "cannot draw: %s", strerror(errno));
+    picture_size(session->out, &width, &height);
+    snprintf(terminal, sizeof terminal, "%s size %d,%d font 'sans,%d'",
+             kitty ? "pngcairo" : "sixelgd truecolor", width, height, width > 700 ? 13 : 10);
+    bool drawn = picture_on(session, &picture, kitty ? png : session->out, terminal);
+    if (drawn) {
+        chart_script(chart, picture.script);
+        drawn = picture_end(session, &picture, true);
+    }
+    if (drawn && kitty)
+        drawn = kitty_write(png, session->out);
+    else if (drawn)
+        putc('\n', session->out);
+    if (png)
+        fclose(png);
+    return drawn;
+}

@@ -1,0 +1,234 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Plots: their data against the commands that it comes from, the kinds of files, the characters of a terminal.
+
+load common
+
+setup() {
+    answers_at_all
+    cd "$BATS_TEST_TMPDIR" || false
+}
+
+csv() { "$DOMINO" -e "set output csv; $1"; }
+row='effect row 6; effect friction 0.1'
+plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
+    energy omega inertia chain 'cost fuel')
+
+@test "each plot is an svg that parses, a png and a pdf, and in characters fits 80 x 24" {
+    local what
+    for what in "${plots[@]}"; do
+        "$DOMINO" -e "$row; plot $what > a.svg; plot $what > a.png; plot $what > a.pdf; plot $what > a.txt" >said
+        same "$what: standard output" '(nothing)' "$(cat said)"
+        xmllint --noout a.svg
+        same "$what: png" 89504e470d0a1a0a "$(head -c 8 a.png | od -An -tx1 | tr -d ' \n')"
+        same "$what: its size" 000003c0000002d0 "$(od -An -tx1 -j 16 -N 8 a.png | tr -d ' ')"
+        same "$what: pdf" '%PDF-' "$(head -c 5 a.pdf)"
+        same "$what: lines that are too wide" '(nothing)' "$(awk 'length > 79' a.txt)"
+        [ "$(wc -l <a.txt)" -le 23 ] && [ "$(wc -l <a.txt)" -ge 15 ]
+        same "$what: blanks at ends" '(nothing)' "$(grep ' $' a.txt)"
+        same "$what: letters beyond ASCII" '(nothing)' "$(grep -P '[^\x00-\x7f]' a.txt)"
+        if [[ $what != cost* ]]; then
+            same "$what: in a pipe, without gnuplot" "$(cat a.txt)" "$(PATH=/nowhere "$DOMINO" -e "$row; plot $what")"
+        fi
+        [ "$(wc -c <a.svg)" -lt 60000 ] && [ "$(wc -c <a.png)" -lt 90000 ]
+    done
+}
+
+@test "plot: what the pictures say" {
+    while IFS='|' read -r what words; do
+        "$DOMINO" -e "$row; plot $what" >picture
+        for word in $words; do
+            grep -q -- "${word//\~/ }" picture || same "plot $what" "$word" "$(cat picture)"
+        done
+    done <<'END'
+fall|Energy~to~spare more~than~it~needs,~in~% the~weakest,~domino All~6~fall.~Domino
+speed|Speed~of~the~front speed~in~m/s distance~from~the~first~domino~in a~domino~is~hit
+gaps|How~far~each~gap~may~be~off gap~in~cm gap~before~domino planned The~tightest:~the~gap~before~domino
+placement 50|How~likely rows~that~fall,~in~% standard~deviation~of~every~gap 95~%~interval
+energy|Energy launch top hit potential~energy kinetic~energy tilt~of~the~head~in~rad
+inertia|Inertia launch top hit J~(20;~c2)
+omega|Angular~velocity launch top hit tilt~of~the~head the~head,~48~mm~tall
+chain|Tilts launch top hit i~=~0,~the~head i~=~1 the~last
+growth|solid~dominoes hollow~dominoes reach:~r~=~1/s now:~s~=~0.4,~r~=~1.5 gap~over~height growth~r
+growth paper|solid,~the~paper's~fuel hollow,~the~paper's~fuel
+marginal|solid~pair hollow~pair hollow~train solid~train reach: now:
+sweep s 0.2 0.6 5 : rmax|rmax~over~s r_max s,~separation
+sweep q 3, 4 s 0.2 0.6 5 : rmax|q~=~3 q~=~4 r_max
+sweep s 0.2 0.6 9 d 0.1 0.3 7 : print 2*rmax|2\*rmax: d,~thickness~over~height
+END
+    differ "the paper's fuel only on request" 0 "$("$DOMINO" -e 'plot growth paper' | grep -c "paper's")"
+    same "the paper's fuel only on request" 0 "$("$DOMINO" -e 'plot growth' | grep -c "paper's" || true)"
+    "$DOMINO" -e 'set r 1.7; plot energy' | grep -q 'launch *stop'
+    "$DOMINO" -e 'set q hollow; set s 0.54; set r 1.84; plot energy' | grep -q fall
+    "$DOMINO" -e 'set angle deg; plot omega' | grep -q 'head in deg'
+    "$DOMINO" -e 'set d 0.3; effect row 5; plot fall' | grep -q 'Domino 2 stops: it has 5.99 % of the energy that it needs'
+}
+
+@test "plot energy, omega, inertia, chain: the data is that of energy, omega, chain, with the events in it" {
+    csv 'plot energy' >energy
+    same keys theta,dH,kinetic,J,event "$(head -n 1 energy)"
+    same events 'launch top hit' "$(awk -F, '$5 != "" && NR > 1 { print $5 }' energy | paste -sd ' ' -)"
+    same inertia "$(cut -d, -f 1,4,5 energy)" "$(csv 'plot inertia')"
+    # What is climbed is lost: their sum stays.
+    awk -F, 'NR == 2 { sum = $2 + $3 } NR > 1 { d = $2 + $3 - sum; if (!(d <= 1e-12 && d >= -1e-12)) bad = 1 }
+        NR > 2 && !($1 > before) { bad = 1 } { before = $1 } END { exit bad || NR < 140 }' energy
+    csv 'plot omega' >omega
+    same keys theta,omegasq,omega,event "$(head -n 1 omega)"
+    for line in 2 20 77 140; do
+        IFS=, read -r theta dH _ J _ < <(sed -n ${line}p energy)
+        answer=$(json "energy $theta")
+        close "dH at $theta" "$(values dH <<<"$answer")" "$dH"
+        close "J at $theta" "$(values J <<<"$answer")" "$J"
+        IFS=, read -r theta omegasq omega _ < <(sed -n ${line}p omega)
+        answer=$(json "omega $theta")
+        close "omegasq at $theta" "$(values omegasq <<<"$answer")" "$omegasq"
+        close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
+    done
+    same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
+    # Where the head hits, each is where the one behind it began.
+    csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
+        END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
+    # Beyond a stop there is no motion.
+    csv 'set r 1.7; plot omega' | awk -F, 'stopped && $3 != "" { bad = 1 } $4 == "stop" { stopped = 1; bad = bad || $3 != 0; next }
+        stopped { after++ } END { exit bad || !after }'
+}
+
+@test "plot growth, marginal: the data is that of curve, for solid and hollow" {
+    csv 'plot growth paper' >growth
+    csv 'plot marginal' >marginal
+    same keys s,solid,hollow,solid_paper,hollow_paper,reach "$(head -n 1 growth)"
+    same keys s,solid_pair,solid_train,hollow_pair,hollow_train,reach "$(head -n 1 marginal)"
+    same "without the paper's fuel" "$(cut -d, -f 1-3,6 growth)" "$(csv 'plot growth')"
+    for q in 4 3; do
+        [ $q = 4 ] && at=2 || at=3
+        csv "set q $q; curve 0.02 0.98 9" | sed 1d >curve
+        same "rows, $q" 9 "$(wc -l <curve)"
+        while IFS=, read -r s exact paper pair reach; do
+            row() { awk -F, -v s="$s" -v i="$2" 'NR > 1 && $1 - s < 1e-9 && s - $1 < 1e-9 { print $i }' "$1"; }
+            close "$q $s exact" "$exact" "$(row growth $at)"
+            close "$q $s paper" "$paper" "$(row growth $((at + 2)))"
+            if [ -n "$pair" ]; then
+                close "$q $s pair" "$pair" "$(row marginal $((2 * at - 2)))"
+            else
+                same "$q $s pair" '(nothing)' "$(row marginal $((2 * at - 2)))"
+            fi
+            close "$q $s train" "$exact" "$(row marginal $((2 * at - 1)))"
+            close "$s reach" "$reach" "$(row growth 6)"
+        done <curve
+    done
+    same 'rows are columns of their own in json' 's solid hollow reach' "$(json 'plot growth' | keys)"
+    same 'no bounds, which a picture does not have' "$(csv 'plot growth')" "$(csv 'set errors on; plot growth')"
+}
+
+@test "plot fall, speed: the data is that of fall" {
+    for scene in "$row" 'effect row 6; set mass 0.02' 'set r 1.7; effect row 9'; do
+        csv "$scene; fall" | cut -d, -f 1,6-8 >fall
+        same "$scene" "$(cat fall)" "$(csv "$scene; plot fall" | cut -d, -f 1-4)"
+        csv "$scene; plot fall" | awk -F, 'NR > 2 { d = $5 - $4 / $3; if (!(d < 1e-9 && d > -1e-9)) exit 1; n++ } END { exit n < 1 }'
+    done
+    # The front goes from a front foot to the next one in the time between two hits.
+    csv "$row; row" >row
+    csv "$row; fall" >fall
+    csv "$row; plot speed" >speed
+    same keys domino,place,speed "$(head -n 1 speed)"
+    awk -F, 'FNR == 1 { file++; next }
+        file == 1 { pitch[$1] = $3 + $4 } file == 2 { hit[$1] = $3; ends[$1] = $4 }
+        file == 3 && $1 > 1 { place += pitch[$1]; d = $2 - place; if (!(d < 1e-12 && d > -1e-12)) bad = 1 }
+        file == 3 && $1 > 1 && $3 != "" { d = $3 / (pitch[$1 + 1] / (ends[$1] - hit[$1])) - 1; n++
+            if (!(d < 1e-9 && d > -1e-9)) bad = 1 }
+        END { exit bad || n < 4 }' row fall speed
+}
+
+@test "plot gaps: at the ends of a window the verdict changes, between them all fall" {
+    local scene domino gap low high others digit
+    for scene in 'effect row 5' "$row" 'set s 0.3; set r 1.3; effect row 4; effect push 3'; do
+        csv "$scene; plot gaps" >gaps
+        same keys domino,gap,low,high,others "$(head -n 1 gaps)"
+        same rows "$(csv "$scene; row" | wc -l)" "$(($(wc -l <gaps) + 1))"
+        while IFS=, read -r domino gap low high others; do
+            falls() { "$DOMINO" -e "set output json; $scene; place $domino $1; verdict" | values verdict; }
+            awk -v g="$gap" -v l="$low" -v h="$high" 'BEGIN { exit !(l <= g && g <= h && l < h) }'
+            same "$scene $domino: the plan" 'all fall' "$(falls "$gap")"
+            same "$scene $domino: low" 'all fall' "$(falls "$low")"
+            same "$scene $domino: high" 'all fall' "$(falls "$high")"
+            differ "$scene $domino: beyond high" 'all fall' "$(falls "1.00001*$high")"
+            [ "$low" = 0 ] || differ "$scene $domino: below low" 'all fall' "$(falls "0.99999*$low")"
+        done < <(sed 1d gaps)
+    done
+    # Of a row that does not fall, the windows are those of 'mend'.
+    scene='effect row 6; place 3 25 mm'
+    differ 'it does not fall' 'all fall' "$(json "$scene; verdict" | values verdict)"
+    csv "$scene; mend" | awk -F, 'NR > 1 { print $1, ($3 < $4 ? $3 : $4), ($3 < $4 ? $4 : $3) }' | sort >mend
+    same 'the same as mend' "$(cat mend)" "$(csv "$scene; plot gaps" | awk -F, 'NR > 1 && $3 != "" { print $1, $3, $4 }' | sort)"
+    "$DOMINO" -e "$scene; plot gaps" | grep -q 'The row does not fall as planned. It does with'
+}
+
+@test "plot placement: the data is that of placement, from none on, with its interval" {
+    csv 'effect row 8; effect placement 5 mm; plot placement 150' >likely
+    same keys sigma,probability,low,high,rows "$(head -n 1 likely)"
+    same 'no errors' 1 "$(sed -n 2p likely | cut -d, -f 2)"
+    awk -F, 'NR > 1 { if (!($3 <= $2 && $2 <= $4)) exit 1; last = $2 } END { exit !(last < 0.5 && NR == 14) }' likely
+    for line in 5 9; do
+        IFS=, read -r sigma probability low high rows < <(sed -n ${line}p likely)
+        answer=$(json "effect row 8; effect placement $sigma; placement $rows")
+        same "probability at $sigma" "$(values probability <<<"$answer")" "$probability"
+        same "low at $sigma" "$(values low <<<"$answer")" "$low"
+        same "high at $sigma" "$(values high <<<"$answer")" "$high"
+    done
+    same 'on one processor' "$(cat likely)" "$(csv 'set threads 1; effect row 8; effect placement 5 mm; plot placement 150')"
+    same 'the effect may be off' 14 "$(csv 'effect row 8; plot placement 20' | wc -l)"
+}
+
+@test "plot sweep: the data is that of sweep; a sweep behind which a picture stands is drawn" {
+    same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
+    same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
+    "$DOMINO" -e 'sweep s 0.2 0.6 5 : rmax > a.svg; plot sweep s 0.2 0.6 5 : rmax > b.svg'
+    same 'the same picture' "$(grep -v Produced b.svg)" "$(grep -v Produced a.svg)"
+    # Words make a curve each, parameters on a logarithm keep it, points without an answer are counted.
+    "$DOMINO" -e 'plot sweep fuel exact, paper s 0.2 0.6 5 : rmax' >picture
+    for words in 'fuel = exact' 'fuel = paper'; do grep -q "$words" picture; done
+    "$DOMINO" -e 'plot sweep r 1.2 3.2 5 : duration' | grep -q '4 of 5 points have no answer\|[1-4] of 5 points have no answer'
+    "$DOMINO" -e 'plot sweep d 0.001 1 7 log : rmax' | grep -q '^ *0.001 .*0.01 .*0.1 .*1$'
+}
+
+@test "what cannot be plotted: one line that says what would be right, and no file" {
+    wrong 'plot energy rmax' "'plot energy' takes nothing behind it"
+    wrong 'plot growth pair' "'pair' is no word behind 'plot growth'; those are: paper"
+    wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
+    wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
+    wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"
+    wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers in rows, and a picture needs one number a point"
+    wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.3 3 q 3, 4 : rmax' 'one or two parameters, and this grid has 3'
+    wrong 'plot sweep fuel exact, paper : rmax' 'has words here, and a curve needs numbers'
+    wrong 'plot sweep s 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8 d 0.1 0.3 8 : rmax' 'a map needs evenly spaced numbers'
+    wrong 'plot sweep r 3 4 3 : duration > a.svg' 'none of the 3 points has a number'
+    for what in fall speed gaps placement; do
+        wrong "plot $what > a.svg" "there is no row"
+    done
+    wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
+    wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
+    for what in 'energy > a.svg' omega chain inertia; do
+        wrong "set s 0.001; plot $what" 'the fuel P is not positive'
+        wrong "set r 9; plot $what" 'r s = 3.6 > 1'
+    done
+    rm -f separate-stderr-*
+    for what in "plot fall > a.svg" 'plot growth > a.png'; do
+        run -1 --separate-stderr env PATH=/nowhere "$DOMINO" -e "effect row 4; $what"
+        [[ $stderr == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
+    done
+    "$DOMINO" --safe -e 'plot growth' >/dev/null
+    run -1 "$DOMINO" --safe -e 'plot growth > a.svg'
+    [[ $output == *'files are off in a safe session'* ]]
+    same 'nothing is left' '(nothing)' "$(ls -I 'separate-stderr-*')"
+}
+
+@test "completion: what plot takes" {
+    same plot 'chain cost energy fall gaps growth inertia marginal omega placement speed sweep' \
+        "$("$DOMINO" -e 'complete plot ' | sort | paste -sd ' ' -)"
+    same 'plot growth' paper "$("$DOMINO" -e 'complete plot growth ')"
+    same 'plot sweep' friction "$("$DOMINO" -e 'complete plot sweep fr')"
+    same 'plot sweep :' rmax "$("$DOMINO" -e 'complete plot sweep s 0.1 0.3 3 : rm')"
+    for line in 'plot fall ' 'plot growth paper ' 'plot cost rmax ' 'plot placement '; do
+        same "$line" '(nothing)' "$("$DOMINO" -e "complete $line")"
+    done
+}
