@@ -140,7 +140,7 @@ static bool run_plot(struct session *session, const struct call *call)
 
 const struct command plot_commands[] = {
     {.name = "plot",
-     .synonyms = "picture image graph figure chart diagram curve svg png pdf",
+     .synonyms = "picture image graph figure chart diagram svg png pdf",
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
           {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .read = read_more, .offers = offers}},
