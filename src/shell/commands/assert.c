@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* assert: another command, and an error unless what it decides is true. */
-#include "commands/tables.h"
+#include "commands/planning.h"
 #include "interpreter/arguments.h"
 #include <stdlib.h>
 

@@ -3,6 +3,7 @@
 #include "answer/format.h"
 #include "commands/falling.h"
 #include "commands/plan.h"
+#include "commands/planning.h"
 #include "commands/tables.h"
 #include "interpreter/arguments.h"
 #include "language/quad.h"
@@ -307,6 +308,37 @@ const struct command design_commands[] = {
      .principal = "steps",
      .holds = "a row fits the wishes",
      ANSWER(design)},
+    {.name = "solve",
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .read = solve_read_parameter, .choices = solve_names},
+          {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = solve_read_answer}},
+     .summary = "where an answer takes a value, along a parameter",
+     .help =
+         "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. Finds the values of the "
+         "parameter NAME at which ANSWER has this VALUE, and whether it rises or falls there. ANSWER is a "
+         "command, or an expression with commands as names: 'solve s : rmax(s) - pair(s) = 0.1'. A range "
+         "may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= VALUE', and with a command that "
+         "'assert' takes, finds where its verdict changes: 'solve friction : verdict'. It looks at 241 "
+         "values, and between them; a dip that is narrower can be missed.",
+     .example = "solve d : rmax = 5/3; solve friction : barrier",
+     .see = "sensitivity sweep assert",
+     .unswept = "it varies a parameter itself",
+     .rows = true,
+     ANSWER(solve)},
+    {.name = "sensitivity",
+     .argument =
+         {{.name = "COMMAND", .kind = ARGUMENT_COMMAND, .read = sensitivity_read, .choices = command_names}},
+     .summary = "how much each parameter changes the number of COMMAND",
+     .help =
+         "Changes each parameter of the model down and up, by 1 %; friction by 0.01 and slope by 1 degree, "
+         "also where they are off. Answers the change of the number in percent, the largest first. COMMAND "
+         "may have arguments and a key, 'sensitivity rmax 0.3', 'sensitivity barrier.margin', or be an "
+         "expression, 'sensitivity h*r^10'.",
+     .example = "effect friction 0.2; sensitivity rmax",
+     .see = "solve sweep",
+     .unswept = "it varies the parameters itself",
+     .rows = true,
+     ANSWER(sensitivity)},
     {.name = "assert",
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_COMMAND,

@@ -32,11 +32,6 @@ void verdict_train_say(const struct session *session, struct answer *answer, enu
 bool run_animate(struct session *session, const struct call *call);
 bool run_mend(struct session *session, const struct call *call);
 bool run_pool(struct session *session, const struct call *call);
-bool run_assert(struct session *session, const struct call *call);
-
-/* Reads the command of 'assert'; lists for names.h the commands that decide something. */
-bool assert_read(struct reader *reader, struct call *call);
-const char *assert_names(const void *context, int k);
 
 /* Lists for names.h the ways to space the rows of 'cycle'. */
 const char *cycle_by(const void *context, int k);

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the files about planning give to the table of their commands, in design.c. */
+#ifndef SHELL_PLANNING_H
+#define SHELL_PLANNING_H
+
+#include "interpreter/arguments.h"
+
+extern const struct column sensitivity_columns[], solve_columns[];
+bool run_assert(struct session *session, const struct call *call);
+bool run_sensitivity(struct session *session, const struct call *call);
+bool run_solve(struct session *session, const struct call *call);
+
+/* Reads the command of 'sensitivity', which may have a key. */
+bool sensitivity_read(struct reader *reader, struct call *call);
+
+/* Read the arguments of 'solve'; lists for names.h the parameters that it takes. */
+const char *solve_names(const void *context, int k);
+bool solve_read_parameter(struct reader *reader, struct call *call);
+bool solve_read_answer(struct reader *reader, struct call *call);
+
+/* Reads the command of 'assert'; lists for names.h the commands that decide something. */
+bool assert_read(struct reader *reader, struct call *call);
+const char *assert_names(const void *context, int k);
+
+#endif
