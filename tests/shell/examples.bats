@@ -28,6 +28,7 @@ golden() {
 @test "record.dom" { golden record; }
 @test "tutorial.dom" { golden tutorial; }
 @test "sweep.dom" { golden sweep; }
+@test "measured.dom" { golden measured; }
 
 @test "every example has a golden transcript and a test, and no transcript is left over" {
     examples=$(cd "$root/examples" && printf '%s\n' *.dom | sed 's/\.dom$//' | sort)

@@ -274,10 +274,13 @@ static bool run_design(struct session *session, const struct call *call)
     else
         plan_row(a, &plan, &d, NULL);
     if (answer_for_people(a)) {
-        answer_say(a,
-                   "\n%zu dominoes, each %.4g times as large as the one before; the last is %s tall. Every "
-                   "domino after the first has at least %.3g times the energy that it needs.\n",
-                   plan.count, (double)d.r, measured(wish.height, "m", 4).text, (double)d.row);
+        char least[CELL_TEXT] = "";
+        if (isfinite(d.row))
+            snprintf(least, sizeof least,
+                     " Every domino after the first has at least %.0f %% of the energy that it needs.",
+                     floor(100 * (double)d.row));
+        answer_say(a, "\n%zu dominoes, each %.4g times as large as the one before; the last is %s tall.%s\n",
+                   plan.count, (double)d.r, measured(wish.height, "m", 4).text, least);
         plan_list(a, &plan);
     }
     if (a->out && !a->point)
@@ -339,6 +342,19 @@ const struct command design_commands[] = {
      .unswept = "it varies the parameters itself",
      .rows = true,
      ANSWER(sensitivity)},
+    {.name = "fit",
+     .argument = {{.name = "friction", .kind = ARGUMENT_CHOICE, .of = "thing to fit", .choices = fit_names},
+                  {.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "the friction that explains measured speeds best",
+     .help =
+         "FILE is csv with the columns 'gap (mm)' and 'speed (m/s)', and 'error (m/s)' if it is known: one "
+         "row of equal dominoes a line, with the scene's h and d. Finds the friction with the least squares "
+         "of the residuals, each over its error, or if there are none, over the speed; its standard "
+         "deviation; and the residuals.",
+     .see = "solve duration",
+     .files = true,
+     .rows = true,
+     ANSWER(fit)},
     {.name = "assert",
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_COMMAND,

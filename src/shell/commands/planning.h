@@ -5,9 +5,10 @@
 
 #include "interpreter/arguments.h"
 
-extern const struct column sensitivity_columns[], solve_columns[];
+extern const struct column sensitivity_columns[], solve_columns[], fit_columns[];
 bool run_assert(struct session *session, const struct call *call);
 bool run_sensitivity(struct session *session, const struct call *call);
+bool run_fit(struct session *session, const struct call *call);
 bool run_solve(struct session *session, const struct call *call);
 
 /* Reads the command of 'sensitivity', which may have a key. */
@@ -17,6 +18,9 @@ bool sensitivity_read(struct reader *reader, struct call *call);
 const char *solve_names(const void *context, int k);
 bool solve_read_parameter(struct reader *reader, struct call *call);
 bool solve_read_answer(struct reader *reader, struct call *call);
+
+/* Lists for names.h what 'fit' finds. */
+const char *fit_names(const void *context, int k);
 
 /* Reads the command of 'assert'; lists for names.h the commands that decide something. */
 bool assert_read(struct reader *reader, struct call *call);

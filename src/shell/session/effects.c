@@ -83,9 +83,7 @@ const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPL
     return example;
 }
 
-/* Returns the path of the file, to be freed: as given if such a file exists, else in the folder of the
- * script. */
-static char *path_beside(const struct session *session, const char *path)
+char *session_beside(const struct session *session, const char *path)
 {
     const char *slash = session->source ? strrchr(session->source, '/') : NULL;
     if (!slash || *path == '/' || access(path, F_OK) == 0)
@@ -141,7 +139,7 @@ static bool row_from_file(struct session *session, const char *name)
                       "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'%s",
                       names_shown(name, shown), then);
     } else {
-        char *path = path_beside(session, name);
+        char *path = session_beside(session, name);
         bool read = path && rowfile_read(session, path, then, &file);
         /* The full path, for 'save' in another folder; a pipe has no other path. */
         kept = read ? realpath(path, NULL) : NULL;

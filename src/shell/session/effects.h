@@ -62,6 +62,10 @@ bool effects_savable(struct session *session);
 /* Writes the commands that turn the effect off, or on with its values and the changed gaps of its row. */
 void effect_save(const struct session *session, enum dom_effect_name name, FILE *out);
 
+/* Returns a file's path as named, or, where there is none, beside the script that names it; free() it. NULL:
+ * no memory. */
+char *session_beside(const struct session *session, const char *path);
+
 /* ---- The row ---- */
 
 /* The row of the scene, ready to run. The caller frees its dominoes. Energies are in the unit of the session.
