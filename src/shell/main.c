@@ -102,8 +102,8 @@ static void run_text(struct session *session, const char *text)
     command_run_text(session, text);
 }
 
-/* Checks the options before the first command runs. Returns false for wrong ones. */
-static bool options_judge(int argc, char **argv, struct session *session, struct plan *plan)
+/* Checks the options before the first command runs; returns false for wrong ones. */
+static bool options_check(int argc, char **argv, struct session *session, struct plan *plan)
 {
     int option;
     while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
@@ -166,7 +166,7 @@ int main(int argc, char **argv)
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
     session_init(&session, stdout);
-    if (!options_judge(argc, argv, &session, &plan))
+    if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     if (plan.prompt && plan.init)

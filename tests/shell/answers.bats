@@ -332,11 +332,11 @@ END
 foo|unknown command 'foo'; 'help' lists the commands
 barier|unknown command 'barier'; did you mean 'barrier'?
 ba|'ba' may be barrier, back
-2+2|an expression is no command; 'print' evaluates it
+2+2|this is an expression, not a command; 'print' evaluates it
 friction|'friction' is an effect; enter 'effect friction MU'
-plot foo|plot: 'foo' is no picture; those are: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
+plot foo|plot: unknown picture 'foo'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
-plot c|plot: 'c' is no picture; those are: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
+plot c|plot: unknown picture 'c'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
 goto lanch|goto: unknown event 'lanch'; did you mean 'launch'?
 set foo 1|set: unknown parameter 'foo'
 END
@@ -348,8 +348,8 @@ END
         wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"
         same "help $name" '(nothing)' "$("$DOMINO" -e "help $name" | grep -E '^  (hollow|massive) ' || true)"
     done
-    for name in s r d q h g; do [[ $("$DOMINO" -e "help $name") != *'It decides how far'* ]]; done
-    [[ $("$DOMINO" -e 'help tol') == *'It decides how far'* ]]
+    for name in s r d q h g; do [[ $("$DOMINO" -e "help $name") != *'The tolerance decides how'* ]]; done
+    [[ $("$DOMINO" -e 'help tol') == *'The tolerance decides how'* ]]
 }
 
 # ---- Completion ----

@@ -104,7 +104,7 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     cd "$dir" || false
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
     one_line 'T is an angle, not a length' 'draw 10 mm'
-    one_line "'9' is no word behind T; those are: forces" 'draw forces 9'
+    one_line "unknown word behind T '9'; use one of: forces" 'draw forces 9'
     one_line "'draw 0.1 forces'" 'draw forces forces'
     one_line 'it stops at 0.02802163121 rad, below the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
@@ -147,9 +147,9 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     done
     same 'nothing is left' empty "$(ls "$dir" | grep -v '\.bats')"
     run -1 "$DOMINO" --safe -e "animate $dir/a.gif"
-    [[ $output == *'files are off in a safe session'* ]]
+    [[ $output == *'a safe session cannot read or write files'* ]]
     run -1 "$DOMINO" --safe -e "draw > $dir/a.svg"
-    [[ $output == *'files are off in a safe session'* ]]
+    [[ $output == *'a safe session cannot read or write files'* ]]
 }
 
 @test "a user's own settings of gnuplot change nothing" {

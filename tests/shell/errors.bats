@@ -41,7 +41,7 @@ all_bad() {
     all_bad <<'END'
 foo|1|^unknown command 'foo'.*'help'
 xyzzy|1|^unknown command 'xyzzy'.*'help'
--1|1|^an expression is no command; 'print'
+-1|1|^this is an expression, not a command; 'print'
 Fuel|1|^unknown command 'Fuel'; did you mean 'fuel'\?$
 fuell|1|^unknown command 'fuell'; did you mean 'fuel'\?$
   foo 1 2|3|^unknown command 'foo'.*'help'
@@ -297,7 +297,7 @@ junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
     printf 'set s 9%s' "$(tr 7 ' ' <<<"$million")" >"$BATS_TEST_TMPDIR/junk"
     junk 'junk:1:7: set: s = 9 is out of range'
     printf 'set s 0.3 %s' "$(tr 7 'x ' <<<"$million" | sed 's/xx/x /g')" >"$BATS_TEST_TMPDIR/junk"
-    junk "junk:1:11: set: 'x' is no unit and has no value"
+    junk "junk:1:11: set: 'x' is not a unit and has no value"
     { sed 's/7777777/set r 2;/g; s/7*$/foo/' <<<"$million"; } >"$BATS_TEST_TMPDIR/junk"
     junk "junk:1:[0-9]+: unknown command 'foo'"
     same 'a long number is a number' 0.5 "$({ echo 'set output json'; printf 'set s 0.5%s\nshow s' "$(tr 7 0 <<<"$million")"; } |

@@ -164,7 +164,7 @@ soon() { timeout 30 "$@"; }
     same 'no standard output' 'domino: cannot write the output: Bad file descriptor' "$stderr"
     same 'the file' "$answer" "$(cat out)"
     run -1 --separate-stderr bash -c '"$DOMINO" <&-'
-    same 'no standard input' 'stdin:0: cannot read on: Bad file descriptor' "$stderr"
+    same 'no standard input' 'cannot read 'stdin' after line 0: Bad file descriptor' "$stderr"
     run -1 bash -c '"$DOMINO" -e "fuel > out; foo; fuel" <&- >&- 2>&-'
     same 'none of the three' "$answer" "$(cat out)"
 }

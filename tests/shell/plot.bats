@@ -218,7 +218,7 @@ END
     done
     "$DOMINO" --safe -e 'plot growth' >/dev/null
     run -1 "$DOMINO" --safe -e 'plot growth > a.svg'
-    [[ $output == *'files are off in a safe session'* ]]
+    [[ $output == *'a safe session cannot read or write files'* ]]
     same 'nothing is left' '(nothing)' "$(ls -I 'separate-stderr-*')"
 }
 

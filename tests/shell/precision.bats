@@ -193,7 +193,7 @@ quad() { # COMMANDS KEY DIGITS
 
 @test "cost: what has no tolerance, or no answer, is an error in one line" {
     run -1 "$DOMINO" -e 'cost thetac'
-    same thetac "-e:1:6: cost: 'thetac' is no command with a tolerance; those are: fuel, launch, barrier, duration, rmax, pair" "$output"
+    same thetac "-e:1:6: cost: unknown command with a tolerance 'thetac'; use one of: fuel, launch, barrier, duration, rmax, pair" "$output"
     run -1 "$DOMINO" -e 'cost brier'
     [[ $output == *"did you mean 'barrier'?"* ]]
     run -1 "$DOMINO" -e 'cost'
@@ -239,7 +239,7 @@ plot cost launch > $dir/d.txt"
     run -1 "$DOMINO" -e 'plot cst launch'
     [[ $output == *"did you mean 'cost'?"* ]]
     run -1 "$DOMINO" --safe -e "plot cost launch > $dir/a.svg"
-    [[ $output == *'files are off in a safe session'* ]]
+    [[ $output == *'a safe session cannot read or write files'* ]]
 }
 
 @test "timing: every answer ends with its time" {

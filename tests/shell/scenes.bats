@@ -130,7 +130,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 0' 'out of range'
     wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
     wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'
-    wrong 'effect foo 1' "'foo' is no effect; those are: friction, slope, row, push, placement, floor"
+    wrong 'effect foo 1' "unknown effect 'foo'; use one of: friction, slope, row, push, placement, floor"
     wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; K is 2 .. 4 in this row'
     wrong 'effect row 1; place 2 1 cm' 'a row of one domino has no gap'
     wrong 'effect row 4; place 2 -1' 'no gap'

@@ -174,7 +174,7 @@ curve 0.02 0.9 100'
     wrong_line 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
     wrong_line 'sweep s 0.1 3 cm 9 : rmax' 's is a plain number, not a length'
     wrong_line 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'
-    wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is no count'
+    wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is not a count'
     wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' is in the grid twice"
     wrong_line 'sweep fuel exact paper 2 : rmax' "the values of fuel are words; list them, as in 'sweep fuel exact, paper : rmax'"
     wrong_line 'sweep friction off 0.2 3 : rmax' "the values of friction are words; list them, as in 'sweep friction off, on : rmax'"

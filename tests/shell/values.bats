@@ -350,8 +350,8 @@ END
 7|print (1+2|^print:.*'\(' is never closed
 9|print 1*(2*(3)|^print:.*'\(' is never closed
 8|print 1)|^print:.*'\)'
-8|print 2q|^print:.*'q' is no unit
-8|print 3foo|^print:.*'foo' is no unit
+8|print 2q|^print:.*'q' is not a unit
+8|print 3foo|^print:.*'foo' is not a unit
 10|print 0.4.1|^print:.*'.1'
 8|print 1,5|^print:.*',5'
 8|print 1/0|^print:.*division by zero
@@ -1054,7 +1054,7 @@ END
 }
 
 @test "a misspelt unit is named, and functions and units are topics of help" {
-    wrong 11 'theta1 10 dge' "^theta1: 'dge' is no unit; did you mean 'deg'"
-    wrong 9 'print 3 furlong' "^print: 'furlong' is no unit"
+    wrong 11 'theta1 10 dge' "^theta1: 'dge' is not a unit; did you mean 'deg'"
+    wrong 9 'print 3 furlong' "^print: 'furlong' is not a unit"
     for topic in sin pi cm units ans; do "$DOMINO" -e "help $topic" | grep -q '^print VALUE'; done
 }

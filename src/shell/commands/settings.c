@@ -10,7 +10,7 @@
 #include <errno.h>
 #include <string.h>
 
-/* Says what 'on' took, since it was not typed: with csv and json on standard error. */
+/* Reports the values that 'on' chose, since they were not typed; with csv and json on standard error. */
 static void effect_say(struct session *session, struct answer *a, const struct parameter *p, bool before)
 {
     char text[3 * EFFECT_SETTING], setting[EFFECT_SETTING], usage[EFFECT_USAGE];
@@ -34,7 +34,7 @@ bool run_set(struct session *session, const struct call *call)
     domq_real before = parameter_get(session, p), was = moved ? parameter_get(session, moved) : 0;
     if (!parameter_set(session, p, &call->number[1], call->count - 1, call->word[1]))
         return false;
-    /* A file that is sourced goes on to say what it wants. */
+    /* A file that is sourced may set the other one next. */
     if (moved && parameter_get(session, moved) != was && session->depth == 0)
         answer_say(call->answer, "%s is now %g", moved->name, (double)parameter_get(session, moved));
     if (p->effect && call->count > 1 && call->number[1] == EFFECT_ON)
@@ -43,18 +43,18 @@ bool run_set(struct session *session, const struct call *call)
 }
 
 static const struct column show_columns[] = {
-    {"name", "", "what 'set' calls it", 9},
-    {"value", "", "its value now", 12},
+    {"name", "", "the name that 'set' takes", 9},
+    {"value", "", "the value now", 12},
     {"unit", "", "h: heights of the domino", 5},
-    {"range", "", "the values that it may have", 17},
-    {"default", "", "its value at the start", 8},
-    {"meaning", "", "what it stands for", 24},
+    {"range", "", "the values that are allowed", 17},
+    {"default", "", "the value at the start", 8},
+    {"meaning", "", "what the parameter means", 24},
     {NULL, NULL, NULL, 0},
 };
 
 enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
 
-/* A parameter as it is shown: the cells of its row, and the words in them. */
+/* Holds a parameter as it is shown: the cells of its row, and the words in them. */
 struct shown {
     char range[64], value[EFFECT_SETTING], fallback[WIDE_TEXT];
     struct cell cell[SHOW_COLUMNS];
@@ -193,8 +193,11 @@ static bool run_source(struct session *session, const struct call *call)
     char shown[NAMES_SHOWN];
     const char *name = call->word[0];
     if (session->depth == SOURCE_DEPTH)
-        return session_error(session, "files are nested %d deep; does one source itself?", SOURCE_DEPTH);
+        return session_error(session, "files are nested %d deep; check whether one of them sources itself",
+                             SOURCE_DEPTH);
     FILE *in = io_read(name, session->compute.interrupt);
+    if (!in && errno == ECANCELED)
+        return session_status(session, DOM_INTERRUPTED);
     if (!in)
         return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
     long errors = session->errors;
@@ -246,9 +249,10 @@ const struct command session_commands[] = {
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
-     .help = "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, "
-             "rmax. Each value is judged alone; whether r s <= 1 holds is seen when a command needs it. NAME "
-             "may also be an effect: 'set friction 0.2', 'set friction off'.",
+     .help =
+         "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, "
+         "rmax. Each value is checked on its own; a command that needs r s <= 1 checks that. NAME may also "
+         "be an effect: 'set friction 0.2', 'set friction off'.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
      .run = run_set},
@@ -264,7 +268,9 @@ const struct command session_commands[] = {
      .synonyms = "undo default clear restore",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
-     .help = "Without NAME the settings of the session are kept: output, digits, angle, timing.",
+     .help = "Without NAME all effects are turned off, too, and the settings of the session are kept: "
+             "threads, output, "
+             "digits, angle, errors, timing.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .run = run_reset},

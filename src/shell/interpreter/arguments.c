@@ -29,7 +29,7 @@ struct place {
     bool quoted;
 };
 
-/* Passes a word.  False where a '"' is never closed. */
+/* Passes a word.  Returns false if a '"' is never closed. */
 static bool pass_word(struct reader *r, bool quotes, struct place *word)
 {
     char ends[16];
@@ -48,7 +48,7 @@ static bool pass_word(struct reader *r, bool quotes, struct place *word)
     return true;
 }
 
-/* A copy of the text, where between quotes '""' is one '"'. */
+/* Returns a copy of the text; between quotes '""' is one '"'. */
 static char *copy_word(const char *begin, const char *end, bool quoted)
 {
     char *copy = strndup(begin, (size_t)(end - begin)), *to = copy;
@@ -67,7 +67,7 @@ char *read_word(struct reader *r, bool quotes)
     return pass_word(r, quotes, &word) ? copy_word(word.begin, word.end, word.quoted) : NULL;
 }
 
-/* A name keeps its bytes: what the field's letters are in commands, they are not there. */
+/* A file name keeps its bytes: Greek letters in it are not replaced, as they are in commands. */
 char *read_file(struct reader *r)
 {
     struct place word;
@@ -103,11 +103,11 @@ static bool known_word(struct session *session, struct reader *r, const char *at
         session->column = reader_column(r, at);
         names_shown(word, shown);
         if (close && strcmp(close, word) == 0)
-            session_error(session, "the unit '%s' stands behind a number or a ')'", shown);
+            session_error(session, "the unit '%s' must follow a number or a ')', as in '4.8 cm'", shown);
         else if (close)
-            session_error(session, "'%s' is no unit; did you mean '%s'?", shown, close);
+            session_error(session, "'%s' is not a unit; did you mean '%s'?", shown, close);
         else
-            session_error(session, "'%s' is no unit and has no value", shown);
+            session_error(session, "'%s' is not a unit and has no value", shown);
     }
     free(word);
     return known;
@@ -208,12 +208,12 @@ bool read_choice(struct reader *r, const struct argument *a, char **word, domq_r
         return session_error(r->session, "'%s' has no value; %s is an angle in [0, theta_c], or one of: %s",
                              names_shown(*word, shown), a->name, all);
     if (*word && k != NAMES_CLOSE)
-        return session_error(r->session, "'%s' is no %s; those are: %s", names_shown(*word, shown), a->of,
+        return session_error(r->session, "unknown %s '%s'; use one of: %s", a->of, names_shown(*word, shown),
                              all);
     return session_error(r->session, "%s", message);
 }
 
-/* One of the names, as -1 - its number; or an angle. */
+/* Reads one of the names, as -1 - its number, or an angle. */
 static bool read_place(struct reader *r, const struct argument *a, struct call *call, int i)
 {
     char message[NAMES_MESSAGE] = NO_MEMORY;
@@ -284,7 +284,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         call->number[i] = k;
         call->parameter = k >= 0 && a->kind == ARGUMENT_PARAMETER ? &session_parameters[k] : NULL;
         if (k < 0 && call->word[i] && strchr(call->word[i], '='))
-            return session_error(session, "a blank stands between a name and its value, and no '='");
+            return session_error(session, "'=' is not used; put a blank between name and value: 'set s 0.3'");
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);
@@ -329,6 +329,8 @@ bool read_arguments(struct reader *r, const struct command *c, struct call *call
     if (call->count < ARGUMENTS_MAX && c->argument[call->count].kind && !c->argument[call->count].optional)
         return session_error(session, "%s is missing; usage: %s", c->argument[call->count].name,
                              command_usage(c, usage));
+    if (*r->at == '|')
+        return session_error(session, "pipes are not supported; 'COMMAND > FILE' writes a file");
     if (!command_ends(r->at) && *r->at != '>') {
         char *word = read_word(r, false);
         session_error(session, "'%s' is one argument too many; usage: %s",
@@ -359,7 +361,7 @@ const struct command *read_command(struct reader *r)
     if (k < 0) {
         bool expression = name && strcspn(name, "0123456789(+-*/^=") == 0;
         if (expression)
-            snprintf(message, sizeof message, "an expression is no command; 'print' evaluates it");
+            snprintf(message, sizeof message, "this is an expression, not a command; 'print' evaluates it");
         bool said = !name || effect_hint(name, message) || expression || k != NAMES_UNKNOWN;
         session_error(session, said ? "%s" : "%s; 'help' lists the commands", message);
     }

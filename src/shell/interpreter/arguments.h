@@ -27,7 +27,7 @@ bool command_ends(const char *c);
 char *read_word(struct reader *reader, bool quotes);
 extern const char unclosed[];
 
-/* A file name, '~' being the home folder. */
+/* Reads a file name; '~' is the home folder. */
 char *read_file(struct reader *reader);
 
 /* Reads the i-th value of a parameter: one of its words, or an expression. name: the source for messages. */
@@ -37,17 +37,17 @@ bool read_value(struct reader *reader, const struct parameter *parameter, int i,
 /* Reads one of the argument's names; a word that is none of them is an error with all names. */
 bool read_choice(struct reader *reader, const struct argument *argument, char **word, domq_real *number);
 
-/* An expression for an argument. */
+/* Reads an expression for an argument. */
 bool read_quantity(struct reader *reader, const struct argument *argument, struct quantity *quantity,
                    domq_real *number);
 
-/* All of a command, up to the end of the command or a '>'; what is wrong is an error of the session. */
+/* Reads all arguments of a command, up to its end or a '>'.  Reports what is wrong and returns false. */
 bool read_arguments(struct reader *reader, const struct command *command, struct call *call);
 
-/* A command's name; NULL where there is none of it, which was reported. */
+/* Reads the name of a command.  Returns NULL after an error, which was reported. */
 const struct command *read_command(struct reader *reader);
 
-/* Gives back what reading has taken. */
+/* Frees the memory of a call. */
 void call_free(struct call *call);
 
 #endif

@@ -40,7 +40,7 @@ const char *topic_names(const void *context, int k)
         commands++;
     if (k < commands)
         return command_names(context, k);
-    /* 'fuel' is a command and a parameter: once is enough. */
+    /* 'fuel' is a command and a parameter, and is listed once. */
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
@@ -84,7 +84,7 @@ static bool tilt_check(struct session *session, const struct argument *a, struct
     enum dom_status status = domq_angles_find(&session->train, &session->compute, &angles);
     if (status != DOM_OK)
         return session_status(session, status);
-    /* Its end as it was answered, in degrees and with all digits, may have been rounded up. */
+    /* theta_c as an answer gave it, in degrees with all digits, may have been rounded up. */
     domq_real slack = 2 * (domq_real)domq_arithmetic(session->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return session_no_answer(session,
@@ -123,14 +123,14 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     if (is_tilt(a))
         return tilt_check(session, a, q, number);
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
-        return session_no_answer(session, "%s = %s is no height; %s is a length in metres, larger than 0",
+        return session_no_answer(session, "%s = %s is not a height; %s is a length in metres, larger than 0",
                                  a->name, quad_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (domq_real)1e9))
-        return session_no_answer(session, "%s = %s is no gap; %s is a length in metres, 0 or more", a->name,
-                                 quad_shown(q.value).text, a->name);
+        return session_no_answer(session, "%s = %s is not a gap; %s is a length in metres, 0 or more",
+                                 a->name, quad_shown(q.value).text, a->name);
     int most = a->most ? a->most(session) : COUNT_MAX;
     if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == quad(floor)(q.value)))
-        return session_no_answer(session, "%s = %s is no count; %s is an integer in 1 .. %d%s%s", a->name,
+        return session_no_answer(session, "%s = %s is not a count; %s is an integer in 1 .. %d%s%s", a->name,
                                  quad_shown(q.value).text, a->name, most, a->most ? ", " : "",
                                  a->most ? a->most_of : "");
     const struct domq_effect_argument *of = p ? &p->value[a->which] : NULL;
@@ -141,7 +141,7 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     return !p || parameter_check(session, p, a->which, q.value);
 }
 
-/* What an expression can stand for; all else is a name, a word, a file or a line. */
+/* Returns true for an argument that an expression gives, not a name, word, file or line. */
 static bool is_value(enum argument_kind kind)
 {
     return kind == ARGUMENT_TILT || kind == ARGUMENT_OF || kind == ARGUMENT_HEIGHT ||
@@ -166,7 +166,8 @@ int command_values(const struct command *c, int *fewest)
 
 bool command_allowed(struct session *session, const struct command *c)
 {
-    return !(c->files && session->safe) || session_error(session, "files are off in a safe session");
+    return !(c->files && session->safe) ||
+           session_error(session, "a safe session cannot read or write files");
 }
 
 bool command_keep(struct session *session, const struct command *c, struct call *call, struct cell *kept)

@@ -20,7 +20,7 @@ enum argument_kind {
     ARGUMENT_ANY,       /* any value */
     ARGUMENT_PARAMETER, /* the name of a parameter */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_VALUE,     /* a value for the parameter or effect before it, or a file in its place */
+    ARGUMENT_VALUE,     /* a value for the parameter or effect before it, or a file that gives it */
     ARGUMENT_TOPIC,     /* a command or a parameter */
     ARGUMENT_CHOICE,    /* one of the names in argument.choices; its number */
     ARGUMENT_PLACE,     /* the same, as -1 - its number, or an angle in [0, theta_c] */
@@ -56,7 +56,7 @@ struct argument {
 
 enum { ARGUMENTS_MAX = 3 };
 
-/* The arguments of one call, read. */
+/* The arguments of one call, as they were read. */
 struct call {
     int count; /* of those that were given */
     domq_real number[ARGUMENTS_MAX];
@@ -79,12 +79,12 @@ struct command {
     const char *example;          /* commands that show it, or NULL */
     const char *see;              /* other commands, or NULL */
     const struct column *columns; /* of the answer, or NULL */
-    const char *principal;        /* the key of the column that it stands for in an expression; NULL: none */
+    const char *principal;        /* the key of its value in an expression; NULL: none */
     bool rows;
     const char *echo;    /* the column that repeats this parameter, unless an argument takes its place */
     const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
     bool train;          /* is about the endless train */
-    bool draws;          /* gives a picture where people read */
+    bool draws;          /* gives a picture in a table */
     const char *holds;   /* what is true if its answer is yes, see answer_holds; NULL: it decides nothing */
     bool runs;           /* runs other commands, whose answers go where its own would */
     bool files;          /* touches files: not in a safe session */
@@ -119,7 +119,7 @@ bool session_lookup(struct expression *expression, const char *name, const char 
 /* Lists for names.h every name that has a value. */
 const char *value_names(const void *context, int k);
 
-/* The command with this very name, or NULL. */
+/* Returns the command with exactly this name, or NULL. */
 const struct command *command_find(const char *name);
 
 enum { USAGE_SIZE = 96 };
@@ -127,10 +127,10 @@ enum { USAGE_SIZE = 96 };
 /* Returns the index of the principal column of a command that has one. */
 int command_principal(const struct command *command);
 
-/* "rmax [S]". */
+/* Writes the usage of a command: "rmax [S]". */
 const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
 
-/* A value for an argument of this kind; what is wrong with it is an error of the session. */
+/* Checks a value for an argument of this kind, and stores it.  Reports what is wrong and returns false. */
 bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
                     domq_real *number);
 

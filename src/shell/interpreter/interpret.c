@@ -135,12 +135,12 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
     if (!path)
         session_error(session, "%s", unclosed);
     else if (!*path)
-        session_error(session, "the file behind '>' is missing");
+        session_error(session, "the file after '>' is missing; for example 'show > FILE'");
     else if (!command_ends(r->at))
         session_error(session,
-                      "only one word may stand behind '>'; a file name with blanks stands between \"...\"");
+                      "only one word can follow '>'; put a file name with blanks between double quotes");
     else if (session->safe)
-        session_error(session, "files are off in a safe session");
+        session_error(session, "a safe session cannot read or write files");
     else if (!ending_fits(session, c, path))
         done = false; /* which was reported */
     else if ((wrong = redirect_open(&redirect, path, append, session->compute.interrupt)) != NULL)
@@ -158,7 +158,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         session->appended = append;
         session->answered = false;
         session->format = ending->kind == ENDING_PICTURE
-                              ? &format_table /* for people, whatever 'set output' says */
+                              ? &format_table /* for people, also with 'set output csv' */
                               : ending->format;
         done = run_call(session, c, call);
         session->out = out;

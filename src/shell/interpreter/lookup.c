@@ -7,7 +7,7 @@ static bool cell_quantity(struct expression *e, const char *name, const struct c
                           const struct cell *cells, struct quantity *result)
 {
     if (cells[i].kind == CELL_WORD)
-        return expression_fail(e, "%s.%s is a word, '%s', and no number", name, c->columns[i].key,
+        return expression_fail(e, "%s.%s is the word '%s', not a number", name, c->columns[i].key,
                                cells[i].word);
     if (cells[i].kind == CELL_NONE)
         return expression_no_value(e, "%s.%s does not exist here: '%s' says why", name, c->columns[i].key,
@@ -46,7 +46,7 @@ static bool command_quantity(struct expression *e, const struct command *c, cons
     if (count < fewest || count > most)
         return expression_fail(e, "%d value%s for '%s'", count, count == 1 ? "" : "s",
                                command_usage(c, usage));
-    /* The message of what fails in there has been written when it returns. */
+    /* These report their own errors. */
     if (!command_allowed(session, c))
         return false;
     for (int i = 0; i < count; i++)

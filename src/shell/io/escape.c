@@ -12,7 +12,7 @@ enum { NO_CHARACTER = 0xfffd, PLANE = 0x10000 };
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
-    /* The least code that needs so many bytes: what is written longer is no UTF-8. */
+    /* The least code that needs so many bytes: a longer form is not UTF-8. */
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
     size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
     *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;

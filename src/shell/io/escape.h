@@ -15,7 +15,7 @@ enum { ESCAPE_PIECE = 12 }; /* of one character: itself, "\x1b", "\u202e", "\u{e
 /*
  * The next character of a text that has not ended, as people may read it; returns how many bytes it takes.
  * C0, DEL, C1, what sets the direction of writing or breaks lines, and invisible marks become \x.., \u.... or
- * \u{.....}, each byte that is no UTF-8 becomes \x...  Escaping twice changes nothing.
+ * \u{.....}, each byte that is not UTF-8 becomes \x...  Escaping twice changes nothing.
  */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
@@ -30,7 +30,7 @@ char *escape_copy(const char *text);
 
 /*
  * A string of JSON with its quotes, always valid UTF-8: control characters and all that escape_next changes
- * become \u...., which a program reads as the same character; a byte that is no UTF-8 becomes U+FFFD.
+ * become \u...., which a program reads as the same character; a byte that is not UTF-8 becomes U+FFFD.
  */
 void escape_json(FILE *out, const char *text);
 

@@ -189,7 +189,7 @@ failed:;
 
 /* ---- Copies ---- */
 
-/* The draft's text into an open file, from where that stands; false with errno. */
+/* Copies the draft into an open file, from its current place; false with errno. */
 static bool draft_copy(FILE *draft, int to)
 {
     char block[4096];

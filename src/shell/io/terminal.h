@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Colour only on a terminal that can, and if NO_COLOR is not set. */
+/* Returns true for a terminal with colours, if NO_COLOR is not set. */
 bool terminal_colour(FILE *stream);
 
 /* Finds the columns and rows of the terminal of the stream. Returns false, and 0 for both, if there is
@@ -20,15 +20,15 @@ int terminal_width(FILE *stream);
  * that. */
 void terminal_lend(FILE *memory, FILE *terminal);
 
-/* Does the locale have UTF-8? */
+/* Returns true if the locale has UTF-8. */
 bool terminal_utf8(void);
 
-/* Columns that UTF-8 text takes: its characters, none of ours being wide. */
+/* Returns the columns that UTF-8 text takes: its characters, of which none is wide. */
 int terminal_columns(const char *text);
 
 /*
- * Says "3 s; ^C stops it" on standard error while a command works on, second by second, if that is a
- * terminal; progress_show knows better and takes over.
+ * Shows "3 s; ^C stops it" on standard error while a command works on, second by second, if that is a
+ * terminal; progress_show replaces it.
  */
 void ticker_start(void);
 void ticker_stop(void);

@@ -78,7 +78,7 @@ static bool number(struct expression *e, struct quantity *q)
 {
     const char *begin = e->end;
     if (begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X'))
-        return expression_fail(e, "is no number: only decimals are");
+        return expression_fail(e, "is not a decimal number");
     char *stop;
     errno = 0;
     *q = (struct quantity){.value = quad_read(begin, &stop)};
@@ -103,7 +103,7 @@ static bool postfix_unit(struct expression *e, struct quantity *q)
             *q = with;
             e->end = stop;
         } else if (c == e->end) {
-            return expression_fail(e, "'%.*s' is no unit", (int)name_length(c), c);
+            return expression_fail(e, "'%.*s' is not a unit", (int)name_length(c), c);
         }
     }
     return true;
@@ -155,7 +155,7 @@ static bool arguments(struct expression *e, struct quantity *a, int *count)
             return expression_fail(e, "',' or ')' is missing");
         e->end = skip_blanks(e->end + 1);
         if (*e->end == ')')
-            return expression_fail(e, "a value is missing behind ','");
+            return expression_fail(e, "a value is missing after ','");
     }
     e->end++;
     return true;
@@ -241,7 +241,7 @@ static bool factor(struct expression *e, struct quantity *q)
             if (good &&
                 (!quantity_plain(power) || power.angle || (!whole && (!quantity_plain(*q) || q->angle)))) {
                 e->end = at;
-                good = expression_fail(e, "this is no exponent for what stands before it");
+                good = expression_fail(e, "the value before '^' cannot have this exponent");
             } else if (good) {
                 int n = whole ? (int)power.value : 0;
                 *q = (struct quantity){quad(pow)(q->value, power.value), n * q->length, n * q->time,

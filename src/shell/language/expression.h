@@ -28,7 +28,8 @@ struct expression {
     int depth;
 };
 
-/* Evaluates the longest expression at expression->text.  False: see message and end. */
+/* Evaluates the longest expression at expression->text.  Returns false after an error: see message and end.
+ */
 bool expression_evaluate(struct expression *expression, struct quantity *result);
 
 /* Sets the message of an error in the line, or in its values; the names below are also the value false. */

@@ -10,29 +10,29 @@ typedef const char *names_list(const void *context, int k);
 
 enum { NAMES_MESSAGE = 256 };
 
-/* What names_find answers where there is no name; all are negative. */
+/* What names_find returns if there is no name; all are negative. */
 enum {
-    NAMES_UNKNOWN = -1, /* nothing is like it */
+    NAMES_UNKNOWN = -1, /* no name is similar */
     NAMES_CLOSE = -2,   /* the message says what was meant */
     NAMES_SEVERAL = -3, /* the message says which names begin so */
 };
 
 /*
- * Index of the name that text is, or is the only beginning of; else one of the above, with a message
- * ("unknown command 'barier'; did you mean 'barrier'?").  what names the kind of thing.
+ * Returns the index of the name that text is, or is the only beginning of; else one of the above, with a
+ * message: "unknown command 'barier'; did you mean 'barrier'?".  `what` is the kind of name: "command".
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE]);
 
-/* Index of the exact name, or -1. */
+/* Returns the index of the exact name, or -1. */
 int names_exact(names_list *list, const void *context, const char *text);
 
-/* The name in the list that is closest to text, if it is close; else NULL. */
+/* Returns the name in the list that is closest to text, if it is close; else NULL. */
 const char *names_closest(names_list *list, const void *context, const char *text);
 
 enum { NAMES_SHOWN = 64 };
 
-/* Text as a message may quote it: nothing unprintable, nothing long. */
+/* Writes text as a message can quote it: nothing unprintable, nothing long. */
 const char *names_shown(const char *text, char shown[NAMES_SHOWN]);
 
 #endif

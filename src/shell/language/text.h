@@ -20,14 +20,14 @@ struct text {
 
 enum { TEXT_MOST = 4 << 20 }; /* bytes of a line: far above what people and programs write */
 
-/* False if there is no memory.  typed outlives the text; it is at most INT_MAX bytes long. */
+/* Makes a text; returns false without memory.  typed outlives the text; it is at most INT_MAX bytes long. */
 bool text_make(struct text *text, const char *typed, size_t length);
 void text_free(struct text *text);
 
 /*
- * The next line of a stream, without its end, as getline reads it: in *line, of *size bytes, which the caller
- * frees.  Returns its length, -1 at the end of the stream, after an error or without memory (errno).  No more
- * than TEXT_MOST bytes are kept, and one more says that it was longer: the rest is read and dropped.
+ * Reads the next line of a stream, without its end, as getline does: in *line, of *size bytes, which the
+ * caller frees.  Returns its length, -1 at the end of the stream, after an error or without memory (errno).
+ * No more than TEXT_MOST bytes are kept, and one more says that it was longer: the rest is read and dropped.
  */
 ssize_t text_read(char **line, size_t *size, FILE *in);
 
@@ -44,7 +44,7 @@ const char *text_quote(const char *c);
  */
 const char *text_end(const char *c, const char *ends);
 
-/* Column of a place in the line, from 1. */
+/* Returns the column of a place in the line, from 1. */
 int text_column(const struct text *text, const char *place);
 
 #endif

@@ -16,19 +16,20 @@ struct quantity {
     int length, time, angle;
 };
 
-/* Neither a length nor a time: a number, or an angle to some power. */
+/* Returns true for a number or a power of an angle: neither a length nor a time. */
 bool quantity_plain(struct quantity quantity);
 
-/* Multiplies by a power of another one. */
+/* Multiplies a quantity by a power of another one. */
 void quantity_multiply(struct quantity *quantity, struct quantity by, int power);
 
-/* The unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1. */
+/* Returns the unit "m/s^2" as a quantity; a unit that the language does not have ("h", "mgh/2") is a plain 1.
+ */
 struct quantity expression_unit(const char *unit);
 
-/* "m^2 s^-1", or "" for a plain number. */
+/* Writes the unit, "m^2 s^-1", or "" for a plain number. */
 const char *expression_unit_text(struct quantity quantity, char *text, size_t size);
 
-/* "a length", "a time", "m^2 s^-1": what a quantity is, for messages. */
+/* Writes what a quantity is, for messages: "a length", "a time", "m^2 s^-1". */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
 
 /* Lists for names.h the units. */

@@ -14,7 +14,7 @@
 
 #include <readline/history.h>
 
-/* The file may have twice as many lines as are kept, so that it is not written anew at every start. */
+/* The file may have twice as many lines as are kept, so that it is not written again at every start. */
 enum { HISTORY_LINES = 2000, HISTORY_FILE = 2 * HISTORY_LINES };
 
 /* A person does not wait longer for another session; without the lock a line is still written whole. */

@@ -15,7 +15,7 @@ void line_prompt(struct session *session);
 void complete_line(const char *line, bool files, void (*emit)(const char *candidate, void *context),
                    void *context);
 
-/* The same as Readline's completion function. */
+/* Completes a word, as Readline's completion function. */
 char **complete_word(const char *text, int start, int end);
 
 /*

@@ -77,7 +77,7 @@ static void on_line(char *text)
         putc('\n', session->out);
         session->quit = true;
     } else {
-        /* A ^C before the line is none of the line; a signal that ends the session is. */
+        /* A ^C before the line does not concern the line; a signal that ends the session does. */
         interrupted = 0;
         if (ended)
             interrupted = ended;

@@ -22,7 +22,7 @@ static bool typed_is_plain(const struct session *session)
 }
 
 /*
- * At the prompt a caret points at the place: in the typed line, if that stands right above, else in a
+ * At the prompt a caret points at the place: in the typed line, if that is the line above, else in a
  * copy of it.
  */
 static void session_caret(const struct session *session)
@@ -41,7 +41,7 @@ static void session_caret(const struct session *session)
 }
 
 /* A point of a sweep has no terminal: the first message is kept. */
-static void session_hear(const struct session *session, bool no_answer, const char *format, va_list arguments)
+static void session_keep(const struct session *session, bool no_answer, const char *format, va_list arguments)
 {
     struct captured_error *h = session->captured_error;
     if (*h->text)
@@ -52,9 +52,9 @@ static void session_hear(const struct session *session, bool no_answer, const ch
     vsnprintf(h->text, sizeof h->text, format, arguments);
 }
 
-static void session_tell(struct session *session, const char *format, va_list arguments)
+static void session_write(struct session *session, const char *format, va_list arguments)
 {
-    char told[1024], text[4 * sizeof told], shown[NAMES_SHOWN];
+    char line[1024], text[4 * sizeof line], shown[NAMES_SHOWN];
     const char *source = session->source;
     if (source && escape_needed(source))
         source = names_shown(source, shown); /* a name may not hide the message after it */
@@ -63,14 +63,14 @@ static void session_tell(struct session *session, const char *format, va_list ar
     ticker_stop();
     session_caret(session);
     if (source && session->column)
-        n = snprintf(told, sizeof told, "%s:%ld:%d: ", source, session->line, session->column);
+        n = snprintf(line, sizeof line, "%s:%ld:%d: ", source, session->line, session->column);
     else if (source)
-        n = snprintf(told, sizeof told, "%s:%ld: ", source, session->line);
-    n = n < (int)sizeof told / 2 ? n : (int)sizeof told / 2;
+        n = snprintf(line, sizeof line, "%s:%ld: ", source, session->line);
+    n = n < (int)sizeof line / 2 ? n : (int)sizeof line / 2;
     if (session->command)
-        n += snprintf(told + n, sizeof told - (size_t)n, "%s: ", session->command);
-    vsnprintf(told + n, sizeof told - (size_t)n, format, arguments);
-    escape_text(told, text, sizeof text);
+        n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", session->command);
+    vsnprintf(line + n, sizeof line - (size_t)n, format, arguments);
+    escape_text(line, text, sizeof text);
     bool colour = terminal_colour(stderr) && !session->source;
     fputs(colour ? "\033[31m" : "", stderr);
     output_wrapped(stderr, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
@@ -83,9 +83,9 @@ bool session_report(struct session *session, enum message what, const char *form
     va_list arguments;
     va_start(arguments, format);
     if (session->captured_error && what != MESSAGE_NOTE)
-        session_hear(session, what == MESSAGE_NO_ANSWER, format, arguments);
+        session_keep(session, what == MESSAGE_NO_ANSWER, format, arguments);
     else
-        session_tell(session, format, arguments);
+        session_write(session, format, arguments);
     va_end(arguments);
     session->errors += what != MESSAGE_NOTE;
     return false;

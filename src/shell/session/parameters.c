@@ -4,7 +4,7 @@
 #include "language/names.h"
 #include "language/quad.h"
 
-/* So that 'show' says which. */
+/* Names the type of quad precision, for 'show'. */
 #if defined DOMQ_REAL_FLOAT128
 #define QUAD_TYPE "__float128, 113 bits"
 #elif LDBL_MANT_DIG == 113
@@ -12,23 +12,25 @@
 #elif LDBL_MANT_DIG > DBL_MANT_DIG
 #define QUAD_TYPE "long double, 64 bits"
 #else
-#define QUAD_TYPE "not to be had here"
+#define QUAD_TYPE "not available"
 #endif
 
 static const char tol_help[] =
-    "It decides how far down the train the sums go and when iterations stop; tables show no more digits than "
-    "it promises. Where a parameter's last digit moves the answer by more than that, so does rounding: 'set "
-    "errors on' tells. The floor is that of the precision: 1e-6, 1e-15, 1e-33. A new precision takes its own "
-    "default along, unless another tol was set; 'cost rmax' shows what a digit costs.";
-static const char precision_help[] =
-    "One source of the model, compiled for each. Parameters are kept in the widest and rounded to this one: "
-    "in quad 7/48 has 34 digits. tol follows if it still has its default; 'set digits 33' shows what quad "
-    "gives.";
+    "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
+    "than it promises. Rounding errors can be larger where an answer depends strongly on a parameter: 'set "
+    "errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double and 1e-33 in quad "
+    "precision. A new precision sets its own default, unless another tol was set. 'cost rmax' shows what a "
+    "digit costs.";
+static const char precision_help[] = "The same equations in float, double or quad arithmetic. Parameters are "
+                                     "kept in the widest arithmetic and "
+                                     "rounded to this one: in quad, 7/48 has 34 digits. tol follows if it "
+                                     "still has its default; 'set digits 33' shows what quad "
+                                     "gives.";
 static const char errors_help[] =
-    "Behind each number stands +/- and a bound: of all rounding on the way from the parameters, as the "
-    "precision has them, of what tol cuts off, and of the digits that are not printed; digits does not "
-    "matter then. In csv and json it is a column or key of its own, KEY_error. The values of 'print' have "
-    "none.";
+    "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors on the "
+    "way from the parameters, what tol cuts off, and the digits that are not printed; 'digits' has no effect "
+    "then. In csv and json the bound is a column or key of its own, KEY_error. The values of 'print' have no "
+    "bounds.";
 
 static domq_real tol_default(const struct domq_arithmetic *arithmetic)
 {
@@ -77,7 +79,7 @@ static void precision_put(struct session *session, domq_real precision)
     }
 }
 
-/* What the shell adds to a number of the library's lists: members of its row.  One for each number. */
+/* Adds members to the row of a number of the library's lists; each number has one. */
 #define MORE_s .synonyms = "spacing distance apart gap",
 #define MORE_r .synonyms = "growth factor ratio size larger",
 #define MORE_d .synonyms = "width thin thick depth",
@@ -119,9 +121,9 @@ const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
-    {ROW("mass", mass, "kg", "mass of the first domino, 0 for none: energies are then in m g h/2", .highest = 1e9),
+    {ROW("mass", mass, "kg", "mass of the first domino; 0 for none: energies in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
-    {ROW("density", density, "kg/m^3", "of solid dominoes half as wide as tall, where no mass is set",
+    {ROW("density", density, "kg/m^3", "density of the first domino, solid, half as wide as tall; 0 for none",
          .highest = 1e9),
      .synonyms = "wood weight material"},
     {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (25; c7)", .usual = DOM_FUEL_EXACT),
@@ -132,10 +134,10 @@ const struct parameter session_parameters[] = {
      .synonyms = "accuracy digits float double quad",
      .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .put = precision_put},
-    {ROW("seed", seed, "", "of random rows: the same seed, the same rows", .highest = (domq_real)4294967295.0,
+    {ROW("seed", seed, "", "start of the random numbers: the same seed, the same rows", .highest = (domq_real)4294967295.0,
          .usual = SEED_DEFAULT, .whole = true),
      .synonyms = "random chance"},
-    {ROW("threads", threads, "", "of curves, sweeps and studies; 0: as many as there are processors",
+    {ROW("threads", threads, "", "threads of curves, sweeps and studies; 0: one a processor",
          .highest = 256, .whole = true),
      .synonyms = "parallel cores processors cpu fast", .setting = true},
     {ROW("output", style.output, "", "how answers are written", .usual = 0),
@@ -144,13 +146,13 @@ const struct parameter session_parameters[] = {
     {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
          .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
      .synonyms = "accuracy decimals", .setting = true},
-    {ROW("angle", style.angle, "", "unit of angles, typed and answered", .usual = ANGLE_RAD),
+    {ROW("angle", style.angle, "", "unit of angles, in input and answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ROW("errors", style.errors, "", "whether every number has the bound of its error", .usual = 0),
+    {ROW("errors", style.errors, "", "whether each number has a bound of its error", .usual = 0),
      .synonyms = "accuracy uncertainty precision bounds",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
-    {ROW("timing", timing, "", "whether every answer ends with its time", .usual = 0),
+    {ROW("timing", timing, "", "whether each answer ends with its time", .usual = 0),
      .synonyms = "seconds speed fast",
      .words = SWITCH, .words_only = true, .setting = true},
     DOM_DYNAMICS(DYNAMICS)
@@ -324,8 +326,8 @@ bool parameter_check(struct session *session, const struct parameter *p, int i, 
     domq_real lowest = i ? of->lowest : parameter_lowest(session, p);
     parameter_range(session, p, i, range, sizeof range);
     if (of->whole && value != quad(floor)(value))
-        return session_no_answer(session, "%s = %s is no whole number; %s is one in %s", of->name,
-                                 quad_shown(value).text, of->name, range);
+        return session_no_answer(session, "%s = %s is not a whole number; %s is a whole number in %s",
+                                 of->name, quad_shown(value).text, of->name, range);
     /* The doubles of the table are the nearest to decimals: both are inside. */
     if ((value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) && value <= of->highest)
         return true;

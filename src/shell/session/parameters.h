@@ -56,7 +56,7 @@ const struct parameter *parameter_find(const char *name);
 /* Returns what the parameter's i-th value is, counted from 0; NULL after the last one. */
 const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
-/* Return what the parameter stands for, in a few words; and more about it, or NULL. */
+/* Return what the parameter means, in a few words; and more about it, or NULL. */
 const char *parameter_meaning(const struct parameter *parameter);
 const char *parameter_help(const struct parameter *parameter);
 
@@ -87,8 +87,8 @@ bool parameter_set(struct session *session, const struct parameter *parameter, c
 
 /*
  * Returns the parameters in an order in which 'set' can take them, NULL after the last: first the effects
- * that are off, then how answers are written, then words, since precision rules the floor of tol, then
- * numbers, and then the effects that are on.
+ * that are off, then how answers are written, then words, since the smallest tol depends on the precision,
+ * then numbers, and then the effects that are on.
  */
 const struct parameter *parameter_in_order(const struct session *session, int k);
 
@@ -105,7 +105,7 @@ const char *parameter_word(const struct parameter *parameter, domq_real value);
 void parameter_range(const struct session *session, const struct parameter *parameter, int i, char *text,
                      size_t size);
 
-/* Writes a value as 'set' would take it back. */
+/* Writes a value as 'set' reads it. */
 void parameter_text(const struct parameter *parameter, domq_real value, int digits, char *text, size_t size);
 
 /* Returns the style of the session's answers. */

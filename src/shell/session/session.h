@@ -46,9 +46,10 @@ struct listed_row {
     size_t changes;
 };
 
-/* Where a walk through the cycles stands: at an event of a cycle, or between two. */
+/* The place of a walk through the cycles: at an event of a cycle, or between two. */
 struct walk {
-    struct domq_train train;     /* that the session had when the walk began; another one begins anew */
+    struct domq_train
+        train; /* the train of the session when the walk began; with another train the walk begins again */
     struct domq_compute compute; /* to a finer tolerance than the session's */
     domq_real tol;               /* the session's then */
     struct domq_event events[DOM_EVENTS_MAX];
@@ -103,16 +104,16 @@ enum { SEED_DEFAULT = 1, DIGITS_DEFAULT = 6 };
 /* Begins a session in which every parameter has its default. */
 void session_init(struct session *session, FILE *out);
 
-/* Gives back what the session holds. */
+/* Frees what the session holds. */
 void session_close(struct session *session);
 
-/* Turns every effect off, and gives back what the session holds for them. */
+/* Turns every effect off, and frees what the session holds for them. */
 void effects_reset(struct session *session);
 
-/* Hands the values of the effects to the session's train. */
+/* Copies the values of the effects to the session's train. */
 void effects_apply(struct session *session);
 
-/* Gives back a listed row. */
+/* Frees a listed row. */
 void listed_free(struct listed_row *row);
 
 /* Return the first domino's mass in kg, of a block of these sizes in m, or of h and d; 0: not known. */
@@ -145,7 +146,7 @@ struct range session_part(const struct session *session, size_t points);
  */
 bool session_stops(const struct session *session, long errors);
 
-/* Also for a library status that is not DOM_OK. */
+/* Reports a library status that is not DOM_OK.  Returns false. */
 bool session_status(struct session *session, enum dom_status status);
 
 /* Returns how to compute an answer: with bounds of its errors if the session asks for them. */
