@@ -316,6 +316,10 @@ END
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
 }
 
+@test "a pipe is answered with what writes a file" {
+    wrong 'rmax | head' "^-e:1:6: rmax: pipes are not supported; 'COMMAND > FILE' writes a file\$"
+}
+
 @test "q takes solid and its synonym, and only solid is offered" {
     same values '4 4 3' "$(for word in solid massive hollow; do "$DOMINO" -e "set q $word; print q"; done | paste -sd ' ' -)"
     same offered 'hollow solid' "$("$DOMINO" -e 'complete set q ' | paste -sd ' ' -)"

@@ -47,7 +47,7 @@ fuell|1|^unknown command 'fuell'; did you mean 'fuel'\?$
   foo 1 2|3|^unknown command 'foo'.*'help'
 set foo 1|5|^set: unknown parameter 'foo'
 set S 0.4|5|^set: unknown parameter 'S'
-set s=0.4 1|5|^set: a blank stands between
+set s=0.4 1|5|^set: .=. is not used; put a blank
 show foo|6|^show: unknown parameter 'foo'
 reset foo|7|^reset: unknown parameter 'foo'
 help foo|6|^help: unknown (topic|command) 'foo'

@@ -51,13 +51,11 @@ of_help() {
     done
 }
 
-@test "help has no more words that are not plain than it had" {
+@test "help is in plain words" {
     all_help >"$BATS_TEST_TMPDIR/help"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/help")" -ge 900 ]
     violations help <"$BATS_TEST_TMPDIR/help" >"$BATS_TEST_TMPDIR/found"
-    echo "$(wc -l <"$BATS_TEST_TMPDIR/found") now, to become 0:"
-    cat "$BATS_TEST_TMPDIR/found"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/found")" -le 10 ]
+    same help '(nothing)' "$(cat "$BATS_TEST_TMPDIR/found")"
 }
 
 # The texts that the shell passes to the functions that report errors or print sentences, a literal on a line.

@@ -126,7 +126,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect friction -1' 'MU = -1 is out of range'
     wrong 'effect friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
     wrong 'effect friction 3 mm' 'MU is a plain number, not a length'
-    wrong 'effect row 2.5' 'no whole number'
+    wrong 'effect row 2.5' 'not a whole number'
     wrong 'effect row 0' 'out of range'
     wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
     wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'

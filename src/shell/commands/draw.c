@@ -178,7 +178,7 @@ static void draw_text(struct session *session, domq_real theta, const struct sce
     output_wrapped(out, title_text(session, theta, "theta", text), 0, width);
     putc('\n', out);
     canvas_write(&canvas, out);
-    snprintf(text, sizeof text, "0: head; 1, 2, ...: behind it; #: the next%s; @: contact",
+    snprintf(text, sizeof text, "0: head; 1, 2, ...: its followers; #: the next%s; @: contact",
              next_cut(scene, cut));
     output_wrapped(out, text, 0, width);
     putc('\n', out);
@@ -221,7 +221,7 @@ static bool draw_file(struct session *session, domq_real theta, const struct sce
         return false;
     FILE *out = picture.script;
     script_axes(out, scene->left, scene->right, scene->top);
-    fprintf(out, "set title \"%s\\n0: head; 1, 2, ...: behind it; grey: the next%s; dots: contacts%s\"\n",
+    fprintf(out, "set title \"%s\\n0: head; 1, 2, ...: its followers; grey: the next%s; dots: contacts%s\"\n",
             title_text(session, theta, picture.theta, text), next_cut(scene, cut),
             forces ? "\\narrows: the push at a contact, in weights of the domino that is pushed" : "");
     for (int k = scene->count - 1; k >= 0; k--)
@@ -246,7 +246,7 @@ static const struct column draw_columns[] = {
     {"top_back_z", "h", "height of that", 0},
     {"foot_back_x", "h", "foot at the back", 0},
     {"foot_back_z", "h", "height of that", 0},
-    {"contact_x", "h", "where the one behind touches its back face", 0},
+    {"contact_x", "h", "where its follower touches its back face", 0},
     {"contact_z", "h", "height of that", 0},
     {"force", "mg", "the push there, square to the face, m of the head", 0},
     {"of_own", "mg", "the same, m of this domino", 0},
