@@ -19,7 +19,7 @@ soon() { timeout 30 "$@"; }
 @test "^C ends the wait for the reader of a FIFO: >>" { prompt interrupt_fifo 'fuel >> %s'; }
 @test "^C ends the wait for the reader of a FIFO: save" { prompt interrupt_fifo 'save %s'; }
 @test "^C ends the wait for a writer that writes nothing" {
-    prompt interrupt_partner '3>' 'source %s' 'cannot read [^\n]*canceled'
+    prompt interrupt_partner '3>' 'source %s' 'source: interrupted'
 }
 @test "^C ends the wait for a reader that reads nothing" {
     # More than a FIFO holds, at once.
@@ -164,7 +164,7 @@ soon() { timeout 30 "$@"; }
     same 'no standard output' 'domino: cannot write the output: Bad file descriptor' "$stderr"
     same 'the file' "$answer" "$(cat out)"
     run -1 --separate-stderr bash -c '"$DOMINO" <&-'
-    same 'no standard input' 'cannot read 'stdin' after line 0: Bad file descriptor' "$stderr"
+    same 'no standard input' 'stdin:0: cannot read the next line: Bad file descriptor' "$stderr"
     run -1 bash -c '"$DOMINO" -e "fuel > out; foo; fuel" <&- >&- 2>&-'
     same 'none of the three' "$answer" "$(cat out)"
 }

@@ -319,18 +319,18 @@ bool read_arguments(struct reader *r, const struct command *c, struct call *call
     for (call->count = 0; call->count < ARGUMENTS_MAX && c->argument[call->count].kind; call->count++) {
         const struct argument *a = &c->argument[call->count];
         r->at = skip_blanks(r->at);
-        if (a->kind != ARGUMENT_REST && (command_ends(r->at) || *r->at == '>'))
+        if (a->kind != ARGUMENT_REST && (command_ends(r->at) || *r->at == '>' || *r->at == '|'))
             break;
         if (!read_argument(r, c, call))
             return false;
     }
     r->at = skip_blanks(r->at);
     session->column = reader_column(r, r->at);
+    if (*r->at == '|')
+        return session_error(session, "pipes are not supported; 'COMMAND > FILE' writes a file");
     if (call->count < ARGUMENTS_MAX && c->argument[call->count].kind && !c->argument[call->count].optional)
         return session_error(session, "%s is missing; usage: %s", c->argument[call->count].name,
                              command_usage(c, usage));
-    if (*r->at == '|')
-        return session_error(session, "pipes are not supported; 'COMMAND > FILE' writes a file");
     if (!command_ends(r->at) && *r->at != '>') {
         char *word = read_word(r, false);
         session_error(session, "'%s' is one argument too many; usage: %s",

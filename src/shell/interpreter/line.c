@@ -12,7 +12,6 @@ void line_stream(struct session *session, FILE *in, const char *name)
     size_t size = 0;
     ssize_t length;
     struct session outer = *session;
-    char shown[NAMES_SHOWN];
     session->source = name;
     session->line = 0;
     session->prompt_width = 0;
@@ -30,17 +29,15 @@ void line_stream(struct session *session, FILE *in, const char *name)
         errno = 0;
     }
     int reason = ferror(in) || errno == ENOMEM ? errno : 0;
-    long lines = session->line;
+    if (reason && reason != ECANCELED)
+        session_error(session, "cannot read the next line: %s", strerror(reason));
     free(text);
     session->source = outer.source;
     session->line = outer.line;
     session->prompt_width = outer.prompt_width;
     session->command = outer.command;
-    if (reason == ECANCELED)
+    if (reason == ECANCELED) /* of the command that reads the stream, not of one of its lines */
         session_status(session, DOM_INTERRUPTED);
-    else if (reason)
-        session_error(session, "cannot read '%s' after line %ld: %s", names_shown(name, shown), lines,
-                      strerror(reason));
 }
 
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)
