@@ -85,7 +85,7 @@ END
         close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
     done
     same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
-    # Where the head hits, each is where the one behind it began.
+    # Where the head hits, each is where its follower began.
     csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
         END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
     # Beyond a stop there is no motion.
@@ -179,7 +179,7 @@ END
     same 'the effect may be off' 14 "$(csv 'effect row 8; plot placement 20' | wc -l)"
 }
 
-@test "plot sweep: the data is that of sweep; a sweep behind which a picture stands is drawn" {
+@test "plot sweep: the data is that of sweep; a sweep of a picture is drawn" {
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
     "$DOMINO" -e 'sweep s 0.2 0.6 5 : rmax > a.svg; plot sweep s 0.2 0.6 5 : rmax > b.svg'
@@ -192,8 +192,8 @@ END
 }
 
 @test "what cannot be plotted: one line that says what would be right, and no file" {
-    wrong 'plot energy rmax' "'plot energy' takes nothing behind it"
-    wrong 'plot growth pair' "'pair' is no word behind 'plot growth'; those are: paper"
+    wrong 'plot energy rmax' "'plot energy' takes nothing after it"
+    wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
     wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"

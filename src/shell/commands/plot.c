@@ -72,7 +72,7 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
-/* ---- What stands behind the name ---- */
+/* ---- What follows the name ---- */
 
 static const char *paper_names(const void *context, int k)
 {
@@ -80,14 +80,14 @@ static const char *paper_names(const void *context, int k)
     return k == 0 ? "paper" : NULL;
 }
 
-/* Reads what the picture takes behind its name. */
+/* Reads what the picture takes after its name. */
 static bool read_more(struct reader *r, struct call *call)
 {
     const struct plot *plot = &plots[(int)call->number[0]];
     static const struct argument answer = {
         .name = "NAME", .kind = ARGUMENT_CHOICE, .of = "command with a tolerance", .choices = cost_names};
     static const struct argument paper = {
-        .name = "paper", .kind = ARGUMENT_CHOICE, .of = "word behind 'plot growth'", .choices = paper_names};
+        .name = "paper", .kind = ARGUMENT_CHOICE, .of = "word after 'plot growth'", .choices = paper_names};
     static const struct argument rows = {.name = "ROWS", .kind = ARGUMENT_COUNT};
     switch (plot->follows) {
     case ANSWER_NAME:
@@ -102,10 +102,10 @@ static bool read_more(struct reader *r, struct call *call)
     case NOTHING:
         break;
     }
-    return session_error(r->session, "'plot %s' takes nothing behind it", plot->name);
+    return session_error(r->session, "'plot %s' takes nothing after it", plot->name);
 }
 
-/* Returns what completion offers as the n-th word behind the name of a picture. */
+/* Returns what completion offers as the n-th word after the name of a picture. */
 static names_list *offers(domq_real before, int n)
 {
     enum follows follows = plots[(int)before].follows;
