@@ -85,7 +85,7 @@ END
         close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
     done
     same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
-    # Where the head hits, each is where its follower began.
+    # When the head hits, each domino is where its follower began.
     csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
         END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
     # Beyond a stop there is no motion.
@@ -179,7 +179,7 @@ END
     same 'the effect may be off' 14 "$(csv 'effect row 8; plot placement 20' | wc -l)"
 }
 
-@test "plot sweep: the data is that of sweep; a sweep of a picture is drawn" {
+@test "plot sweep: the data is that of sweep; a sweep into a picture file is drawn" {
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
     "$DOMINO" -e 'sweep s 0.2 0.6 5 : rmax > a.svg; plot sweep s 0.2 0.6 5 : rmax > b.svg'

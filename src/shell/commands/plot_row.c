@@ -90,7 +90,7 @@ static bool fall_chart(struct session *session, const struct ran *ran)
     chart.x.low = 0.4;
     chart.x.high = (double)ran->scene.row.count + 0.6;
     chart.y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 1;
-    /* Beyond a hundred times as much nobody counts. */
+    /* The axis ends at two hundred times as much: larger bars all say that there is plenty. */
     chart.y.high = most > chart.y.low ? fmin(1.6 * most, fmax(2e4, 100 * chart.y.low)) : 100 * chart.y.low;
     struct chart_curve *bars = chart_curve(&chart, CHART_BARS, INK_BLUE, 0, "%s", "");
     for (size_t i = 0; i < ran->count; i++) {
@@ -261,7 +261,7 @@ static bool gaps_chart(struct session *session, const struct domq_window *w, siz
     snprintf(chart.y.label, sizeof chart.y.label, "gap in %s", unit);
     gaps_note(w, count, falls, chart.note, sizeof chart.note);
     chart.x.whole = true;
-    chart.y.logarithmic = widest > 6 * narrowest;
+    chart.y.logarithmic = widest > 3 * narrowest;
     chart.y.low = chart.y.logarithmic ? fmin(lowest, narrowest) / metres / 1.5 : 0;
     struct chart_curve *range = chart_curve(&chart, CHART_RANGES, INK_BLUE, 0, "all fall");
     struct chart_curve *planned = chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "planned");

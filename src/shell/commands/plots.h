@@ -15,7 +15,7 @@ plot_run plot_fall, plot_speed, plot_gaps; /* along a row */
 plot_run plot_placement;
 plot_run plot_sweep; /* of the arguments that sweep_arguments has read */
 
-/* Reads the grid and the command of a sweep: behind 'sweep' itself, and behind 'plot sweep'. */
+/* Reads the grid and the command of a sweep: after 'sweep' itself, and after 'plot sweep'. */
 bool sweep_read_grid(struct reader *reader, struct call *call);
 bool sweep_read_command(struct reader *reader, struct call *call);
 

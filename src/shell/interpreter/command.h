@@ -47,8 +47,8 @@ struct argument {
     /* Unless NULL, returns true if the argument may follow the one before it, given as its choice or
      * place. */
     bool (*follows)(domq_real before);
-    /* Unless NULL, returns what completion offers as the n-th word behind the argument before it, which is
-     * given as its choice; NULL: nothing. */
+    /* Unless NULL, returns what completion offers as the n-th word after the argument before this one, which
+     * is given as its choice; NULL: nothing. */
     names_list *(*offers)(domq_real before, int n);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                        /* what that is the largest number of */

@@ -25,7 +25,7 @@ enum ink {
 /* Returns the colour as gnuplot writes it, "#0072b2". */
 const char *ink_colour(enum ink ink);
 
-/* What the terminal behind a stream shows; a file and a pipe get plain letters. */
+/* What the terminal of a stream can show; a file and a pipe get plain letters. */
 struct look {
     bool braille; /* also lines of boxes and half blocks */
     enum { COLOURS_NONE, COLOURS_8, COLOURS_256, COLOURS_ALL } colours;

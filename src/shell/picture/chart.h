@@ -79,7 +79,7 @@ void chart_range(struct chart *chart, struct chart_curve *curve, double x, doubl
 /* Adds a vertical line with a name. */
 void chart_event(struct chart *chart, double x, const char *name);
 
-/* Reports an error if the picture cannot be drawn where the answer goes: before there is work in vain. */
+/* Reports an error, before any work is done, if the picture cannot be drawn where the answer goes. */
 bool chart_ready(struct session *session);
 
 /* Draws the chart and gives it back; false: an error was reported. */

@@ -59,7 +59,7 @@ static void title_script(const struct chart *c, FILE *out)
         fprintf(out, "set tmargin %d\n", *c->note ? 6 : 5);
 }
 
-/* Draws vertical lines; names that would meet stand above each other. */
+/* Draws vertical lines; names that would meet are written above each other. */
 static void events_script(const struct chart *c, FILE *out)
 {
     enum { ROWS = 2 };

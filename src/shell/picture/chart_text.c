@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LABEL = 24, LEGEND_APART = 3 };
+enum { LABEL = 24, LEGEND_APART = 3, ROWS_LEAST = 4 };
 
 /* The part of the canvas between the axes, in cells; bottom is the row of the axis. */
 struct frame {
@@ -241,7 +241,7 @@ static void axis_x_draw(const struct frame *f)
     text_centred(c, f->left, f->right, f->bottom + 2, f->chart->x.label, INK_TEXT);
 }
 
-/* Draws vertical lines; names that would meet stand above each other. */
+/* Draws vertical lines; names that would meet are written above each other. */
 static void events_draw(const struct frame *f, int rows)
 {
     int end[CHART_EVENTS] = {0};
@@ -341,7 +341,9 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     if (!canvas_make(&canvas, look, width, height - note_rows))
         return false;
     int legend_rows = legend(chart, &canvas, 0, false) + (chart->map.value != NULL);
-    int event_rows = chart->events ? 2 : 0;
+    int event_rows = chart->events ? 2 : 0, room = canvas.height - 5 - event_rows - ROWS_LEAST;
+    legend_rows =
+        legend_rows > room ? (room > 0 ? room : 0) : legend_rows; /* what does not fit is left out */
     struct frame f = {.canvas = &canvas,
                       .chart = chart,
                       .top = 2 + event_rows,

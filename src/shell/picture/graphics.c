@@ -39,7 +39,8 @@ static bool says_sixel(const char *answer)
     return false;
 }
 
-/* Asks the terminal for its attributes (DA1), unless somebody is typing already: that would be lost. */
+/* Asks the terminal for its attributes (DA1), unless a person is typing already, whose letters would be lost.
+ */
 static bool asked_sixel(void)
 {
     char answer[64] = "";

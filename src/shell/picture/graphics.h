@@ -8,7 +8,7 @@
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
 /*
- * Returns how the terminal behind a stream takes pictures: as its name says (kitty), or as it answers when it
+ * Returns how the terminal of a stream takes pictures: as its name says (kitty), or as it answers when it
  * is asked for its attributes (sixel); $DOMINO_GRAPHICS, if it is none, sixel or kitty, decides instead.
  * A terminal without colour, or with NO_COLOR, has none.
  */

@@ -23,8 +23,8 @@ bool picture_is_text(const struct session *session)
 void picture_room(const struct session *session, int *width, int *height)
 {
     terminal_size(session->out, width, height);
-    *width = *width > 40 ? *width - 1 : TEXT_WIDTH;
-    *height = *height > 16 ? *height - 1 : TEXT_HEIGHT;
+    *width = *width > 30 ? *width - 1 : TEXT_WIDTH;
+    *height = *height > 12 ? *height - 1 : TEXT_HEIGHT;
     *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
 }
 

@@ -19,7 +19,7 @@ struct picture {
 /* Returns true if there is a gnuplot. */
 bool picture_possible(void);
 
-/* Reports an error if the file behind '>' cannot take a picture: without gnuplot, or behind '>>'. */
+/* Reports an error if the file after '>' cannot take a picture: without gnuplot, or after '>>'. */
 bool picture_ready(struct session *session);
 
 /* Begins a picture. Returns false after an error, which also reports that gnuplot is missing, before any work

@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""terminal.py COLUMNS ROWS ATTRIBUTES COMMAND...: runs a command on a terminal of this size, which answers ATTRIBUTES
+when it is asked for them ('' for a terminal that does not answer), and prints what it writes there."""
+import fcntl
+import os
+import pty
+import select
+import struct
+import sys
+import termios
+
+columns, rows, attributes, command = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3], sys.argv[4:]
+ready, go = os.pipe()
+child, terminal = pty.fork()
+if child == 0:
+    os.close(go)
+    os.read(ready, 1)  # until the terminal has its size
+    os.execvp(command[0], command)
+fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", rows, columns, 10 * columns, 20 * rows))
+os.write(go, b".")
+written = b""
+while True:
+    select.select([terminal], [], [], 60)
+    try:
+        piece = os.read(terminal, 65536)
+    except OSError:
+        break
+    if not piece:
+        break
+    written += piece
+    if b"\x1b[c" in written:
+        written = written.replace(b"\x1b[c", b"<asked>")
+        if attributes:
+            os.write(terminal, b"\x1b[?" + attributes.encode() + b"c")
+sys.stdout.buffer.write(written.replace(b"\r\n", b"\n"))
+sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
