@@ -104,7 +104,8 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     cd "$dir" || false
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
     one_line 'T is an angle, not a length' 'draw 10 mm'
-    one_line "unknown word behind T '9'; use one of: forces" 'draw forces 9'
+    one_line "'9' is one argument too many; usage: draw, draw at 2.5 s, " 'draw forces 9'
+    one_line "'sideways' is neither a value nor one of the words; usage: draw" 'draw sideways'
     one_line "'draw 0.1 forces'" 'draw forces forces'
     one_line 'it stops at 0.02802163121 rad, below the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
@@ -112,7 +113,7 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     one_line 'its ending is .gif' 'animate a.png'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
-    one_line 'FILE is missing; usage: animate FILE [N]' animate
+    one_line 'FILE is missing; usage: animate FILE [HOW]' animate
     for what in 0 2.5 10 1e7; do
         one_line 'N is an integer in 1 .. 9, the most cycles that one picture can show at this r' "animate a.gif $what"
     done

@@ -4,13 +4,14 @@
 
 load common
 
-root=$BATS_TEST_DIRNAME/../..
+root=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
 
 digits() {
     sed -E -e 's/([0-9]\.[0-9]{12})[0-9]+/\1/g' -e '${/^$/d}'
 }
 
 golden() {
+    cd "$BATS_TEST_TMPDIR" || return # for the files that an example writes
     "$DOMINO" -f "$root/examples/$1.dom" >"$BATS_TEST_TMPDIR/out"
     if [ "${GOLDEN:-}" = write ]; then cp "$BATS_TEST_TMPDIR/out" "$BATS_TEST_DIRNAME/golden/$1.out"; fi
     same_file "$BATS_TEST_DIRNAME/golden/$1.out" "$BATS_TEST_TMPDIR/out"
@@ -29,6 +30,7 @@ golden() {
 @test "tutorial.dom" { golden tutorial; }
 @test "sweep.dom" { golden sweep; }
 @test "measured.dom" { golden measured; }
+@test "pictures.dom" { golden pictures; }
 
 @test "every example has a golden transcript and a test, and no transcript is left over" {
     examples=$(cd "$root/examples" && printf '%s\n' *.dom | sed 's/\.dom$//' | sort)
@@ -36,6 +38,7 @@ golden() {
     same transcripts "$examples" "$(cd "$BATS_TEST_DIRNAME/golden" && find . -name '*.out' -size +0 | sed 's,^\./,,; s/\.out$//' | sort)"
     same tests "$examples" "$(sed -nE 's/^@test "(.*)\.dom" \{ golden \1; \}$/\1/p' "$BATS_TEST_FILENAME" | sort)"
     # Each runs as a person runs it, with its path on the command line.
+    cd "$BATS_TEST_TMPDIR" || false
     for example in $examples; do
         "$DOMINO" "$root/examples/$example.dom" | diff -u "$BATS_TEST_DIRNAME/golden/$example.out" -
     done

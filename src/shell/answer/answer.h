@@ -22,6 +22,7 @@ struct answer {
     const struct column *columns;      /* ends with a NULL key */
     struct column own[ANSWER_COLUMNS]; /* room for columns that this one answer has: see answer_columns */
     bool rows;                         /* a table with a head, rather than a line a column */
+    bool of_row;                       /* about the row, also of a command that else is about the train */
     bool units;                        /* csv names its columns with their units: it is read back */
     bool begun;
     bool prepared; /* nothing more comes before the next row */

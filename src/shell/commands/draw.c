@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The train itself, to scale, in characters or by gnuplot. */
+#include "commands/draw_row.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
@@ -276,29 +277,24 @@ static void draw_rows(struct answer *answer, const struct scene *scene, enum dom
     }
 }
 
-static const char *forces_names(const void *context, int k)
-{
-    (void)context;
-    return k == 0 ? "forces" : NULL;
-}
-
-/* Returns true if 'forces' may follow T. A word instead of T has a place of -1 or less. */
-static bool forces_follow(domq_real place)
-{
-    return place >= 0;
-}
-
 static bool run_draw(struct session *session, const struct call *call)
 {
     static struct scene scene;
-    /* 'draw forces' has its word instead of T. */
-    bool word = call->count > 0 && !forces_follow(call->number[0]), forces = word || call->count > 1;
+    static const struct draw_what nothing;
+    const struct draw_what *what = call->own ? call->own : &nothing;
+    bool of_row = what->at != ROW_STANDS || !(what->train || what->forces || what->tilted);
+    if (what->at != ROW_STANDS && !session->effect[DOM_EFFECT_row].on) {
+        session->column = call->column[0];
+        return session_error(session, "'draw at' shows a moment of a row; first enter 'effect row N', for "
+                                      "example 'effect row 10'");
+    }
+    if (of_row && session->effect[DOM_EFFECT_row].on)
+        return draw_row(session, call, what);
+    call->answer->of_row = what->train; /* it was asked for */
     /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
-    const struct walk *walk = call->count == 0 || word ? walk_now(session) : NULL;
+    const struct walk *walk = what->tilted ? NULL : walk_now(session);
     const struct domq_compute *compute = walk ? &walk->compute : &session->compute;
-    domq_real theta = walk ? walk->theta : call->count > 0 && !word ? call->number[0] : 0;
-    if (word && call->count > 1)
-        return session_error(session, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
+    domq_real theta = walk ? walk->theta : what->theta;
     bool people = answer_for_people(call->answer);
     if (!walk && !picture_comes_to(session, theta))
         return false;
@@ -306,16 +302,16 @@ static bool run_draw(struct session *session, const struct call *call)
     if (status != DOM_OK)
         return session_status(session, status);
     /* Data has forces where there are any; the margin may be too small for them. */
-    if (forces || !people)
+    if (what->forces || !people)
         status = scene_forces(&session->train, compute, theta, &scene);
-    if (status != DOM_OK && forces)
+    if (status != DOM_OK && what->forces)
         return session_status(session, status);
     if (!people)
         draw_rows(call->answer, &scene, status);
     else if (picture_is_text(session))
-        draw_text(session, theta, &scene, forces);
+        draw_text(session, theta, &scene, what->forces);
     else
-        return draw_file(session, theta, &scene, forces);
+        return draw_file(session, theta, &scene, what->forces);
     return true;
 }
 
@@ -323,21 +319,24 @@ const struct command draw_commands[] = {
     {.name = "draw",
      .synonyms = "picture image drawing figure svg png pdf show",
      .train = true,
-     .argument = {{.name = "T", .kind = ARGUMENT_PLACE, .optional = true, .choices = forces_names},
-                  {.name = "forces",
-                   .kind = ARGUMENT_CHOICE,
-                   .of = "word behind T",
+     .argument = {{.name = "WHAT",
+                   .kind = ARGUMENT_WORDS,
                    .optional = true,
-                   .choices = forces_names,
-                   .follows = forces_follow}},
-     .summary = "the train to scale, at tilt T or now, with contact forces",
-     .help = "'draw 0.3 forces' and 'draw forces' add the contact forces. In the terminal it is drawn in "
-             "characters; 'draw 0.3 > train.svg' needs gnuplot. The ending of "
-             "the file says as what: .svg, .png, .pdf, .txt. Without T it is where 'step' and 'goto' stand, "
-             "or the launch. In csv and json the corners, contacts and forces come instead.",
+                   .read = draw_read,
+                   .choices = draw_names}},
+     .summary = "the row, or the train, to scale; at a moment, with forces",
+     .help =
+         "'draw' draws the row as it is set up, with the weakest domino and the one that stops it. "
+         "'draw at 2.5 s', 'draw at domino 8' (when it is hit) and 'draw at end' show the row as it "
+         "falls; a domino that has detached is shown as it was then. Without a row, or with 'draw "
+         "train', it is the endless train: at a tilt, 'draw 0.3', or else where 'step' and 'goto' "
+         "have led, or at the launch; 'draw 0.3 forces' and 'draw forces' add the contact forces. "
+         "The terminal gets characters; the ending of a file says how 'draw > row.svg' draws: .svg, .png, "
+         ".pdf (with gnuplot) or .txt. csv and json hold the corners, in m for a row, and contacts and "
+         "forces of a train.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
-     .see = "chain animate plot",
+     .see = "chain animate plot row fall",
      .unswept = "it draws",
      .draws = true,
      .rows = true,
@@ -346,15 +345,22 @@ const struct command draw_commands[] = {
      .synonyms = "picture image film movie video gif",
      .train = true,
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
-                  {.name = "N",
-                   .kind = ARGUMENT_COUNT,
+                  {.name = "HOW",
+                   .kind = ARGUMENT_WORDS,
                    .optional = true,
-                   .most = film_most,
-                   .most_of = "the most cycles that one picture can show at this r"}},
-     .summary = "N cycles as they run in time, animated, into FILE.gif",
-     .help = "All frames are equally far apart in time: each cycle lasts sqrt(r) times as long as the one "
-             "before, and is r times larger. A train that does not go on is shown to its stop. It needs "
-             "gnuplot; in csv and json the times and tilts of the frames come instead.",
+                   .read = film_read,
+                   .choices = film_names}},
+     .summary = "the row, or cycles of the train, as they run in time, into FILE",
+     .help =
+         "'animate row.gif' shows the row from the push until the last domino lies, or until it stops, in "
+         "real time and with a clock. 'speed 0.5' runs it half as fast, 'rate 20' with 20 frames in a "
+         "second. Where sizes differ by more than 30 the view follows the front and grows with it. "
+         "Without a row, or with 'animate train.gif train', N cycles of the endless train: each lasts "
+         "sqrt(r) times as long as the one before, and is r times larger, so that at most 9 can be seen "
+         "together at r = 1.5; 'animate train.gif train 4'. Files end in .gif, or in .webm or .mp4 where "
+         "ffmpeg is "
+         "installed. It needs gnuplot; in csv and json the times and tilts of the frames come instead.",
+     .example = NULL,
      .see = "draw duration",
      .unswept = "it draws",
      .draws = true,

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cycles as they run in time, each r times larger than the one before. */
+#include "commands/film_row.h"
 #include "commands/tables.h"
-#include "io/redirect.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "picture/picture.h"
+#include "picture/movie.h"
 #include "picture/scene.h"
 #include <string.h>
 
-enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, FRAMES_WIDTH = 900, CYCLES_MOST = 30 };
+enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, FRAMES_WIDTH = 640, CYCLES_MOST = 30 };
 #define GROWN_MOST 40 /* of the first head over the last: a smaller one would be nothing but a dot */
 #define FILM_TOL   ((domq_real)1 / 1000000000)
 
@@ -52,9 +52,17 @@ static int cycles_within(double r, double grown_most, int most)
     return n;
 }
 
-int film_most(const struct session *session)
+/* Reports an error unless the picture can show so many cycles: the first head can still be seen. */
+static bool cycles_check(struct session *session, const struct film_what *what)
 {
-    return cycles_within((double)session->train.r, GROWN_MOST, CYCLES_MOST);
+    int most = cycles_within((double)session->train.r, GROWN_MOST, CYCLES_MOST);
+    if (what->cycles >= 1 && what->cycles <= most && what->cycles == quad(floor)(what->cycles))
+        return true;
+    session->column = what->column;
+    return session_no_answer(session,
+                             "N = %s is no count; N is an integer in 1 .. %d, the most cycles that one "
+                             "picture can show at this r",
+                             quad_shown(what->cycles).text, most);
 }
 
 static bool film_make(struct session *session, const struct call *call, struct film *film)
@@ -71,7 +79,10 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->pitch = (double)(t->s + t->d);
     film->tau = (double)domq_scale_tau(&session->scale, t->d);
     /* As many as show the growth, and no smaller first head than can be seen. */
-    film->cycles = call->count > 1 ? (int)call->number[1] : cycles_within(film->r, 4, 5);
+    const struct film_what *what = call->own;
+    if (what && what->counted && !cycles_check(session, what))
+        return false;
+    film->cycles = what && what->counted ? (int)what->cycles : cycles_within(film->r, 4, 5);
     enum dom_status status = domq_cycle_events(t, &film->compute, events, &count);
     if (status == DOM_NO_MARGIN)
         return session_error(
@@ -156,33 +167,13 @@ static bool film_script(struct session *session, const struct film *film, FILE *
     return true;
 }
 
-static bool film_write(struct session *session, const struct film *film, FILE *out)
-{
-    struct picture picture;
-    int height = (int)(FRAMES_WIDTH * film->top / (film->right - film->left)) + 100;
-    height = height < 260 ? 260 : height > 700 ? 700 : height;
-    return picture_animation(session, &picture, out, FRAMES_WIDTH, height, FRAMES_DELAY) &&
-           picture_end(session, &picture, film_script(session, film, picture.script));
-}
-
 static bool film_file(struct session *session, const struct film *film, const char *path)
 {
-    char shown[NAMES_SHOWN];
-    struct redirect redirect;
-    const char *ending = strrchr(path, '.');
-    if (session->redirected)
-        return session_error(session,
-                             "an animation goes into FILE, and nothing is left for the file behind '>'");
-    if (!ending || strcasecmp(ending, ".gif") != 0)
-        return session_error(session, "'%s' is no name of an animation: its ending is .gif",
-                             names_shown(path, shown));
-    const char *wrong = redirect_open(&redirect, path, false, session->compute.interrupt);
-    if (wrong)
-        return session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
-    bool drawn = film_write(session, film, redirect.file);
-    wrong = redirect_close(&redirect, drawn);
-    return drawn &&
-           (!wrong || session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong));
+    struct movie movie;
+    int height = (int)(FRAMES_WIDTH * film->top / (film->right - film->left)) + 80;
+    height = height < 240 ? 240 : height > 520 ? 520 : height;
+    return movie_begin(session, &movie, path, FRAMES_WIDTH, height, FRAMES_DELAY) &&
+           movie_end(session, &movie, film_script(session, film, movie.picture.script));
 }
 
 const struct column animate_columns[] = {
@@ -209,7 +200,16 @@ static bool film_rows(struct session *session, const struct film *film, struct a
 
 bool run_animate(struct session *session, const struct call *call)
 {
+    static const struct film_what usual = {.speed = 1, .rate = 25};
+    const struct film_what *what = call->own ? call->own : &usual;
     struct film film;
+    if (session->effect[DOM_EFFECT_row].on && !what->train && !what->counted)
+        return animate_row(session, call, what);
+    if (what->timed)
+        return session_error(session,
+                             "'speed' and 'rate' are of a row; first enter 'effect row N', for example "
+                             "'effect row 10'");
+    call->answer->of_row = what->train;
     return film_make(session, call, &film) &&
            (answer_for_people(call->answer) ? film_file(session, &film, call->word[0])
                                             : film_rows(session, &film, call->answer));

@@ -36,9 +36,6 @@ bool run_pool(struct session *session, const struct call *call);
 /* Lists for names.h the ways to space the rows of 'cycle'. */
 const char *cycle_by(const void *context, int k);
 
-/* Returns how many cycles one picture can show: the first head can still be seen, and the film has an end. */
-int film_most(const struct session *session);
-
 /*
  * Writes the answer of 'placement' from what was counted: stops[k] of the rows ended at domino k + 1, of
  * `count`.  reason, unless NULL, says what is missing.

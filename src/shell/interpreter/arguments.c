@@ -302,6 +302,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
                              : session_error(session, "%s", unclosed);
     case ARGUMENT_GRID:
     case ARGUMENT_COMMAND:
+    case ARGUMENT_WORDS:
         return a->read(r, call);
     case ARGUMENT_REST:
         call->word[i] = strdup(r->at);

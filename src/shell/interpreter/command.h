@@ -28,6 +28,7 @@ enum argument_kind {
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
     ARGUMENT_GRID,      /* values of parameters and effects, up to a ':' */
     ARGUMENT_COMMAND,   /* ':' and a command that answers */
+    ARGUMENT_WORDS,     /* all that is left of the command: argument.read reads the words and values */
     ARGUMENT_REST,      /* the rest of the line as it is */
 };
 
@@ -43,7 +44,9 @@ struct argument {
     int which;      /* of the parameter's values, from 0 */
     bool optional;
     names_list *choices; /* the names that it takes, or that completion offers for it */
-    bool (*read)(struct reader *reader, struct call *call); /* reads ARGUMENT_GRID and ARGUMENT_COMMAND */
+    /* Reads ARGUMENT_GRID, ARGUMENT_COMMAND and ARGUMENT_WORDS; the context of choices of the last is the
+     * word before the one that is completed. */
+    bool (*read)(struct reader *reader, struct call *call);
     /* Unless NULL, returns true if the argument may follow the one before it, given as its choice or
      * place. */
     bool (*follows)(domq_real before);

@@ -63,7 +63,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     call->answer = NULL;
     double seconds = terminal_clock() - begun;
     session->fresh = session->fresh && done && !c->columns;
-    if (done && c->train && session->effect[DOM_EFFECT_row].on)
+    if (done && c->train && !answer.of_row && session->effect[DOM_EFFECT_row].on)
         say_train(session, &answer);
     const char *unsaid = done ? answer_end(&answer) : NULL;
     if (unsaid)

@@ -28,18 +28,22 @@ void picture_room(const struct session *session, int *width, int *height)
     *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
 }
 
-/* Returns true if one of the folders of PATH has a gnuplot. */
-bool picture_possible(void)
+bool program_there(const char *name)
 {
     const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
     char path[4096];
     for (size_t n; folder; folder = folder[n] ? folder + n + 1 : NULL) {
         n = strcspn(folder, ":");
-        snprintf(path, sizeof path, "%.*s/gnuplot", (int)n, n ? folder : ".");
+        snprintf(path, sizeof path, "%.*s/%s", (int)n, n ? folder : ".", name);
         if (access(path, X_OK) == 0)
             return true;
     }
     return false;
+}
+
+bool picture_possible(void)
+{
+    return program_there("gnuplot");
 }
 
 static bool gnuplot_ready(struct session *session)
@@ -137,8 +141,8 @@ bool picture_comes_to(struct session *session, domq_real theta)
     return true;
 }
 
-/* Waits for gnuplot, and ends it after an interrupt: by itself gnuplot would continue at a ^C. */
-static int gnuplot_wait(const struct session *session, pid_t child)
+/* Waits for a program, and ends it after an interrupt: by itself it would continue at a ^C. */
+static int program_wait(const struct session *session, pid_t child)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
     int status = 0;
@@ -151,23 +155,19 @@ static int gnuplot_wait(const struct session *session, pid_t child)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
 }
 
-/* Runs gnuplot on the script; its output and its complaints go into files.  errno, or -1 if it failed. */
-static int gnuplot_run(const struct session *session, FILE *script, FILE *drawing, FILE *complaints)
+int program_run(const struct session *session, char *const argv[], FILE *script, FILE *drawing,
+                FILE *complaints)
 {
     extern char **environ;
-    char *const argv[] = {"gnuplot", "-d", "-", NULL};
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     pid_t child;
     fflush(script);
     rewind(script);
     lseek(fileno(script), 0, SEEK_SET);
-    /* gnuplot tries the terminal of the environment before it reads the script, and ends without it. */
-    if (setenv("GNUTERM", "unknown", 1) != 0)
-        return errno;
     /*
-     * In a process group of its own gnuplot gets no ^Z: it would stop, and this program, which stops when the
-     * command is done, would wait for it without end.
+     * In a process group of its own a program gets no ^Z: it would stop, and this program, which stops when
+     * the command is done, would wait for it without end.
      */
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setpgroup(&attributes, 0);
@@ -179,7 +179,15 @@ static int gnuplot_run(const struct session *session, FILE *script, FILE *drawin
     int failed = posix_spawnp(&child, argv[0], &actions, &attributes, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
-    return failed ? failed : gnuplot_wait(session, child);
+    return failed ? failed : program_wait(session, child);
+}
+
+static int gnuplot_run(const struct session *session, FILE *script, FILE *drawing, FILE *complaints)
+{
+    char *const argv[] = {"gnuplot", "-d", "-", NULL};
+    /* gnuplot tries the terminal of the environment before it reads the script, and ends without it. */
+    return setenv("GNUTERM", "unknown", 1) == 0 ? program_run(session, argv, script, drawing, complaints)
+                                                : errno;
 }
 
 /* Checks the size of the drawing: gnuplot does not report a full disk, and then the end of the drawing is

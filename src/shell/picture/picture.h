@@ -43,6 +43,13 @@ bool picture_is_text(const struct session *session);
 /* Finds the columns and rows of a picture in characters; the line of the next prompt is not counted. */
 void picture_room(const struct session *session, int *width, int *height);
 
+/* Returns true if there is a program of this name in one of the folders of PATH. */
+bool program_there(const char *name);
+
+/* Runs a program from one file to another; its complaints go into a third. Returns 0, errno, or -1 if it
+ * failed. */
+int program_run(const struct session *session, char *const argv[], FILE *in, FILE *out, FILE *complaints);
+
 /* Returns true if the train moves and reaches theta; false after an error. */
 bool picture_comes_to(struct session *session, domq_real theta);
 

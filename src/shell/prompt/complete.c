@@ -75,6 +75,17 @@ static bool may_follow(const struct argument *a, const char *word)
                  : a->follows(before->kind == ARGUMENT_PLACE ? -1 - k : k);
 }
 
+/* Returns the argument that reads all words from its own on, if word i of the command is one of them; or
+ * NULL.
+ */
+static const struct argument *words_argument(const struct command *c, int i)
+{
+    for (int k = 0; k <= i && k < ARGUMENTS_MAX; k++)
+        if (c->argument[k].kind == ARGUMENT_WORDS)
+            return &c->argument[k];
+    return NULL;
+}
+
 /* Commands that answer, and can be swept. */
 static const char *swept_names(const void *context, int k)
 {
@@ -102,8 +113,10 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
     struct offer offer = {.lists = 0};
     const struct command *c = NULL;
     const struct parameter *p = NULL;
-    char word[64], last[64] = "", choice[64] = "", message[NAMES_MESSAGE];
+    static char last[64]; /* the offer refers to it */
+    char word[64], choice[64] = "", message[NAMES_MESSAGE];
     int words = 0;
+    last[0] = '\0';
     for (size_t i = 0; i < length;) {
         size_t n = strcspn(line + i, " \t");
         n = i + n > length ? length - i : n;
@@ -125,7 +138,10 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
         memcpy(last, word, sizeof last);
         words++;
     }
-    if (words == 0)
+    const struct argument *own = c && words > 0 ? words_argument(c, words - 1) : NULL;
+    if (own)
+        offer_list(&offer, own->choices, last);
+    else if (words == 0)
         offer_list(&offer, swept ? swept_names : command_names, NULL);
     else if (c && words > 1 && c->argument[1].offers)
         offer = offer_behind(c, choice, words - 1);

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The words that follow 'draw' and 'animate FILE', each with its value. */
+#ifndef SHELL_DRAW_WORDS_H
+#define SHELL_DRAW_WORDS_H
+
+#include "interpreter/arguments.h"
+
+/* What 'draw' is to show. */
+struct draw_what {
+    bool train;  /* of the endless train, though a row is on */
+    bool forces; /* with its forces */
+    bool tilted; /* at the tilt theta */
+    domq_real theta;
+    enum { ROW_STANDS, ROW_AT_TIME, ROW_AT_DOMINO, ROW_AT_END } at; /* the row's moment */
+    domq_real time;                                                 /* s */
+    domq_real domino;
+    int column; /* of the moment in the line, for messages */
+};
+
+/* How 'animate' is to run. */
+struct film_what {
+    bool train;
+    bool counted;
+    domq_real cycles; /* of the train, if they are counted; not checked */
+    int column;       /* where that stands */
+    domq_real speed;  /* 1: real time */
+    domq_real rate;   /* frames in a second */
+    bool timed;       /* speed or rate is given */
+};
+
+/* Read the words of a call; the structures are the call's. */
+bool draw_read(struct reader *reader, struct call *call);
+bool film_read(struct reader *reader, struct call *call);
+
+/* Lists for names.h the words that may follow the word that is the context. */
+const char *draw_names(const void *before, int k);
+const char *film_names(const void *before, int k);
+
+#endif

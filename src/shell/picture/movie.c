@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/movie.h"
+#include <errno.h>
+#include <string.h>
+#include <strings.h>
+
+/* What ffmpeg makes of the frames; both forms can be written into a pipe. */
+enum { OPTIONS = 9, BEFORE = 15, ARGUMENTS = BEFORE + OPTIONS + 1 };
+struct movie_kind {
+    const char *ending;
+    bool ffmpeg;
+    const char *option[OPTIONS]; /* with a NULL at the end */
+};
+
+static const struct movie_kind kinds[] = {
+    {".gif", false, {NULL}},
+    {".webm", true, {"-c:v", "libvpx-vp9", "-crf", "34", "-b:v", "0", "-f", "webm", NULL}},
+    {".mp4", true, {"-c:v", "libx264", "-movflags", "frag_keyframe+empty_moov", "-f", "mp4", NULL}},
+};
+
+static const struct movie_kind *kind_of(const char *path)
+{
+    const char *ending = strrchr(path, '.');
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds && ending; k++)
+        if (strcasecmp(ending, kinds[k].ending) == 0)
+            return &kinds[k];
+    return NULL;
+}
+
+bool movie_named(struct session *session, const char *path)
+{
+    char shown[NAMES_SHOWN];
+    const struct movie_kind *kind = kind_of(path);
+    if (session->redirected)
+        return session_error(session,
+                             "an animation goes into FILE, and nothing is left for the file behind '>'");
+    if (!kind)
+        return session_error(session, "'%s' is no name of an animation: its ending is .gif, .webm or .mp4",
+                             names_shown(path, shown));
+    return !kind->ffmpeg || program_there("ffmpeg") ||
+           session_error(
+               session,
+               "%s needs ffmpeg, which is not installed: 'apt install ffmpeg', or a name that ends in .gif",
+               kind->ending);
+}
+
+bool movie_begin(struct session *session, struct movie *m, const char *path, int width, int height, int delay)
+{
+    if (!movie_named(session, path))
+        return false;
+    names_shown(path, m->shown);
+    m->kind = kind_of(path);
+    m->delay = delay;
+    m->frames = NULL;
+    const char *wrong = redirect_open(&m->redirect, path, false, session->compute.interrupt);
+    if (wrong)
+        return session_error(session, "cannot write '%s': %s", m->shown, wrong);
+    if (m->kind->ffmpeg && !(m->frames = tmpfile())) {
+        (void)redirect_close(&m->redirect, false);
+        return session_error(session, "cannot draw: %s", strerror(errno));
+    }
+    height += m->kind->ffmpeg ? height % 2 : 0; /* its formats halve the dots of colours */
+    if (!picture_animation(session, &m->picture, m->frames ? m->frames : m->redirect.file, width, height,
+                           delay)) {
+        if (m->frames)
+            fclose(m->frames);
+        (void)redirect_close(&m->redirect, false);
+        return false;
+    }
+    if (m->frames)
+        fprintf(m->picture.script,
+                "set terminal pngcairo size %d,%d font 'sans,14' fontscale 0.72 noenhanced\n", width, height);
+    else
+        fprintf(m->picture.script,
+                "set terminal gif animate delay %d loop 0 size %d,%d font 'sans,14' fontscale 0.72 "
+                "noenhanced optimize\n",
+                delay, width, height);
+    return true;
+}
+
+static bool movie_convert(struct session *session, struct movie *m)
+{
+    char rate[32], line[256] = "";
+    const char *argv[ARGUMENTS] = {"ffmpeg",     "-hide_banner", "-loglevel", "error",      "-f",
+                                   "image2pipe", "-c:v",         "png",       "-framerate", rate,
+                                   "-i",         "pipe:0",       "-an",       "-pix_fmt",   "yuv420p"};
+    int n = BEFORE;
+    snprintf(rate, sizeof rate, "100/%d", m->delay);
+    for (const char *const *option = m->kind->option; *option; option++)
+        argv[n++] = *option;
+    argv[n] = "pipe:1"; /* a NULL follows */
+    FILE *complaints = tmpfile();
+    if (!complaints)
+        return session_error(session, "cannot draw: %s", strerror(errno));
+    int wrong = program_run(session, (char *const *)argv, m->frames, m->redirect.file, complaints);
+    rewind(complaints);
+    while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n") == strlen(line))
+        ;
+    fclose(complaints);
+    line[strcspn(line, "\n")] = '\0';
+    if (wrong && dom_raised(session->compute.interrupt))
+        return session_status(session, DOM_INTERRUPTED);
+    if (wrong > 0)
+        return session_error(session, "cannot run ffmpeg: %s", strerror(wrong));
+    return !wrong ||
+           session_error(session, "ffmpeg did not make '%s': %s", m->shown, *line ? line : "it was stopped");
+}
+
+bool movie_end(struct session *session, struct movie *m, bool whole)
+{
+    bool drawn = picture_end(session, &m->picture, whole);
+    if (drawn && m->frames)
+        drawn = movie_convert(session, m);
+    if (m->frames)
+        fclose(m->frames);
+    const char *wrong = redirect_close(&m->redirect, drawn);
+    return drawn && (!wrong || session_error(session, "cannot write '%s': %s", m->shown, wrong));
+}

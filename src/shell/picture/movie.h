@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Animations in files: .gif by gnuplot alone, .webm and .mp4 by gnuplot and ffmpeg. */
+#ifndef SHELL_MOVIE_H
+#define SHELL_MOVIE_H
+
+#include "io/redirect.h"
+#include "language/names.h"
+#include "picture/picture.h"
+
+struct movie {
+    struct picture picture; /* its script takes a plot command each frame */
+    struct redirect redirect;
+    const struct movie_kind *kind;
+    FILE *frames; /* pictures for ffmpeg; NULL for a gif */
+    int delay;
+    char shown[NAMES_SHOWN];
+};
+
+/* Reports an error unless the file can be made here: its ending, its programs, no '>'. */
+bool movie_named(struct session *session, const char *path);
+
+/* Begins an animation of width x height dots, with frames `delay` hundredths of a second apart; letters of 14
+ * dots. False: an error was reported. */
+bool movie_begin(struct session *session, struct movie *movie, const char *path, int width, int height,
+                 int delay);
+
+/* Draws it and puts it into the file, if the script is whole. False: it is not, or an error was reported. */
+bool movie_end(struct session *session, struct movie *movie, bool whole);
+
+#endif
