@@ -33,7 +33,8 @@ golden() {
 @test "pictures.dom" { golden pictures; }
 
 @test "every example has a golden transcript and a test, and no transcript is left over" {
-    examples=$(cd "$root/examples" && printf '%s\n' *.dom | sed 's/\.dom$//' | sort)
+    # The atlas takes a quarter of a minute: prove.bats compares a part of it with its table.
+    examples=$(cd "$root/examples" && printf '%s\n' *.dom | sed 's/\.dom$//' | grep -vx atlas | sort)
     [ "$(wc -l <<<"$examples")" -ge 12 ]
     same transcripts "$examples" "$(cd "$BATS_TEST_DIRNAME/golden" && find . -name '*.out' -size +0 | sed 's,^\./,,; s/\.out$//' | sort)"
     same tests "$examples" "$(sed -nE 's/^@test "(.*)\.dom" \{ golden \1; \}$/\1/p' "$BATS_TEST_FILENAME" | sort)"

@@ -42,9 +42,20 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
                                           : DOM_PROOF_ROUNDING;
 }
 
+/* These are not asked of the library, since a program that uses <domino_quad.h> alone has no part in double.
+ */
 static double tolerance_of(const struct dom_compute *compute)
 {
-    return compute ? compute->tol : dom_compute_default().tol;
+#define DEFAULT(name, default_, lowest, highest, unit, meaning) default_
+    return compute ? compute->tol : DOM_COMPUTE_PARAMETERS(DEFAULT);
+#undef DEFAULT
+}
+
+static bool has_effect(const struct dom_train *train)
+{
+#define OR_ON(effect, member, status) || train->member != 0
+    return false DOM_DYNAMICS(OR_ON);
+#undef OR_ON
 }
 
 /* Begins a proof of a train whose parameters are in their ranges. */
@@ -74,7 +85,7 @@ static enum dom_status prove_limit(const struct dom_train *train, const struct d
         return status;
     *result = (struct dom_proof){
         .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = DOM_PROOF_EFFECT};
-    if (dom_dynamics(train))
+    if (has_effect(train))
         return DOM_OK;
     status = begin(&proof, train, compute, pair);
     if (status != DOM_OK)
@@ -178,7 +189,7 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
                                        .barrier = none,
                                        .margin = none,
                                        .gap = DOM_PROOF_EFFECT};
-    if (dom_dynamics(train))
+    if (has_effect(train))
         return DOM_OK;
     status = begin(&proof, train, compute, false);
     if (status != DOM_OK)

@@ -1,0 +1,82 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Answers with a proof: statements, keys, what is not proved, and the table of proved growths.
+
+load common
+
+root=$BATS_TEST_DIRNAME/../..
+
+@test "prove says in words what is proved, and r_max lies in it" {
+    run -0 "$DOMINO" -e 'set d 7/48; prove rmax 0.4'
+    [[ $output == *'Proved: for every growth from 1 to 1.644229039535 the train goes on; at 1.644229039536 it stops.'* ]]
+    run -0 "$DOMINO" -e 'set tol 1e-4; prove rmax 0.4'
+    [[ $output == *'for every growth from 1 to 1.6442 the train goes on; at 1.6443 it stops.'* ]]
+    run -0 "$DOMINO" -e 'prove rmax 0.7'
+    [[ $output == *'Proved: for every growth from 1 up to 1/s the train goes on.'* ]]
+    run -0 "$DOMINO" -e 'prove rmax 0.005'
+    [[ $output == *'Proved: at growth 1 the train stops.'* ]]
+    run -0 "$DOMINO" -e 'set q hollow; prove pair 0.3'
+    [[ $output == *'to 1.654207309921 a first domino that just tips over topples the next one; at 1.654207309922 it does not.'* ]]
+    # Of either fuel, and of any mass.
+    for scene in 'set fuel paper' 'set q hollow' 'set q 3.7; set d 0.1'; do
+        row=$(json "$scene; prove rmax 0.3")
+        awk -v r="$(json "$scene; rmax 0.3" | values r_max)" -v low="$(values low <<<"$row")" -v high="$(values high <<<"$row")" \
+            'BEGIN { exit !(low <= r && r <= high && high - low < 4e-12 * r) }' || { echo "$scene: $row"; false; }
+    done
+}
+
+@test "prove barrier, verdict and count" {
+    same keys 's what low high result boxes chains' "$(json 'prove verdict' | keys)"
+    for what in barrier verdict; do
+        row=$(json "prove $what")
+        key=${what/verdict/margin}
+        within "$what" "$(values low <<<"$row")" "$(json barrier | values "$key")" 'd <= 1e-10'
+        within "$what" "$(values high <<<"$row")" "$(json barrier | values "$key")" 'd <= 1e-10'
+    done
+    same verdicts 'goes on stops out of reach no fuel' \
+        "$(json 'prove verdict; set r 1.7; prove verdict; set r 2.6; prove verdict; set r 1; set s 0.005; prove verdict' |
+            values result | paste -sd ' ' -)"
+    same 'a power that is exact' '12 13' "$(json 'set r 2; prove count 196.608 m; prove count 196.7 m' | values low | paste -sd ' ' -)"
+    same 'and for sure' '12 13' "$(json 'set r 2; prove count 196.608 m; prove count 196.7 m' | values high | paste -sd ' ' -)"
+    [[ $("$DOMINO" -e 'prove count 112 m') == *'Proved: 20 dominoes are as many as it takes at growth 1.5, and no fewer.'* ]]
+}
+
+@test "what is not proved is said, with its reason" {
+    row=$(json 'effect friction 0.1; prove rmax 0.4')
+    same result 'not proved' "$(values result <<<"$row")"
+    same low null "$(values low <<<"$row")"
+    same reason 'not proved: trains with friction or a slope have no proof' "$(values reason <<<"$row")"
+    # A verdict within rounding of r_max.
+    same result 'not proved' "$(json 'set d 7/48; set r 1.6442290395351491; prove verdict' | values result)"
+    for line in 'prove rmax 2' 'prove nothing' 'prove' 'prove count' 'prove verdict 3' 'prove rmax 0.2 m'; do
+        run -1 --separate-stderr "$DOMINO" -e "$line"
+        same "lines of $line" 1 "${#stderr_lines[@]}"
+        same "answer of $line" '(nothing)' "$output"
+    done
+}
+
+@test "prove goes through a sweep, in the same bytes on any number of cores" {
+    grid='sweep s 0.2 0.5 4 q 3, 4 : prove rmax'
+    same rows "$(json "set threads 1; $grid" | md5sum)" "$(json "set threads 4; $grid" | md5sum)"
+    same results 8 "$(json "$grid" | values result | grep -c barrier)"
+}
+
+@test "the atlas of proved growths is what a run gives, and another arithmetic confirms its rows" {
+    cd "$BATS_TEST_TMPDIR" || false
+    table=$(realpath "$root")/examples/atlas.csv
+    same rows 228 "$(grep -vc '^[#s]' "$table")"
+    "$DOMINO" -n --shard 20/38 -f "$root/examples/atlas.dom" >part.csv
+    [ "$(wc -l <part.csv)" -eq 6 ]
+    grep -v '^s' part.csv | while IFS= read -r row; do grep -qFx -- "$row" "$table"; done
+    run -0 "$root/tests/atlas" "$table" 57
+    same checked '4 rows checked, 0 not confirmed' "$output"
+    # A wrong digit, in either number, is not confirmed.
+    grep '^s,\|^0.4,0.15,4,' "$table" >one.csv
+    run -0 "$root/tests/atlas" one.csv
+    low=$(tail -n 1 one.csv | cut -d , -f 5) high=$(tail -n 1 one.csv | cut -d , -f 6)
+    for change in "$high,$(awk -v h="$high" 'BEGIN { printf "%.12f", h + 1e-12 }')" "$(awk -v l="$low" 'BEGIN { printf "%.12f", l - 1e-12 }'),$low"; do
+        sed "s/$low,$high/$change/" one.csv >other.csv
+        ! cmp -s one.csv other.csv
+        run ! "$root/tests/atlas" other.csv
+    done
+}
