@@ -201,6 +201,20 @@ static void put_grid(struct maker *m)
     }
 }
 
+/* Writes names of an argument's list with values: wishes of 'design', the parameter of 'solve' and its range.
+ */
+static void put_wishes(struct maker *m, const struct argument *a)
+{
+    for (unsigned names = 1 + pick(m, 2); names > 0; names--) {
+        put_name(m, a->choices, NULL);
+        for (unsigned n = pick(m, 3); n > 0; n--) {
+            put(m, " ");
+            put_number(m);
+        }
+        put(m, " ");
+    }
+}
+
 static void put_argument(struct maker *m, const struct argument *a, const struct parameter **named, int depth)
 {
     static const char *const words[] = {"barrier", "\"a b\"", "\"", "\"\x1b[3m\"", "\xc2\x9b",
@@ -242,11 +256,22 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         *named = parameter_find(put_name(m, effect_names, NULL));
         break;
     case ARGUMENT_GRID:
-        put_grid(m);
+        if (a->choices == grid_names)
+            put_grid(m);
+        else
+            put_wishes(m, a);
         break;
     case ARGUMENT_COMMAND:
+        if (a->choices && depth == 0) {
+            put_command(m, command_find(put_name(m, a->choices, NULL)), 1);
+            break;
+        }
         put(m, ": ");
-        if (depth == 0)
+        if (pick(m, 2)) {
+            put_expression(m, 0);
+            put(m, " = ");
+            put_expression(m, 0);
+        } else if (depth == 0)
             put_command(m, command_find(put_name(m, swept_names, NULL)), 1);
         break;
     default:

@@ -109,7 +109,10 @@ END
     same csv 'verdict,domino' "$("$DOMINO" -e 'set output csv; effect row 5; assert verdict' | head -n 1 | cut -d , -f 1,2)"
     "$DOMINO" -e 'effect row 5; assert verdict > verdict.csv'
     same file 'all fall' "$(tail -n 1 verdict.csv | cut -d , -f 1)"
-    wrong 'assert rmax' "'rmax' decides nothing; commands that do: barrier, count, fall, verdict, design"
+    "$DOMINO" -e 'assert prove verdict; assert prove rmax 0.4; assert prove count 1' >proved
+    run -1 --separate-stderr "$DOMINO" -e 'set r 2; assert prove verdict'
+    same proof '-e:1: assert: not true: there is a proof that the train goes on' "$stderr"
+    wrong 'assert rmax' "'rmax' decides nothing; commands that do: barrier, .*fall, verdict, design"
     wrong 'assert' 'COMMAND is missing; usage: assert COMMAND'
     wrong 'assert verdit' "did you mean 'verdict'"
     wrong 'assert verdict' 'there is no row; first'

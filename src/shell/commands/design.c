@@ -364,7 +364,7 @@ const struct command design_commands[] = {
      .summary = "an error unless what COMMAND decides is true",
      .help = "Runs the command, and ends it with an error if its answer is no: the row does not fall, no row "
              "fits. A script then ends with exit status 1, at once with --bail. COMMAND is verdict, fall, "
-             "design, barrier or count.",
+             "design, barrier, count or prove.",
      .example = "effect row 5; assert verdict",
      .see = "verdict design barrier count",
      .unswept = "it asks one scene",

@@ -145,6 +145,7 @@ static bool prove_limit(struct session *session, const struct call *call, enum w
                        .work = proof.work};
     if (proof.ends != DOM_PROVED_BARRIER)
         p.digits = ALL_DIGITS;
+    answer_holds(call->answer, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
     prove_row(session, call, train.s, &p, gap_reason(proof.gap, reason));
     say_limit(call, &proof, what == PROVE_PAIR);
     return true;
@@ -185,6 +186,7 @@ static bool prove_cycle(struct session *session, const struct call *call, enum w
                        .digits = ALL_DIGITS,
                        .result = result[proof.verdict],
                        .work = proof.work};
+    answer_holds(call->answer, proof.verdict == DOM_PROVED_GOES_ON);
     prove_row(session, call, train.s, &p, gap_reason(proof.gap, reason));
     if (what == PROVE_BARRIER && isfinite(range.high))
         answer_say(call->answer, "Proved: the barrier is between these two, in m g h/2 of the head.");
@@ -212,6 +214,7 @@ static bool prove_count(struct session *session, const struct call *call)
                        .work = proof.work};
     if (proof.verdict == DOM_PROVED_NOTHING)
         p.result = "not proved";
+    answer_holds(call->answer, known && isfinite(least) && proof.verdict == DOM_PROVED_GOES_ON);
     prove_row(session, call, train.s, &p,
               !known             ? "not proved: the last digit of a height or of r decides"
               : !isfinite(least) ? "r = 1: the dominoes do not grow, no number of them is enough"
@@ -264,6 +267,7 @@ const struct command prove_commands[] = {
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",
      .echo = "s",
+     .holds = "there is a proof that the train goes on",
      ANSWER(prove)},
     {.name = NULL},
 };
