@@ -69,12 +69,18 @@ static bool likely_chart(struct session *session, const struct likely *l)
     chart.y.high = 104;
     struct chart_curve *curve = chart_curve(
         &chart, CHART_BOTH, INK_BLUE, 0, "%zu rows at each error, with the 95 %% interval", l->study[0].rows);
+    bool unknown = false;
+    for (int k = 0; k < SIGMAS; k++)
+        unknown = unknown || l->study[k].unknown > 0;
     for (int k = 0; k < SIGMAS; k++)
         chart_range(&chart, curve, (double)l->sigma[k] / metres, 100 * share(&l->study[k]),
                     100 * l->study[k].low, 100 * l->study[k].high);
     struct chart_curve *most = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "95 %%");
     chart_point(&chart, most, 0, 95);
     chart_point(&chart, most, (double)l->sigma[SIGMAS - 1] / metres, 95);
+    if (unknown)
+        snprintf(chart.note, sizeof chart.note,
+                 "Rows that the model cannot decide widen the intervals upwards.");
     if (l->now > 0)
         chart_event(&chart, (double)l->now / metres, "now");
     return chart_show(session, &chart);

@@ -165,13 +165,14 @@ static void curves_draw(struct chart *chart, const struct points *p, int over)
     char word[64];
     for (size_t k = 0; k < family; k++) {
         size_t first = k * turn;
-        if (over == 1)
-            snprintf(word, sizeof word, "%s", p->word[first]);
-        else
-            snprintf(word, sizeof word, "%.6g", p->at[1][first]);
+        word[0] = '\0'; /* of one curve alone nothing is said */
+        if (s->axes > 1 && over == 1)
+            snprintf(word, sizeof word, "%s = %s", s->axis[0].name, p->word[first]);
+        else if (s->axes > 1)
+            snprintf(word, sizeof word, "%s = %.6g", s->axis[1].name, p->at[1][first]);
         bool few = along <= 24;
-        struct chart_curve *curve = chart_curve(chart, few ? CHART_MARKED : CHART_LINE, inks[k], (int)k,
-                                                s->axes == 1 ? "" : "%s = %s", s->axis[1 - over].name, word);
+        struct chart_curve *curve =
+            chart_curve(chart, few ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s", word);
         for (size_t i = 0; i < along; i++)
             chart_point(chart, curve, p->at[over][first + i * step], p->value[first + i * step]);
     }

@@ -38,7 +38,7 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
 /* Writes the title, and below it the note in lines of a width that fits. */
 static void title_script(const struct chart *c, FILE *out)
 {
-    enum { WIDTH = 72 };
+    enum { WIDTH = 60 };
     fprintf(out, "set title \"");
     int column = 0;
     for (const char *part[] = {c->title, c->note, NULL}, **p = part; *p; p++) {
@@ -168,7 +168,8 @@ static void style_script(const struct chart_curve *curve, FILE *out)
                 colour);
         break;
     case CHART_RANGES:
-        fprintf(out, "using 1:3:3:4 with yerrorbars pt -1 lc rgb '%s' lw 4", colour);
+        fprintf(out, "using 1:3:(0):($4-$3) with vectors heads size screen 0.007,90 lc rgb '%s' lw 4",
+                colour);
         break;
     case CHART_BOTH:
         fprintf(out, "using 1:2:3:4 with yerrorlines pt %d lc rgb '%s' lw %g dt %d", points[curve->ink],
