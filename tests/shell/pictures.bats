@@ -108,6 +108,38 @@ END
     differ 'it falls' "$output" "$("$DOMINO" -e "$record; draw at 4")"
 }
 
+@test "draw: on a terminal with UTF-8 the row is of braille, in colour, and has its size" {
+    cat >"$BATS_TEST_TMPDIR/terminal.py" <<'END'
+import fcntl, os, pty, struct, sys, termios
+child, terminal = pty.fork()
+if child == 0:
+    fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
+    os.execvp(sys.argv[1], [sys.argv[1], "-e", sys.argv[2]])
+seen = b""
+while True:
+    try:
+        more = os.read(terminal, 65536)
+    except OSError:
+        break
+    if not more:
+        break
+    seen += more
+sys.stdout.buffer.write(seen.replace(b"\r\n", b"\n"))
+END
+    terminal() { env -u NO_COLOR -u DOMINO_GRAPHICS LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$BATS_TEST_TMPDIR/terminal.py" "$DOMINO" "$record; draw at 5"; }
+    terminal >"$BATS_TEST_TMPDIR/seen"
+    grep -q $'\u28ff' "$BATS_TEST_TMPDIR/seen" || same braille 'a full cell' "$(cat "$BATS_TEST_TMPDIR/seen")"
+    grep -q $'\e\[' "$BATS_TEST_TMPDIR/seen"
+    grep -q 'Weakest: domino 8 (red)' "$BATS_TEST_TMPDIR/seen"
+    lines=$(wc -l <"$BATS_TEST_TMPDIR/seen")
+    [ "$lines" -le 29 ] && [ "$lines" -ge 15 ]
+    sed 's/\x1b\[[0-9;]*m//g' "$BATS_TEST_TMPDIR/seen" | python3 -c 'import sys; widths = [len(l.rstrip("\n")) for l in sys.stdin]; sys.exit(not 85 < max(widths) < 100)'
+    terminal NO_COLOR=1 >"$BATS_TEST_TMPDIR/grey"
+    grep -q 'Weakest: domino 8 (filled)' "$BATS_TEST_TMPDIR/grey"
+    same 'no colour' 0 "$(grep -c $'\e\[[0-9]' "$BATS_TEST_TMPDIR/grey")"
+    terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
+}
+
 @test "animate: the row in real time from before the first hit to the end, held for a second" {
     cd "$BATS_TEST_TMPDIR" || false
     same silent '(nothing)' "$("$DOMINO" -e "$record; animate a.gif rate 10" 2>&1)"
@@ -169,7 +201,8 @@ END
     one_line "'draw at' shows a moment of a row; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows that" "$record; draw at 8 s > a.svg"
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last" "$record; draw at domino 11"
-    one_line 'the domino = 0 is no count' "$record; draw at domino 0"
+    one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
+    one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
     one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows that" 'set r 1.6; effect row 12; draw at domino 5'
     one_line "the clock starts at 0 s, with the push; 'draw at 0' shows that moment" 'effect row 5; effect push 5; draw at -1'
     one_line "the moment is a time in s, not a length; an example is 'draw at 2.5 s'" "$record; draw at 2 m"

@@ -6,6 +6,7 @@
 #include "commands/row_picture.h"
 #include "commands/row_text.h"
 #include "io/terminal.h"
+#include "language/quad.h"
 #include "picture/ending.h"
 #include "picture/picture.h"
 #include <stdlib.h>
@@ -40,10 +41,11 @@ static bool moment_time(struct session *session, const struct draw_what *what, c
     }
     *time = what->time;
     if (what->at == ROW_AT_DOMINO) {
-        if (what->domino > (domq_real)row->count)
+        if (!(what->domino >= 1 && what->domino <= (domq_real)row->count) ||
+            what->domino != quad(floor)(what->domino))
             return session_no_answer(
-                session, "there is no domino %.0f: this row has %zu; 'draw at domino %zu' shows the last",
-                (double)what->domino, row->count, row->count);
+                session, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last",
+                quad_shown(what->domino).text, row->count, row->count);
         size_t k = (size_t)what->domino - 1;
         *time = (domq_real)row->hit[k];
         if (k == 0 && row->tipped)
@@ -77,8 +79,8 @@ static void caption_write(const struct session *session, const struct row_moment
         falling_row_moment(row, m->head, m->time, first);
     else
         falling_row_summary(row, first);
-    falling_row_verdict(row, coloured ? "black" : (char[]){ROW_MARK_ENDS, '\0'}, verdict);
-    falling_row_weakest(row, coloured ? "red" : (char[]){ROW_MARK_WEAKEST, '\0'}, weakest);
+    falling_row_verdict(row, coloured ? "black" : row_text_end(session->out), verdict);
+    falling_row_weakest(row, coloured ? "red" : row_text_weakest(session->out), weakest);
     int at = snprintf(text, CAPTION, "%s", first);
     if (m->head == 0)
         at += snprintf(text + at, CAPTION - (size_t)at, ", on %s of floor%s.", floor.text,
@@ -149,7 +151,7 @@ static bool moment_text(struct session *session, const struct row_moment *m)
         putc('\n', session->out);
         lines += 1 + (int)strlen(line) / width;
     }
-    return row_text(&m->row, m->head > 0 ? m->tilt : NULL, row_right(&m->row, m->head > 0), width,
+    return row_text(&m->row, m->head > 0 ? m->tilt : NULL, m->head, row_right(&m->row, m->head > 0), width,
                     height - lines, session->out) ||
            session_status(session, DOM_NO_MEMORY);
 }

@@ -120,7 +120,7 @@ static bool read_at(struct reader *r, struct draw_what *what)
     if (word_is(r, "domino")) {
         what->at = ROW_AT_DOMINO;
         return more(r)
-                   ? value(r, "the domino", ARGUMENT_COUNT, &q, &what->domino) && nothing_more(r, draw_usage)
+                   ? value(r, "the domino", ARGUMENT_ANY, &q, &what->domino) && nothing_more(r, draw_usage)
                    : session_error(session, "the number of the domino is missing, as in 'draw at domino 8'");
     }
     if (stray_word(r))

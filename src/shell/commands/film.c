@@ -60,7 +60,7 @@ static bool cycles_check(struct session *session, const struct film_what *what)
         return true;
     session->column = what->column;
     return session_no_answer(session,
-                             "N = %s is no count; N is an integer in 1 .. %d, the most cycles that one "
+                             "N = %s is not a count; N is an integer in 1 .. %d, the most cycles that one "
                              "picture can show at this r",
                              quad_shown(what->cycles).text, most);
 }

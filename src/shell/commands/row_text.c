@@ -3,6 +3,7 @@
 #include "commands/row_text.h"
 #include "answer/measure.h"
 #include "language/quad.h"
+#include "picture/canvas.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,8 +38,8 @@ static void grid_fill(struct grid *g, const struct drawn *k, double thickness, c
 
 static char mark_of(const struct falling_row *row, size_t k)
 {
-    return row_ends_at(row, k)      ? ROW_MARK_ENDS
-           : row_weakest_is(row, k) ? ROW_MARK_WEAKEST
+    return row_ends_at(row, k)      ? ROW_MARK_ENDS[0]
+           : row_weakest_is(row, k) ? ROW_MARK_WEAKEST[0]
                                     : "1234567890"[k % 10];
 }
 
@@ -97,14 +98,94 @@ static void ground_write(const struct grid *g, const struct falling_row *row, FI
     line_write(out, text, line, g->width);
 }
 
-bool row_text(const struct falling_row *row, const double *tilt, double right, int width, int height,
-              FILE *out)
+/* ---- In braille ---- */
+
+const char *row_text_weakest(FILE *out)
+{
+    struct look look = look_of(out);
+    return !look.braille ? ROW_MARK_WEAKEST : look.colours ? "red" : "filled";
+}
+
+const char *row_text_end(FILE *out)
+{
+    return look_of(out).braille ? "filled" : ROW_MARK_ENDS;
+}
+
+/* Draws one domino: its outline, or all of it where it is marked. */
+static void canvas_domino(struct canvas *c, const struct grid *g, const struct falling_row *row, size_t k,
+                          const struct drawn *d, size_t head)
+{
+    bool weakest = row_weakest_is(row, k), filled = weakest || row_ends_at(row, k),
+         moved = d->theta > 0 || k + 1 == head;
+    enum ink ink = weakest         ? INK_RED
+                   : filled        ? INK_TEXT
+                   : k + 1 == head ? INK_BLUE
+                   : moved         ? INK_ORANGE
+                                   : INK_TEXT;
+    double dot = g->unit / c->across, bottom = (double)(c->height * c->down) - 1;
+    double x[CORNERS], y[CORNERS];
+    int phase = 0;
+    for (int i = 0; i < CORNERS; i++) {
+        x[i] = (double)quad(round)((domq_real)((d->corner[i].x - g->left) / dot));
+        y[i] = bottom - (double)quad(round)((domq_real)(d->corner[i].y / dot));
+    }
+    for (int i = 0; i < CORNERS; i++)
+        canvas_line(c, x[i], y[i], x[(i + 1) % CORNERS], y[(i + 1) % CORNERS], ink, 0, &phase);
+    int steps = filled ? 2 * (int)((double)row->scene.domino[k].thickness / dot) + 1 : 0;
+    for (int i = 1; i < steps; i++) {
+        double part = (double)i / steps;
+        canvas_line(c, x[0] + part * (x[3] - x[0]), y[0] + part * (y[3] - y[0]), x[1] + part * (x[2] - x[1]),
+                    y[1] + part * (y[2] - y[1]), ink, 0, &phase);
+    }
+}
+
+/* Draws the dominoes in as many lines as they need of the grid. */
+static bool braille_write(struct grid *g, const struct falling_row *row, const double *tilt, size_t head,
+                          struct look look, double step, struct row_unit unit, FILE *out)
+{
+    struct canvas c;
+    double top = 0;
+    for (size_t k = 0; k < row->count; k++) {
+        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : 0);
+        for (int i = 0; i < CORNERS; i++)
+            top = d.corner[i].y > top ? d.corner[i].y : top;
+    }
+    int lines = (int)(top / (2 * g->unit)) + 1;
+    g->height = lines < g->height ? lines : g->height;
+    if (!canvas_make(&c, look, g->width + LEFT, g->height))
+        return false;
+    g->left -= LEFT * g->unit; /* the canvas has the heights, too */
+    for (size_t k = 0; k < row->count; k++) {
+        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : 0);
+        canvas_domino(&c, g, row, k, &d, head);
+    }
+    g->left += LEFT * g->unit;
+    for (int n = 1; n * step < 2 * g->unit * g->height; n++) {
+        char text[32];
+        snprintf(text, sizeof text, "%*.4g -", LEFT - 2, n * step / unit.size);
+        canvas_text(&c, 0, g->height - 1 - (int)(n * step / (2 * g->unit)), text, INK_TEXT);
+    }
+    canvas_write(&c, out);
+    canvas_free(&c);
+    return true;
+}
+
+bool row_text(const struct falling_row *row, const double *tilt, size_t head, double right, int width,
+              int height, FILE *out)
 {
     struct grid g = {.width = (width < WIDTH_MOST ? width : WIDTH_MOST) - LEFT, .height = height - BELOW};
-    double across = right / g.width, up = row->tallest / (2 * g.height);
+    double across = right / g.width, up = 1.02 * row->tallest / (2 * g.height);
     struct row_unit unit = row_unit(right);
     g.unit = across > up ? across : up;
     g.left = -g.unit;
+    double step = row_step(6 * g.unit / unit.size) * unit.size;
+    struct look look = look_of(out);
+    if (look.braille) {
+        bool drawn = braille_write(&g, row, tilt, head, look, step, unit, out);
+        if (drawn)
+            ground_write(&g, row, out);
+        return drawn;
+    }
     g.cell = malloc((size_t)(g.width * g.height));
     if (!g.cell)
         return false;
@@ -113,16 +194,15 @@ bool row_text(const struct falling_row *row, const double *tilt, double right, i
         struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : 0);
         grid_fill(&g, &d, (double)row->scene.domino[k].thickness, mark_of(row, k));
     }
-    double step = row_step(6 * g.unit / unit.size) * unit.size;
     int top = 0; /* rows of blanks alone are left out above */
     while (top < g.height && strspn(g.cell + (size_t)top * (size_t)g.width, " ") >= (size_t)g.width)
         top++;
     for (int i = top; i < g.height; i++) {
-        char head[32] = "";
+        char mark[32] = "";
         double low = 2 * g.unit * (g.height - 1 - i), n = (double)quad(ceil)((domq_real)(low / step));
         if (n > 0 && n * step < low + 2 * g.unit)
-            snprintf(head, sizeof head, "%.4g -", n * step / unit.size);
-        line_write(out, head, g.cell + (size_t)i * (size_t)g.width, g.width);
+            snprintf(mark, sizeof mark, "%.4g -", n * step / unit.size);
+        line_write(out, mark, g.cell + (size_t)i * (size_t)g.width, g.width);
     }
     ground_write(&g, row, out);
     free(g.cell);
