@@ -59,7 +59,7 @@ extern "C" {
     X(BAD_S, "the separation s is outside its range")                                                        \
     X(BAD_R, "the growth r is outside its range")                                                            \
     X(BAD_D, "the thickness d is outside its range")                                                         \
-    X(BAD_Q, "the mass exponent q is outside its range")                                                     \
+    X(BAD_Q, "the exponent q is outside its range")                                                          \
     X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
     X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
     X(BAD_FUEL, "the fuel is none of enum dom_fuel")                                                         \
@@ -250,7 +250,7 @@ typedef double dom_real;
 
 /* ---- Simple API: one question, one number. NaN: no answer, or a parameter outside its range ---- */
 
-/* Returns the largest growth for separation s, thickness d (in h), mass exponent q (3 hollow, 4 solid). */
+/* Returns the largest growth for separation s, thickness d (in h), exponent q (3 hollow, 4 solid). */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
 /* Returns the smallest n with first r^n >= height: how many dominoes topple one of that height. */
@@ -262,10 +262,10 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 /* ---- The train: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
 
 #define DOM_TRAIN_PARAMETERS(X)                                                                              \
-    X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: free gap to the next domino over height")              \
+    X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: gap before a domino over its height")                  \
     X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how much larger each domino is than the one before")          \
     X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness over height")                                         \
-    X(q, 4, 1e-6, 100, "", "mass exponent: hollow = 3, solid = 4")
+    X(q, 4, 1e-6, 100, "", "exponent of mass times height: hollow = 3, solid = 4")
 
 /* The largest friction coefficient between dominoes. */
 #define DOM_MU_HIGHEST 100
