@@ -8,7 +8,7 @@ enum { DEEPEST = 48, PER_STRIP = 400, PER_WIDE_STRIP = 64 };
 bool proof_begin(struct proof *proof, const struct shape *shape)
 {
     *proof = (struct proof){.shape = *shape, .boxes_most = 200000};
-    proof->links = malloc(2 * (LINKS_MOST + 2) * sizeof *proof->links);
+    proof->links = malloc((size_t)2 * (LINKS_MOST + 2) * sizeof *proof->links);
     if (!proof->links)
         return false;
     proof->box.link = proof->links;

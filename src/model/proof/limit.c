@@ -51,7 +51,7 @@ static struct grid grid_for(double r, double tol)
  * of the double that is nearest to it. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
-    for (double more = 1; more <= 256; more *= 2) {
+    for (int more = 1; more <= 256; more *= 2) {
         double r = (n + more) / grid->unit, low = nextafter(r, 0), above = nextafter(r, INFINITY);
         if (low * proof->shape.s.hi < 1 && proof_stops(proof, low, above, top)) {
             *high = r;
@@ -65,7 +65,7 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
-    for (double less = 0; less <= 1024; less = less > 0 ? 2 * less : 1) {
+    for (int less = 0; less <= 1024; less = less > 0 ? 2 * less : 1) {
         double end = nextafter((n - less) / grid->unit, INFINITY);
         limit->low = (n - less) / grid->unit;
         limit->outcome = OUTCOME_PROVED;
@@ -89,8 +89,8 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
     limit->outcome = OUTCOME_OPEN;
     proof_guess(proof, root, &top);
     /* A coarse decimal may be beyond the next root, or beyond the reach. */
-    for (double finer = 1; finer > 1e-9; finer /= 10) {
-        struct grid grid = grid_for(root, tol * finer);
+    for (int finer = 0; finer < 9; finer++, tol /= 10) {
+        struct grid grid = grid_for(root, tol);
         double n = floor(root * grid.unit);
         limit->decimals = grid.decimals;
         if (!stops_after(proof, &grid, n, top, &limit->high))

@@ -130,7 +130,7 @@ static bool prove_limit(struct session *session, const struct call *call, enum w
                                          [DOM_PROVED_PARTLY] = "not proved"};
     struct dom_train train = proof_train(&session->train);
     struct dom_compute compute = proof_compute(session);
-    struct dom_proof proof;
+    struct dom_proof proof = {.low = DOM_NAN};
     char reason[ANSWER_REASON];
     if (call->count > 1)
         train.s = (double)call->number[1];
@@ -174,7 +174,7 @@ static bool prove_cycle(struct session *session, const struct call *call, enum w
                                          [DOM_PROVED_NOTHING] = "not proved"};
     struct dom_train train = proof_train(&session->train);
     struct dom_compute compute = proof_compute(session);
-    struct dom_proof_cycle proof;
+    struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     char reason[ANSWER_REASON];
     enum dom_status status = dom_prove_cycle(&train, &compute, &proof);
     if (status != DOM_OK)
@@ -198,7 +198,7 @@ static bool prove_count(struct session *session, const struct call *call)
 {
     struct dom_train train = proof_train(&session->train);
     struct dom_compute compute = proof_compute(session);
-    struct dom_proof_cycle proof;
+    struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     double least, most, first = (double)session->scale.h, height = (double)call->number[1];
     enum dom_status status = dom_prove_count(first, height, train.r, &least, &most);
     if (status == DOM_OK)
