@@ -6,6 +6,9 @@
  */
 #include "commands/costs.h"
 #include "commands/tables.h"
+#include "domino_proof.h"
+#include "io/terminal.h"
+#include <string.h>
 
 static const struct column cost_columns[] = {
     {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
@@ -29,6 +32,38 @@ static void cost_line(const struct call *call, const struct cost *cost, const st
         good ? cell_count((domq_real)row->work.longest) : none,
         good ? cell_count((domq_real)row->work.passes) : none, good ? cell_brief(1e6 * row->seconds) : none,
         good ? cell_brief(row->seconds / cost->cheapest) : none);
+}
+
+/*
+ * Adds rows of the same limit with a proof: the error is half of what lies between its two sides, over r_max;
+ * passes are chains. Measured once, since a proof lasts long. Returns the seconds of the one to 1e-12, or 0.
+ */
+static double cost_proved(const struct session *session, const struct call *call, const struct cost *cost,
+                          const struct costed *answer)
+{
+    static const double tolerances[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
+    enum dom_status (*prove)(const struct dom_train *, const struct dom_compute *, struct dom_proof *) =
+        strcmp(answer->name, "rmax") == 0   ? dom_prove_rmax
+        : strcmp(answer->name, "pair") == 0 ? dom_prove_pair
+                                            : NULL;
+    struct dom_train train = proof_train(&session->train);
+    struct dom_compute compute = dom_compute_default();
+    double twelve = 0;
+    compute.interrupt = session->compute.interrupt;
+    for (size_t k = 0; prove && k < sizeof tolerances / sizeof *tolerances; k++) {
+        struct dom_proof proof = {.low = DOM_NAN};
+        compute.tol = tolerances[k];
+        double begun = terminal_clock();
+        if (prove(&train, &compute, &proof) != DOM_OK ||
+            (proof.ends != DOM_PROVED_BARRIER && proof.ends != DOM_PROVED_REACH))
+            break;
+        double seconds = terminal_clock() - begun, error = (proof.high - proof.low) / (2 * proof.low);
+        answer_cells(call->answer, cell_word("proved"), cell_word("double"), cell_brief(tolerances[k]),
+                     cell_brief(error), cell_real(DOMQ_NAN), cell_count((domq_real)proof.work.chains),
+                     cell_brief(1e6 * seconds), cell_brief(seconds / cost->cheapest));
+        twelve = tolerances[k] == 1e-12 ? seconds : twelve;
+    }
+    return twelve;
 }
 
 /* How many times the time of another row; 0 where one of them is missing. */
@@ -78,7 +113,12 @@ static bool run_cost(struct session *session, const struct call *call)
         return false;
     for (int k = 0; k < cost.rows; k++)
         cost_line(call, &cost, &cost.row[k]);
+    double proved = cost_proved(session, call, &cost, answer);
     cost_say(call, &cost, answer);
+    const struct cost_row *ours = cost_reaching(&cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
+    if (proved > 0 && ours)
+        answer_say(call->answer, "A proof of 12 digits takes %.3g times our time without one.",
+                   proved / ours->seconds);
     return true;
 }
 
@@ -92,7 +132,8 @@ const struct command cost_commands[] = {
      .summary = "what each digit of an answer costs in time",
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, at the session's parameters. Each "
              "method and precision is asked for more and more digits. The error is the true one, the "
-             "rounding of typed parameters included; times are measured in runs of their own.",
+             "rounding of typed parameters included; times are measured in runs of their own. rmax and pair "
+             "also have rows with a proof, as 'prove' gives it.",
      .see = "plot",
      .unswept = "it measures time, which points side by side would disturb",
      .rows = true,

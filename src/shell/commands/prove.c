@@ -26,8 +26,7 @@ static const struct column prove_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The session's train in double, whose neighbours the proof includes. */
-static struct dom_train proof_train(const struct domq_train *train)
+struct dom_train proof_train(const struct domq_train *train)
 {
     struct dom_train t = dom_train_default();
 #define COPY(name, default_, lowest, highest, unit, meaning) t.name = (double)train->name;
@@ -249,6 +248,7 @@ static bool run_prove(struct session *session, const struct call *call)
 
 const struct command prove_commands[] = {
     {.name = "prove",
+     .synonyms = "proof rigorous certain guaranteed interval enclosure",
      .train = true,
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "answer with a proof", .choices = prove_names},

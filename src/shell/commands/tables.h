@@ -33,6 +33,9 @@ bool run_animate(struct session *session, const struct call *call);
 bool run_mend(struct session *session, const struct call *call);
 bool run_pool(struct session *session, const struct call *call);
 
+/* Returns the train in double: a proof includes what rounds to it. */
+struct dom_train proof_train(const struct domq_train *train);
+
 /* Lists for names.h the ways to space the rows of 'cycle'. */
 const char *cycle_by(const void *context, int k);
 
