@@ -206,6 +206,14 @@ enum dom_design_limit {
     DOM_DESIGN_HALL    /* the hall is too short; `needs` is the length of the shortest row found, in m */
 };
 
+/* What dom_row_windows changes. */
+enum dom_window_of {
+    DOM_WINDOW_GAP,     /* the gap before a domino; all after it move along */
+    DOM_WINDOW_PLACE,   /* the place of a domino, which alone moves: from the back of the first to its back */
+    DOM_WINDOW_HEIGHT,  /* the height of a domino; its density stays, so that its mass changes with it */
+    DOM_WINDOW_FRICTION /* the friction between all dominoes */
+};
+
 /* ---- Work and interrupts ---- */
 
 /* Counts the work of answers; every answer adds its own. Begin with {0}. */
@@ -779,28 +787,32 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
-/* The gaps before one domino with which all dominoes of a row fall, the other gaps being as they are. */
+/* The values of one gap, place, height or friction with which all dominoes fall, all others being as they
+ * are. */
 struct dom_window {
-    size_t domino; /* the number of the domino, from 2 */
-    dom_real gap;  /* m, the gap now */
-    dom_real low;  /* m, the narrowest gap of the window, to seven digits; NaN: no window was found */
-    dom_real high; /* m, the widest gap of the window */
-    bool others;   /* true: the row also falls with gaps outside the window */
-    /* How the row ends with a gap just outside; `below` is DOM_ROW_FALLS if the window reaches down to 0.
-     * Both are DOM_ROW_FALLS for a row that does not fall now. */
+    size_t domino; /* the number of the domino; 0 for the friction */
+    dom_real now;  /* the value now, in m; of the friction without a unit */
+    dom_real low;  /* the smallest value of the window, to seven digits; NaN: no window was found */
+    dom_real high; /* the largest value of the window */
+    bool others;   /* true: the row also falls with values outside the window */
+    /* How the row ends with a value just outside; DOM_ROW_FALLS if the window reaches the end of the values
+     * that are tried. Both are DOM_ROW_FALLS for a row that does not fall now. */
     enum dom_row_end below, above;
 };
 
 /*
- * Finds the window of each gap: if the row falls, the one around the gap now, low <= gap <= high; if not, the
- * nearest one beside it, for gaps up to the one after the domino where the row ends. Tries gaps from 0 up to
- * the height of the domino before the gap, in steps as dom_row_mend, then bisects; all fall with low and high
- * themselves. An interval of gaps narrower than a step, in which the row does not fall, can be missed. Writes
- * row->count - 1 windows, in the order of the row. progress, unless NULL, is called for each gap. Statuses as
- * dom_row_run.
+ * Finds the windows of all gaps or places (row->count - 1 of them, from domino 2 on), of all heights
+ * (row->count), or of the friction (one). If the row falls, a window is the one around the value now, low <=
+ * now <= high; if not, it is the nearest one beside the value, and dominoes farther than the one after the
+ * end of the row have none. Tries gaps from 0 up to the height of the domino before the gap; places that are
+ * such gaps, up to the next domino; heights from 1/100 to 4 times the height now, as far as the domino stands
+ * on the slope; and friction from 0 to 2, or to 4 times the friction now. Steps as dom_row_mend, then
+ * bisection; all fall with low and high themselves. An interval narrower than a step, in which the row does
+ * not fall, can be missed. progress, unless NULL, is called for each window. Statuses as dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
-                                dom_progress *progress, void *context, struct dom_window *windows);
+                                enum dom_window_of of, dom_progress *progress, void *context,
+                                struct dom_window *windows);
 
 /*
  * Finds the weakest push with which all dominoes of a row fall, in rad/s, rounded up to four digits. Doubles

@@ -318,12 +318,13 @@ static inline enum dom_status ask_row_mend(const struct asked_row *asked, dom_pr
     return domq_row_mend(&row, &compute, progress, context, mends, count);
 }
 
-static inline enum dom_status ask_row_windows(const struct asked_row *asked, dom_progress *progress,
-                                              void *context, struct domq_window *windows)
+static inline enum dom_status ask_row_windows(const struct asked_row *asked, enum dom_window_of of,
+                                              dom_progress *progress, void *context,
+                                              struct domq_window *windows)
 {
     const struct domq_row row = asked_row(asked);
     const struct domq_compute compute = asked_row_compute(asked);
-    return domq_row_windows(&row, &compute, progress, context, windows);
+    return domq_row_windows(&row, &compute, of, progress, context, windows);
 }
 
 static inline enum dom_status ask_row_push(const struct asked_row *asked, domq_real strongest,

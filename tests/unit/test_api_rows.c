@@ -179,14 +179,17 @@ static void growths_mends_and_pushes(void **state)
         struct dom_window windows[8];
         struct domq_window windowsq[8];
         rows_make(&r, 1.3, 6, 0, p);
-        assert_status(dom_row_windows(&r.row, &r.compute, NULL, NULL, windows), DOM_OK);
-        assert_status(domq_row_windows(&r.rowq, &r.computeq, NULL, NULL, windowsq), DOM_OK);
-        for (size_t k = 0; k + 1 < r.row.count; k++) {
-            assert_int_equal(windows[k].domino, windowsq[k].domino);
-            assert_int_equal(windows[k].above, windowsq[k].above);
-            assert_in_both("low", windows[k].low, windowsq[k].low, rounding);
-            assert_in_both("high", windows[k].high, windowsq[k].high, rounding);
-            assert_true(windows[k].low < windows[k].high);
+        for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_FRICTION; of++) {
+            size_t number = of == DOM_WINDOW_FRICTION ? 1 : r.row.count - (of <= DOM_WINDOW_PLACE);
+            assert_status(dom_row_windows(&r.row, &r.compute, of, NULL, NULL, windows), DOM_OK);
+            assert_status(domq_row_windows(&r.rowq, &r.computeq, of, NULL, NULL, windowsq), DOM_OK);
+            for (size_t k = 0; k < number; k++) {
+                assert_int_equal(windows[k].domino, windowsq[k].domino);
+                assert_int_equal(windows[k].above, windowsq[k].above);
+                assert_in_both("low", windows[k].low, windowsq[k].low, rounding);
+                assert_in_both("high", windows[k].high, windowsq[k].high, rounding);
+                assert_true(windows[k].low < windows[k].high);
+            }
         }
     }
     rounding = DBL_EPSILON;

@@ -254,7 +254,7 @@ static void searches_refused(const struct dom_row *row, const struct dom_compute
     double push = -1;
     assert_named(dom_row_rmax(row, compute, 2, row_copy, (void *)row->domino, &growth), expected);
     assert_named(dom_row_mend(row, compute, NULL, NULL, mends, &count), expected);
-    assert_named(dom_row_windows(row, compute, NULL, NULL, windows), expected);
+    assert_named(dom_row_windows(row, compute, DOM_WINDOW_GAP, NULL, NULL, windows), expected);
     assert_named(dom_row_push(row, compute, 100, &push), expected);
     assert_true(growth.r_max == -1 && count == 7 && push == -1);
 }

@@ -17,7 +17,7 @@ static bool falls_with(const struct run *run, size_t domino, double gap)
 static void find(struct run *run)
 {
     run->row.domino = run->domino;
-    assert_status(ask_row_windows(&run->row, NULL, NULL, windows), DOM_OK);
+    assert_status(ask_row_windows(&run->row, DOM_WINDOW_GAP, NULL, NULL, windows), DOM_OK);
 }
 
 /* Checks one window of a row: the verdict changes two units of the seventh digit beyond each end. */
@@ -63,7 +63,7 @@ static void the_verdict_changes_at_the_ends(void **state)
         for (size_t k = 0; k + 1 < run.row.count; k++) {
             const struct domq_window *w = &windows[k];
             assert_int_equal(w->domino, k + 2);
-            assert_true(w->gap == run.domino[k + 1].gap);
+            assert_true(w->now == run.domino[k + 1].gap);
             none += isnan((double)w->low);
             if (isnan((double)w->low)) {
                 assert_false(falls);
@@ -71,13 +71,13 @@ static void the_verdict_changes_at_the_ends(void **state)
             }
             check_ends(&run, w);
             if (falls) {
-                assert_true(w->low <= w->gap && w->gap <= w->high);
+                assert_true(w->low <= w->now && w->now <= w->high);
                 assert_true((w->below == DOM_ROW_FALLS) == (w->low == 0));
                 assert_true(w->above != DOM_ROW_FALLS);
                 open += w->low == 0;
                 narrow += w->low > 0;
             } else {
-                assert_true(w->gap < w->low || w->gap > w->high);
+                assert_true(w->now < w->low || w->now > w->high);
                 assert_true(w->domino <= ends_at + 1);
             }
         }
@@ -85,6 +85,98 @@ static void the_verdict_changes_at_the_ends(void **state)
     print_message("# %d rows fall, %d do not; %d windows reach 0, %d do not; %d gaps have none\n", fall, stop,
                   open, narrow, none);
     assert_true(fall > 10 && stop > 5 && open > 5 && narrow > 5 && none > 5);
+}
+
+/* ---- Places, heights, friction ---- */
+
+/* Changes the row as a builder would, without the library. */
+static bool falls_changed(const struct run *run, enum dom_window_of of, const struct domq_window *w,
+                          double value)
+{
+    static struct run other;
+    other = *run;
+    struct domq_domino *d = &other.domino[w->domino ? w->domino - 1 : 0];
+    if (of == DOM_WINDOW_PLACE) {
+        domq_real by = value - w->now;
+        d->gap = fmax((double)(d->gap + by), 0);
+        if (w->domino < other.row.count)
+            d[1].gap = fmax((double)(d[1].gap - by), 0);
+    } else if (of == DOM_WINDOW_HEIGHT) {
+        d->mass *= value / d->height;
+        d->height = value;
+    } else {
+        other.row.mu = value;
+    }
+    return row_end(&other) == DOM_ROW_FALLS;
+}
+
+/* Checks that all fall in a window, and not just outside where it ends before the values that are tried. */
+static void check_window(const struct run *run, enum dom_window_of of, const struct domq_window *w,
+                         int ends[2])
+{
+    double low = (double)w->low, high = (double)w->high;
+    double outside = 20 * pow(10, floor(log10(fmax(high, 1e-3))) - 6) + 1e-9 * high;
+    assert_true(low <= high);
+    for (int part = 0; part <= 8; part++)
+        assert_true(falls_changed(run, of, w, low + (high - low) * part / 8));
+    if (w->below != DOM_ROW_FALLS)
+        assert_false(falls_changed(run, of, w, low - outside));
+    if (w->above != DOM_ROW_FALLS)
+        assert_false(falls_changed(run, of, w, high + outside));
+    ends[0] += w->below != DOM_ROW_FALLS;
+    ends[1] += w->above != DOM_ROW_FALLS;
+}
+
+static void places_heights_and_friction(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 41;
+    int ends[3][2] = {{0}}, beside = 0;
+    for (int i = 0; i < 24; i++) {
+        random_row(&run, &seed);
+        run.row.alpha = random_unit(&seed) < 0.8 ? 0 : 0.05;
+        run.domino[run.row.count / 2].height *= i % 3 ? 1 : 2;
+        bool falls = row_end(&run) == DOM_ROW_FALLS;
+        size_t count = run.row.count;
+        for (enum dom_window_of of = DOM_WINDOW_PLACE; of <= DOM_WINDOW_FRICTION; of++) {
+            size_t first = of == DOM_WINDOW_PLACE ? 1 : 0;
+            size_t end = of == DOM_WINDOW_FRICTION ? 1 : count;
+            run.row.domino = run.domino;
+            assert_status(ask_row_windows(&run.row, of, NULL, NULL, windows), DOM_OK);
+            for (size_t k = first; k < end; k++) {
+                const struct domq_window *w = &windows[k - first];
+                assert_int_equal(w->domino, of == DOM_WINDOW_FRICTION ? 0 : k + 1);
+                if (isnan((double)w->low)) {
+                    assert_false(falls);
+                    continue;
+                }
+                assert_true(!falls || (w->low <= w->now && w->now <= w->high));
+                assert_true(falls || w->now < w->low || w->now > w->high);
+                check_window(&run, of, w, ends[of - DOM_WINDOW_PLACE]);
+                beside += !falls;
+            }
+        }
+    }
+    print_message("# ends below and above: places %d, %d; heights %d, %d; friction %d, %d; %d beside\n",
+                  ends[0][0], ends[0][1], ends[1][0], ends[1][1], ends[2][0], ends[2][1], beside);
+    assert_true(ends[0][0] > 5 && ends[0][1] > 5 && ends[1][0] > 5 && ends[1][1] > 5 && ends[2][1] > 5);
+    assert_true(beside > 5);
+}
+
+/* Checks that places are counted from the back of the first domino to the back of each. */
+static void places_on_a_tape_measure(void **state)
+{
+    (void)state;
+    static struct run run;
+    double place = 0;
+    make_row(&run, 4, 0.3, 1.2, 0);
+    run.row.domino = run.domino;
+    assert_status(ask_row_windows(&run.row, DOM_WINDOW_PLACE, NULL, NULL, windows), DOM_OK);
+    for (size_t k = 1; k < 4; k++) {
+        place += (double)(run.domino[k - 1].thickness + run.domino[k].gap);
+        assert_near("place", (double)windows[k - 1].now, place, 1e-14);
+    }
 }
 
 /* Checks that the widest gap is as wide as the domino before it is tall; a wider one is out of reach. */
@@ -117,7 +209,7 @@ static void few_gaps(void **state)
     find(&run);
     make_row(&run, 5, 0.3, 1, 0);
     run.row.domino = run.domino;
-    assert_status(ask_row_windows(&run.row, progress_seen, &done, windows), DOM_OK);
+    assert_status(ask_row_windows(&run.row, DOM_WINDOW_GAP, progress_seen, &done, windows), DOM_OK);
     assert_int_equal(done, 4);
 }
 
@@ -135,7 +227,7 @@ static void refusals(void **state)
         row.tol = wrong == 1 ? 1e-30 : row.tol;
         row.g = wrong == 2 ? 0 : row.g;
         row.interrupt = wrong == 3 ? &now : NULL;
-        assert_status(ask_row_windows(&row, NULL, NULL, windows), named[wrong]);
+        assert_status(ask_row_windows(&row, DOM_WINDOW_GAP, NULL, NULL, windows), named[wrong]);
     }
 }
 
@@ -144,6 +236,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_verdict_changes_at_the_ends),
         cmocka_unit_test(the_reach_ends_it),
+        cmocka_unit_test(places_heights_and_friction),
+        cmocka_unit_test(places_on_a_tape_measure),
         cmocka_unit_test(few_gaps),
         cmocka_unit_test(refusals),
     };

@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * One row, many times, with one change: the searches for the boundary between rows that fall and rows that do
+ * not.
+ */
+#ifndef DOM_TRIAL_H
+#define DOM_TRIAL_H
+
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* The row with one change. After a status other than DOM_OK no row is run, and none counts as falling. */
+struct trial {
+    struct dom_row row;
+    struct dom_compute compute;
+    struct dom_domino *domino; /* dominoes of the row, which the search changes */
+    enum dom_window_of of;
+    size_t k;           /* index of the domino that is changed, from 0 */
+    dom_real place;     /* of that domino now; see DOM_WINDOW_PLACE */
+    dom_row_make *make; /* writes the row of a growth */
+    void *context;
+    enum dom_status status;
+    struct dom_verdict verdict; /* of the last row */
+    enum dom_row_end ends;      /* of the last row that did not fall */
+};
+
+static inline struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute)
+{
+    struct trial t = {.row = *row, .compute = compute ? *compute : dom_compute_default(), .status = DOM_OK};
+    t.row.floor = false;
+    return t;
+}
+
+static inline bool trial_falls(struct trial *t)
+{
+    t->verdict.end = DOM_ROW_STOPS;
+    if (t->status == DOM_OK)
+        t->status = dom_row_run(&t->row, &t->compute, false, NULL, NULL, &t->verdict);
+    if (t->verdict.end != DOM_ROW_FALLS)
+        t->ends = t->verdict.end;
+    return t->status == DOM_OK && t->verdict.end == DOM_ROW_FALLS;
+}
+
+typedef bool trial_test(dom_real x, void *trial);
+
+/*
+ * Returns the last x found with which the test is true, on the way from `good`, where it is true, to `bad`,
+ * where it is not. Halves the distance until it is at most absolute + relative * x, or no number is between.
+ * This is bisection, and neither num_root nor a solver of GSL: a test has no values to interpolate, the
+ * answer must be a point that was tested, and GSL computes in double alone.
+ */
+static inline dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad,
+                                 dom_real absolute, dom_real relative)
+{
+    while (fabs(good - bad) > absolute + relative * good) {
+        dom_real middle = (good + bad) / 2;
+        if (middle == good || middle == bad)
+            break;
+        *(test(middle, t) ? &good : &bad) = middle;
+    }
+    return good;
+}
+
+/* Returns one unit of the first digit of a number, or of the digit that many places after the first. */
+static inline dom_real digit_of(dom_real value, int places)
+{
+    return pow(10, floor(log10(value)) - (dom_real)places);
+}
+
+/* ---- One value of the row ---- */
+
+/* Values are rounded to this relative size, so that a person can type them. */
+#define VALUE_DIGITS ((dom_real)1e-6)
+
+/* The number of values that are tried on each way. */
+enum { STEPS = 40 };
+
+/* Returns the value that the trial changes, as it is now. */
+static inline dom_real trial_now(const struct trial *t)
+{
+    switch (t->of) {
+    case DOM_WINDOW_PLACE:
+        return t->place;
+    case DOM_WINDOW_HEIGHT:
+        return t->domino[t->k].height;
+    case DOM_WINDOW_FRICTION:
+        return t->row.mu;
+    case DOM_WINDOW_GAP:
+        break;
+    }
+    return t->domino[t->k].gap;
+}
+
+/* Moves the domino to a place, or changes the gap before it; or its height, or the friction. */
+static inline void trial_change(struct trial *t, dom_real value)
+{
+    struct dom_domino *d = &t->domino[t->k];
+    dom_real by = value - t->place;
+    switch (t->of) {
+    case DOM_WINDOW_GAP:
+        d->gap = value;
+        break;
+    case DOM_WINDOW_PLACE:
+        d->gap = fmax(d->gap + by, 0);
+        /* A place at the end of the reach is not out of it by the rounding of the sum. */
+        if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
+            d->gap = d[-1].height;
+        if (t->k + 1 < t->row.count)
+            d[1].gap = fmax(d[1].gap - by, 0);
+        break;
+    case DOM_WINDOW_HEIGHT:
+        d->mass *= value / d->height; /* its density stays */
+        d->height = value;
+        break;
+    case DOM_WINDOW_FRICTION:
+        t->row.mu = value;
+        break;
+    }
+}
+
+/* Returns true if all fall with the value; a trial_test. The row is as before then. */
+static inline bool falls_with(dom_real value, void *context)
+{
+    struct trial *t = context;
+    const size_t next = t->k + 1 < t->row.count;
+    const struct dom_domino own = t->domino[t->k], after = t->domino[t->k + next];
+    dom_real mu = t->row.mu;
+    trial_change(t, value);
+    bool falls = trial_falls(t);
+    t->row.mu = mu;
+    t->domino[t->k + next] = after;
+    t->domino[t->k] = own;
+    return falls;
+}
+
+/* Finds the last value with which all fall, between a good one and a bad one, and rounds it to few digits,
+ * away from the bad one. */
+static inline dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
+{
+    dom_real digit = digit_of(fmax(good, bad), 0) * VALUE_DIGITS;
+    good = edge_find(falls_with, t, good, bad, digit / 8, 0);
+    dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
+    return falls_with(rounded, t) ? rounded : good;
+}
+
+/* Returns step i on the way from a value to `end`: the first steps are short, so that a small change is
+ * found. */
+static inline dom_real value_step(dom_real value, dom_real end, int i)
+{
+    dom_real part = (dom_real)i / STEPS;
+    return value + (end - value) * part * part * part;
+}
+
+/* Finds the nearest value on the way to `end` with which all fall, and the farthest from there. Returns false
+ * if there is none. */
+static inline bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until)
+{
+    dom_real now = trial_now(t), bad = now, good = now;
+    int i = 1;
+    while (i <= STEPS && !falls_with(good = value_step(now, end, i), t)) {
+        bad = good;
+        i++;
+    }
+    if (i > STEPS)
+        return false;
+    *to = value_edge(t, good, bad);
+    *until = end;
+    for (i++; i <= STEPS; i++) {
+        bad = value_step(now, end, i);
+        if (!falls_with(bad, t)) {
+            *until = value_edge(t, good, bad);
+            break;
+        }
+        good = bad;
+    }
+    return t->status == DOM_OK;
+}
+
+#endif

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How far each value of a row may be off: windows of gaps, places, heights, and of the friction. */
+#include "row/trial.h"
+
+/* The height of a domino is tried from a part of its own to a multiple, and the friction up to a multiple or
+ * to this. */
+#define HEIGHT_PART     ((dom_real)0.01)
+#define HEIGHT_MULTIPLE 4
+#define FRICTION_MOST   2
+
+/* The values that are tried. */
+struct range {
+    dom_real lowest, highest;
+    enum dom_row_end above; /* how the row ends above the highest; DOM_ROW_FALLS: not known to end */
+};
+
+static struct range range_of(const struct trial *t)
+{
+    const struct dom_domino *d = t->domino ? &t->domino[t->k] : NULL;
+    switch (t->of) {
+    case DOM_WINDOW_PLACE: {
+        /* Up to where it touches the next domino, or is out of reach of the one before. */
+        bool last = t->k + 1 == t->row.count;
+        dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
+        return (struct range){t->place - d->gap, t->place + fmin(fmax(reach, 0), room),
+                              reach <= room ? DOM_ROW_MISSES : DOM_ROW_FALLS};
+    }
+    case DOM_WINDOW_HEIGHT: {
+        /* On a slope no domino stands that is taller than thickness / tan |alpha|. */
+        dom_real stands = d->thickness / fabs(tan(t->row.alpha)) * (1 - (dom_real)1e-9);
+        return (struct range){HEIGHT_PART * d->height,
+                              fmax(fmin(HEIGHT_MULTIPLE * d->height, stands), d->height), DOM_ROW_FALLS};
+    }
+    case DOM_WINDOW_FRICTION:
+        return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
+    case DOM_WINDOW_GAP:
+        break;
+    }
+    return (struct range){0, d[-1].height, DOM_ROW_MISSES};
+}
+
+/*
+ * Finds how far the value can go towards `end`, and how the row ends just beyond; then goes on to see whether
+ * the row falls again farther out.
+ */
+static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
+{
+    dom_real now = trial_now(t), edge = end, good = now;
+    bool open = true;
+    for (int i = 1; i <= STEPS && end != now && !*others && t->status == DOM_OK; i++) {
+        dom_real x = value_step(now, end, i);
+        bool falls = falls_with(x, t);
+        if (open && !falls) {
+            edge = value_edge(t, good, x);
+            *beyond = t->ends; /* of the last row that did not fall, the closest to the edge */
+            open = false;
+        }
+        *others = falls && !open;
+        good = falls ? x : good;
+    }
+    /* Rounding to few digits may not take the edge past the value itself. */
+    return end < now ? fmin(edge, now) : fmax(edge, now);
+}
+
+/* Finds the window around the value of a row that falls. */
+static void window_around(struct trial *t, struct dom_window *w)
+{
+    const struct range range = range_of(t);
+    bool below = false, above = false;
+    w->above = range.above;
+    w->low = window_edge(t, range.lowest, &w->below, &below);
+    w->high = window_edge(t, range.highest, &w->above, &above);
+    w->others = below || above;
+}
+
+/* Finds the nearest window beside the value of a row that does not fall. */
+static void window_beside(struct trial *t, struct dom_window *w)
+{
+    const struct range range = range_of(t);
+    dom_real now = trial_now(t), to[2], until[2];
+    bool in = value_towards(t, range.lowest, &to[0], &until[0]);
+    bool out = value_towards(t, range.highest, &to[1], &until[1]);
+    if (!in && !out)
+        return;
+    int which = !in || (out && to[1] - now < now - to[0]);
+    w->low = fmin(to[which], until[which]);
+    w->high = fmax(to[which], until[which]);
+    w->others = in && out;
+}
+
+/* Returns true if a change of domino k can matter to a row that ends at domino `ends`, both from 0. */
+static bool matters(enum dom_window_of of, size_t k, size_t ends)
+{
+    return of == DOM_WINDOW_FRICTION || k <= ends + 1;
+}
+
+enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
+                                enum dom_window_of of, dom_progress *progress, void *context,
+                                struct dom_window *windows)
+{
+    struct trial t = trial_of(row, compute);
+    bool falls = trial_falls(&t), one = of == DOM_WINDOW_FRICTION;
+    const size_t first = of == DOM_WINDOW_GAP || of == DOM_WINDOW_PLACE, end = one ? 1 : row->count;
+    const size_t ends = t.verdict.domino - 1;
+    if (t.status != DOM_OK || end <= first)
+        return t.status;
+    t.of = of;
+    t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
+    if (!t.domino)
+        return DOM_NO_MEMORY;
+    memcpy(t.domino, row->domino, row->count * sizeof *t.domino);
+    for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
+        if (t.k > 0)
+            t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
+        struct dom_window w = {.domino = one ? 0 : t.k + 1,
+                               .now = trial_now(&t),
+                               .low = DOM_NAN,
+                               .high = DOM_NAN,
+                               .below = DOM_ROW_FALLS,
+                               .above = DOM_ROW_FALLS};
+        if (falls)
+            window_around(&t, &w);
+        else if (matters(of, t.k, ends))
+            window_beside(&t, &w);
+        windows[t.k - first] = w;
+        if (progress)
+            progress(t.k - first + 1, end - first, context);
+    }
+    free(t.domino);
+    return t.status;
+}
