@@ -74,7 +74,7 @@ static inline dom_real digit_of(dom_real value, int places)
 /* ---- One value of the row ---- */
 
 /* Values are rounded to this relative size, so that a person can type them. */
-#define VALUE_DIGITS ((dom_real)1e-6)
+#define VALUE_DIGITS ((dom_real)1 / 1000000)
 
 /* The number of values that are tried on each way. */
 enum { STEPS = 40 };

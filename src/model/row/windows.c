@@ -22,7 +22,7 @@ static struct range range_of(const struct trial *t)
         /* Up to where it touches the next domino, or is out of reach of the one before. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
-        return (struct range){t->place - d->gap, t->place + fmin(fmax(reach, 0), room),
+        return (struct range){t->place - d->gap, t->place + fmin(reach, room),
                               reach <= room ? DOM_ROW_MISSES : DOM_ROW_FALLS};
     }
     case DOM_WINDOW_HEIGHT: {
@@ -73,11 +73,31 @@ static void window_around(struct trial *t, struct dom_window *w)
     w->others = below || above;
 }
 
+/* Finds the window below the highest value, for a domino that is out of reach now. */
+static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
+{
+    const size_t next = t->k + 1 < t->row.count;
+    const struct dom_domino own = t->domino[t->k], after = t->domino[t->k + next];
+    const dom_real place = t->place;
+    enum dom_row_end below;
+    trial_change(t, range->highest);
+    t->place = t->of == DOM_WINDOW_PLACE ? range->highest : place;
+    w->low = window_edge(t, range->lowest, &below, &w->others);
+    w->high = range->highest;
+    t->place = place;
+    t->domino[t->k + next] = after;
+    t->domino[t->k] = own;
+}
+
 /* Finds the nearest window beside the value of a row that does not fall. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
     dom_real now = trial_now(t), to[2], until[2];
+    if (now > range.highest && falls_with(range.highest, t)) {
+        window_below(t, &range, w);
+        return;
+    }
     bool in = value_towards(t, range.lowest, &to[0], &until[0]);
     bool out = value_towards(t, range.highest, &to[1], &until[1]);
     if (!in && !out)

@@ -364,9 +364,22 @@ const struct command row_commands[] = {
          "For each gap up to the end of the row, 'mend' finds the nearest gap with which all dominoes fall, "
          "and lists the smallest change first. If a push is missing, the answer says so. The search goes "
          "in 40 steps, and then by bisection; a range of gaps narrower than a step can be missed.",
-     .see = "fall place budget",
+     .see = "fall tolerance place budget",
      .rows = true,
      ANSWER(mend)},
+    {.name = "tolerance",
+     .synonyms = "window precision error plumb measure tape spacing height",
+     .summary = "how far each domino may be off, so that all still fall",
+     .help =
+         "For each domino the window of its place, of the gap before it, of its height, and of the friction "
+         "between dominoes: with each value in it all dominoes fall, if the rest of the row is as it is. A "
+         "place is what a tape measure shows, from the back of domino 1; the domino alone moves. With "
+         "another gap, all dominoes after it move along. The first to fail are marked. If the row does not "
+         "fall, the windows show which single changes save it. The search steps as that of 'mend'.",
+     .example = "effect row 5; tolerance",
+     .see = "mend place budget",
+     .rows = true,
+     ANSWER(tolerance)},
     {.name = "place",
      .synonyms = "move spacing distance gap",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},

@@ -20,7 +20,7 @@ bool run_set(struct session *session, const struct call *call);
 
 /* Commands that have a file of their own beside their table. */
 extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[], mend_columns[],
-    placement_columns[];
+    tolerance_columns[], placement_columns[];
 bool run_cycle(struct session *session, const struct call *call);
 bool run_count(struct session *session, const struct call *call);
 bool run_why(struct session *session, const struct call *call);
@@ -31,6 +31,7 @@ void verdict_train_say(const struct session *session, struct answer *answer, enu
 
 bool run_animate(struct session *session, const struct call *call);
 bool run_mend(struct session *session, const struct call *call);
+bool run_tolerance(struct session *session, const struct call *call);
 bool run_pool(struct session *session, const struct call *call);
 
 /* Returns the train in double: a proof includes what rounds to it. */

@@ -12,7 +12,7 @@
 
 struct command;
 
-enum { ANSWER_CELLS = 12, SOURCE_DEPTH = 16 };
+enum { ANSWER_CELLS = 16, SOURCE_DEPTH = 16 };
 
 /* What the session asks of an effect. */
 struct effect_state {

@@ -1,0 +1,71 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How far each domino of a row may be off, and how precisely the gaps must be placed.
+# shellcheck disable=SC2154 # 'run' sets what it looks at
+
+load common
+
+setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
+
+# ---- tolerance ----
+
+scene='effect row 6; effect push 6; effect friction 0.1'
+
+# The verdicts of a row with these commands after the scene, each on its own: "yes" if all fall.
+verdicts() { # COMMANDS...
+    for commands in "$@"; do json "$scene; $commands; verdict" | values verdict; done | sed 's/all fall/yes/;t;s/.*/no/' | paste -sd ' ' -
+}
+
+@test "tolerance: all fall at both ends of a window, and not beyond" {
+    "$DOMINO" -e "$scene; tolerance > t.csv"
+    same head 'domino,place,from,to,gap,gap_low,gap_high,height,height_low,height_high,friction_low,friction_high,first' \
+        "$(head -n 1 t.csv)"
+    same rows 7 "$(wc -l <t.csv)"
+    while IFS=, read -r k place from to gap low high _; do
+        [ "$k" != domino ] && [ "$k" -gt 1 ] || continue
+        if [ "$low" != 0 ]; then
+            same "gap $k below" 'yes no' "$(verdicts "place $k $low m" "place $k 0.9999*$low m")"
+        fi
+        same "gap $k above" 'yes no' "$(verdicts "place $k $high m" "place $k 1.0001*$high m")"
+        [ "$k" -lt 6 ] || continue
+        next=$(awk -F , -v k="$k" '$1 == k + 1 { print $5 }' t.csv)
+        moved() { echo "place $k ($gap + $1) m; place $((k + 1)) ($next - ($1)) m"; }
+        by=$(awk "BEGIN { printf \"%.9f\", $to - $place }")
+        same "place $k to" 'yes no' "$(verdicts "$(moved "0.9999*$by")" "$(moved "1.001*$by")")"
+        by=$(awk "BEGIN { printf \"%.9f\", $place - $from }")
+        same "place $k from" yes "$(verdicts "$(moved "-0.9999*$by")")"
+    done <t.csv
+    high=$(sed -n 2p t.csv | cut -d , -f 12)
+    same friction 'yes no' "$(verdicts "effect friction $high" "effect friction 1.0001*$high")"
+}
+
+@test "tolerance: a height changes one domino and its mass" {
+    "$DOMINO" -e "$scene; set mass 0.01; row > row.csv; tolerance > t.csv"
+    for k in 1 3 6; do
+        for column in 9 10; do
+            height=$(awk -F , -v k="$k" -v c="$column" '$1 == k { print $c }' t.csv)
+            for off in 1 $([ "$column" = 9 ] && echo 0.999 || echo 1.001); do
+                awk -F , -v OFS=, -v k="$k" -v to="$height" -v off="$off" \
+                    '$1 == k { $5 *= to * off / $2; $2 = to * off } 1' CONVFMT=%.12g row.csv >changed.csv
+                json "effect row changed.csv; effect push 6; effect friction 0.1; verdict" 2>&1 | grep -c "all fall" || true
+            done | sed "s/1/yes/;s/0/no/" | paste -sd " " - >verdicts
+            same "height $k, column $column" 'yes no' "$(cat verdicts)"
+        done
+    done
+}
+
+@test "tolerance: in words, rounded inwards; and for a row that does not fall" {
+    said=$("$DOMINO" -e 'effect row 5; tolerance')
+    grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the least room of all, and is at 3.58 cm now.' <<<"$said"
+    grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
+    grep -qE '^All fall with a friction between the dominoes up to 0\.17' <<<"$said"
+    same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
+    exact=$(json 'effect row 5; tolerance' | sed -n 2p)
+    within from "$(values from <<<"$exact")" 0.0325 'o >= e && d < 0.01'
+    within to "$(values to <<<"$exact")" 0.0464 'o <= e && d > -0.01'
+    said=$("$DOMINO" -e 'effect row 3; place 2 4 m; tolerance')
+    grep -q 'does not fall now: a change into one of these windows saves it' <<<"$said"
+    low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)
+    same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
+    wrong tolerance 'there is no row'
+}
