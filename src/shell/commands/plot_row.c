@@ -220,8 +220,8 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, cha
     double least = HUGE_VAL;
     for (size_t i = 0; i < count; i++) {
         double room =
-            (double)(falls ? fmin((double)(w[i].gap - w[i].low), (double)(w[i].high - w[i].gap))
-                           : fmin(fabs((double)(w[i].low - w[i].gap)), fabs((double)(w[i].high - w[i].gap))));
+            (double)(falls ? fmin((double)(w[i].now - w[i].low), (double)(w[i].high - w[i].now))
+                           : fmin(fabs((double)(w[i].low - w[i].now)), fabs((double)(w[i].high - w[i].now))));
         if (room < least) {
             least = room;
             tight = i;
@@ -235,8 +235,8 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, cha
     char gap[24], less[24], more[24];
     if (falls)
         snprintf(note, size, "The tightest: the gap before domino %zu, %s, may be %s narrower or %s wider.",
-                 t->domino, length_text(t->gap, gap), length_text(t->gap - t->low, less),
-                 length_text(t->high - t->gap, more));
+                 t->domino, length_text(t->now, gap), length_text(t->now - t->low, less),
+                 length_text(t->high - t->now, more));
     else
         snprintf(note, size, "The row does not fall as planned. It does with %s to %s before domino %zu.",
                  length_text(t->low, less), length_text(t->high, more), t->domino);
@@ -248,12 +248,12 @@ static bool gaps_chart(struct session *session, const struct domq_window *w, siz
     double longest = 0, widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL, metres;
     bool falls = false;
     for (size_t i = 0; i < count; i++) {
-        double gap = (double)w[i].gap;
+        double gap = (double)w[i].now;
         longest = fmax(longest, fmax(gap, isnan((double)w[i].high) ? 0 : (double)w[i].high));
         widest = fmax(widest, gap);
         narrowest = gap > 0 ? fmin(narrowest, gap) : narrowest;
         lowest = w[i].low > 0 ? fmin(lowest, (double)w[i].low) : lowest;
-        falls = falls || (w[i].low <= w[i].gap && w[i].gap <= w[i].high);
+        falls = falls || (w[i].low <= w[i].now && w[i].now <= w[i].high);
     }
     const char *unit = plot_length(longest, &metres);
     snprintf(chart.title, sizeof chart.title, "How far each gap may be off, the others being as planned");
@@ -269,7 +269,7 @@ static bool gaps_chart(struct session *session, const struct domq_window *w, siz
         double x = (double)w[i].domino;
         chart_range(&chart, range, x, (double)NAN, fmax((double)w[i].low / metres, chart.y.low),
                     (double)w[i].high / metres);
-        chart_point(&chart, planned, x, fmax((double)w[i].gap / metres, chart.y.low));
+        chart_point(&chart, planned, x, fmax((double)w[i].now / metres, chart.y.low));
     }
     return chart_show(session, &chart);
 }
@@ -284,7 +284,8 @@ bool plot_gaps(struct session *session, const struct call *call)
     size_t count = scene.row.count - 1;
     struct domq_window *w = calloc(count ? count : 1, sizeof *w);
     enum dom_status status =
-        w ? domq_row_windows(&scene.row, &scene.compute, gaps_progress, &progress, w) : DOM_NO_MEMORY;
+        w ? domq_row_windows(&scene.row, &scene.compute, DOM_WINDOW_GAP, gaps_progress, &progress, w)
+          : DOM_NO_MEMORY;
     progress_show(&progress, 1);
     if (status != DOM_OK)
         row_status(session, status);
@@ -293,7 +294,7 @@ bool plot_gaps(struct session *session, const struct call *call)
     else
         done = !people || gaps_chart(session, w, count);
     for (size_t i = 0; i < count && done && !people; i++)
-        answer_cells(call->answer, cell_count((domq_real)w[i].domino), cell_real(w[i].gap),
+        answer_cells(call->answer, cell_count((domq_real)w[i].domino), cell_real(w[i].now),
                      cell_real(w[i].low), cell_real(w[i].high), cell_flag(w[i].others));
     free(scene.domino);
     free(w);
