@@ -92,7 +92,7 @@ static double turned_above(struct turn t, double v)
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);
-    return larger(turned_below(corner_turn(c, t), t), v); /* and F >= theta */
+    return turned_below(corner_turn(c, t), t);
 }
 
 /* F at the upper corner. */

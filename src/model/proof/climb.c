@@ -25,7 +25,7 @@ static void climb_rest(const struct upright *u, const struct domino *domino, str
         PROOF_BOUND(REST_OF_HEIGHT, down(climb->height.lo - up(power * fall)), climb->height.lo);
     climb->by_tilt.lo = down(climb->by_tilt.lo - rest.tilts);
     climb->by_r.lo = down(climb->by_r.lo - rest.slides);
-    climb->by_r.hi = up(climb->by_r.hi + up(u->slide_rest + rest.drops));
+    climb->by_r.hi = up(climb->by_r.hi + up(u->slide_rest + u->drop_rest));
 }
 
 struct climb climb_find(const struct upright *u, double low, double high, bool derivatives)

@@ -22,6 +22,7 @@ struct upright {
     int n;                     /* the sums have dominoes 0 ... n - 1 and a remainder */
     bool exact_end;            /* all dominoes from n on stay at theta_f during the cycle: no remainder */
     double g_last;             /* lower bound of h - 1 of all dominoes from n on */
+    double drop_rest;          /* upper bound of sum (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)), i >= n */
     double slide_rest;         /* upper bound of -sum r^(-q i) dh(theta_i0)/dr, i >= n */
     struct span fuel, inertia; /* P, T */
     struct span kinetic, kinetic_by_r; /* K and dK/dr; the latter may be infinite */

@@ -213,7 +213,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         add_inertia(g, &w, i + 1);
     }
     u->by_r = finite;
-    u->slide_rest = 0;
+    u->slide_rest = u->drop_rest = 0;
     if (shape->pair) {
         u->exact_end = true; /* there are no others */
         kinetic_of_pair(u, chain_hit(g));
@@ -222,6 +222,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
             c = chain_contact(g, w.domino.v);
             struct rest rest = rest_find(g, &w.domino, &c, w.power.hi, fall, u->n);
             u->slide_rest = rest.slides;
+            u->drop_rest = rest.drops;
             rest_of_fuel(u, &w, fall, &rest);
             rest_of_inertia(u, &w, &c, &rest);
         }
