@@ -164,7 +164,7 @@ END
     done <<'END'
 set r 1.5|d|rmax|5/3|0.14040 falling
 set r 1.5|s|rmax|1.6|0.36497 0.62500 rising falling
-set q hollow|friction|best.r_max|1.7|0.37861 falling
+set q hollow|friction|rmax|1.7|0.35540 falling
 set r 1.2|h|duration.speed|1 m/s|0.26745 rising
 set r 1.2|s|thetac.theta_c|30 deg|0.41667 rising
 END
