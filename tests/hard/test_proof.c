@@ -160,12 +160,53 @@ static void verdicts_agree(void **state)
     assert_true(goes > trains / 5 && stops > trains / 5 && open * 50 <= trains);
 }
 
+/* An interrupt is a gap, and no error; wrong parameters are errors; numbers of dominoes are exact. */
+static void gaps_statuses_and_counts(void **state)
+{
+    (void)state;
+    const volatile sig_atomic_t raised = 1;
+    struct dom_train train = dom_train_default(), wrong = train, rubs = train;
+    struct dom_compute compute = dom_compute_default();
+    struct dom_proof proof;
+    struct dom_proof_cycle cycle;
+    double least, most;
+    compute.interrupt = &raised;
+    assert_status(dom_prove_rmax(&train, &compute, &proof), DOM_OK);
+    assert_true(proof.ends == DOM_PROVED_PARTLY && proof.gap == DOM_PROOF_INTERRUPTED && isnan(proof.low));
+    assert_status(dom_prove_cycle(&train, &compute, &cycle), DOM_OK);
+    assert_true(cycle.verdict == DOM_PROVED_NOTHING && cycle.gap == DOM_PROOF_INTERRUPTED);
+    rubs.mu = 0.1;
+    assert_status(dom_prove_pair(&rubs, NULL, &proof), DOM_OK);
+    assert_true(proof.ends == DOM_PROVED_PARTLY && proof.gap == DOM_PROOF_EFFECT);
+    assert_string_equal(dom_proof_gap_text(proof.gap), "trains with friction or a slope have no proof");
+    wrong.s = 2;
+    assert_status(dom_prove_rmax(&wrong, NULL, &proof), DOM_BAD_S);
+    wrong = train;
+    wrong.q = NAN;
+    assert_status(dom_prove_cycle(&wrong, NULL, &cycle), DOM_BAD_Q);
+    compute.tol = 0;
+    assert_status(dom_prove_pair(&train, &compute, &proof), DOM_BAD_TOL);
+
+    assert_status(dom_prove_count(0.048, 112, 1.5, &least, &most), DOM_OK);
+    assert_true(least == 20 && most == 20);
+    assert_status(dom_prove_count(0.048, ldexp(0.048, 12), 2, &least, &most), DOM_OK);
+    assert_true(least == 12 && most == 12);
+    /* 1.1^2 and 1.21 are the same decimal, and not the same double. */
+    assert_status(dom_prove_count(1, 1.21, 1.1, &least, &most), DOM_OK);
+    assert_true(least == 2 && most == 3);
+    assert_status(dom_prove_count(1, 2, 1, &least, &most), DOM_OK);
+    assert_true(isinf(least) && isinf(most));
+    assert_status(dom_prove_count(0, 2, 2, &least, &most), DOM_BAD_HEIGHT);
+    assert_status(dom_prove_count(1, 2, 0.5, &least, &most), DOM_BAD_R);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(limits_of_random_trains_lie_in_what_is_proved),
         cmocka_unit_test(limits_of_hard_cases_lie_in_what_is_proved),
         cmocka_unit_test(verdicts_agree),
+        cmocka_unit_test(gaps_statuses_and_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
