@@ -43,6 +43,7 @@ static bool run_row(struct session *session, const struct call *call)
     bool weighed = scene_weighed(session);
     answer_leave_out(call->answer, weighed ? "relative" : "mass");
     call->answer->units = true;
+    call->answer->style.errors = false; /* its columns are those that 'effect row FILE' reads */
     row_largest(call->answer, &scene);
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct domq_domino *d = &scene.domino[k];
