@@ -55,9 +55,9 @@ setup() {
 @test "an ending that does not fit is one line, before anything is computed, and no file is left" {
     for name in a.jpg a.gif a.xlsx; do
         wrong "rmax > $name" "'$name' ends in .${name#*.}, which is not written here; endings are .csv, .json and .txt"
-        wrong "draw > $name" "'$name' does not say as what to draw: its ending is .svg, .png, .pdf or .txt"
+        wrong "draw > $name" "'$name' has no ending of a picture: use .svg, .png, .pdf or .txt"
     done
-    wrong 'draw > a.b' "'a.b' does not say as what to draw"
+    wrong 'draw > a.b' "'a.b' has no ending of a picture"
     for what in help 'set s 0.3' 'apropos barrier'; do
         wrong "$what > a.csv" "'a.csv' is the name of data, and '${what%% *}' answers with none"
     done

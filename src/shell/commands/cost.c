@@ -13,12 +13,12 @@
 static const struct column cost_columns[] = {
     {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
     {"precision", "", "the arithmetic", 9},
-    {"tol", "", "the relative tolerance that was asked for", 7},
+    {"tol", "", "the relative tolerance that was requested", 7},
     {"error", "", "relative error that was achieved, against quad at its floor", 9},
-    {"dominoes", "", "most that one pass down the train followed", 8},
+    {"dominoes", "", "the most dominoes that one pass down the train followed", 8},
     {"passes", "", "evaluations: passes down the train", 9},
-    {"time", "us", "of one answer, the least of several", 10},
-    {"times", "", "as long as the cheapest", 9},
+    {"time", "us", "time of one answer, the shortest of several", 10},
+    {"times", "", "times as long as the cheapest", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -35,8 +35,9 @@ static void cost_line(const struct call *call, const struct cost *cost, const st
 }
 
 /*
- * Adds rows of the same limit with a proof: the error is half of what lies between its two sides, over r_max;
- * passes are chains. Measured once, since a proof lasts long. Returns the seconds of the one to 1e-12, or 0.
+ * Adds rows of the same limit with a proof. The error is half of the distance between the two proved sides,
+ * over r_max; passes are chains. Each proof is measured once, since it lasts long. Returns the seconds of the
+ * proof to 1e-12, or 0.
  */
 static double cost_proved(const struct session *session, const struct call *call, const struct cost *cost,
                           const struct costed *answer)
@@ -66,13 +67,14 @@ static double cost_proved(const struct session *session, const struct call *call
     return twelve;
 }
 
-/* How many times the time of another row; 0 where one of them is missing. */
+/* Returns the time of a row over that of another row; 0 where one of them is missing. */
 static double times_of(const struct cost_row *row, const struct cost_row *other)
 {
     return row && other ? row->seconds / other->seconds : 0;
 }
 
-/* The lesson, in words: at the error that was reached, whatever tolerance was asked for. */
+/* Prints what digits cost, in sentences: compares errors that were reached, not tolerances that were
+ * requested. */
 static void cost_say(const struct call *call, const struct cost *cost, const struct costed *answer)
 {
     const struct cost_row *few = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
@@ -130,10 +132,11 @@ const struct command cost_commands[] = {
                    .of = "command with a tolerance",
                    .choices = cost_names}},
      .summary = "what each digit of an answer costs in time",
-     .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, at the session's parameters. Each "
-             "method and precision is asked for more and more digits. The error is the true one, the "
-             "rounding of typed parameters included; times are measured in runs of their own. rmax and pair "
-             "also have rows with a proof, as 'prove' gives it.",
+     .help =
+         "COMMAND is fuel, launch, barrier, duration, rmax or pair, at the session's parameters. Each "
+         "method and precision computes more and more digits. The error is the true one, and includes the "
+         "rounding of typed parameters; times are measured in separate runs. rmax and pair also have rows "
+         "with a proof, as 'prove' gives it.",
      .see = "plot",
      .unswept = "it measures time, which points side by side would disturb",
      .rows = true,

@@ -94,7 +94,7 @@ static const struct column energy_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
     {"dH", "mgh/2", "potential energy of the train, H(theta) - H(0) (19; c1)", 0},
     {"J", "", "inertia: kinetic energy = J tau^2 omega^2 (20; c2)", 0},
-    {"J0", "", "the same at theta = 0 (50; d8, corrected)", 0},
+    {"J0", "", "inertia at theta = 0 (50; d8, corrected)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -110,8 +110,8 @@ static bool run_energy(struct session *session, const struct call *call)
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P, as 'set fuel' chooses it, less what friction takes of it", 0},
-    {"fuel_exact", "mgh/2", "from the balance of energy over one cycle", 0},
+    {"fuel", "mgh/2", "P, as 'set fuel' chooses it, less the loss by friction", 0},
+    {"fuel_exact", "mgh/2", "P from the balance of energy over one cycle", 0},
     {"fuel_paper", "mgh/2", "the paper's closed form, 1 - cos theta_f - d sin theta_f (25; c7)", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -250,7 +250,7 @@ static const struct column duration_columns[] = {
     {"duration", "tau", "t_f / tau, from one collision to the next", 0},
     {"tau", "s", "unit of time (1; a1), of a solid block: sqrt((h^2+d^2)/(3gh))", 0},
     {"seconds", "s", "t_f; the next cycle lasts sqrt(r) times as long", 0},
-    {"speed", "m/s", "of the front in this cycle, (s+d) r h / t_f", 0},
+    {"speed", "m/s", "speed of the front in this cycle, (s+d) r h / t_f", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -300,7 +300,7 @@ const struct command cycle_commands[] = {
      .argument = {{TILT}},
      .summary = "every domino that matters after the head at tilt T",
      .equation = "(27; A2) (31; A6) (33; A9)",
-     .help = "How many matter depends on 'tol': see 'help tol'.",
+     .help = "How many dominoes matter depends on 'tol': see 'help tol'.",
      .example = "set tol 1e-3; chain 0.1",
      .see = "theta1 energy",
      .rows = true,
@@ -320,10 +320,10 @@ const struct command cycle_commands[] = {
      .train = true,
      .summary = "the energy that one cycle sets free",
      .equation = "(25; c7)",
-     .help = "The paper gives the fuel twice (25; c7). The sum over the train is the balance of energy; the "
-             "closed "
-             "form that the paper computes with equals it only for r = 1, since it leaves out the weights "
-             "r^(-q i). 'set fuel paper' gives the paper's figures.",
+     .help = "The paper gives the fuel in two forms (25; c7). The sum over the train is the balance of "
+             "energy. The "
+             "closed form, with which the paper computes, leaves out the weights r^(-q i), and is right only "
+             "for r = 1. 'set fuel paper' gives the paper's figures.",
      .example = "fuel",
      .see = "launch rmax",
      .principal = "fuel",

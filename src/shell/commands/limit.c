@@ -37,11 +37,11 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
 }
 
 static const struct column rmax_columns[] = {
-    {"s", "h", "separation: the free gap over the height", 0},
+    {"s", "h", "separation: the gap over the height", 0},
     {"r_max", "", "largest growth with which the train goes on", 0},
     {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
-    {"r_max_exact", "", "with the fuel from the balance of energy", 0},
-    {"r_max_paper", "", "with the paper's closed form of the fuel", 0},
+    {"r_max_exact", "", "r_max with the fuel from the balance of energy", 0},
+    {"r_max_paper", "", "r_max with the paper's closed form of the fuel", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -92,7 +92,7 @@ static bool run_rmax(struct session *session, const struct call *call)
 }
 
 static const struct column pair_columns[] = {
-    {"s", "h", "separation: the free gap over the height", 0},
+    {"s", "h", "separation: the gap over the height", 0},
     {"r_max", "", "largest growth with which the first topples the next", 0},
     {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
     {NULL, NULL, NULL, 0},
@@ -144,7 +144,7 @@ static bool run_best(struct session *session, const struct call *call)
 }
 
 static const struct column curve_columns[] = {
-    {"s", "h", "separation: the free gap over the height", 0},
+    {"s", "h", "separation: the gap over the height", 0},
     {"exact", "", "r_max with the fuel from the balance of energy", 0},
     {"paper", "", "r_max with the paper's closed form of the fuel", 0},
     {"pair", "", "r_max of the two-domino model", 0},
@@ -152,7 +152,7 @@ static const struct column curve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Holds what one worker needs; the first six members are the same for all. */
+/* The data of a worker; the first six members are the same for all workers. */
 struct curve {
     domq_real from, to, n;
     struct domq_train train;
@@ -220,8 +220,9 @@ const struct command limit_commands[] = {
      .argument = {{SEPARATION}},
      .summary = "the largest growth r at separation S (or s)",
      .equation = "(26; c8)",
-     .help = "r is raised from 1 until a domino has less energy than it needs to topple the next; or to 1/s, "
-             "beyond which it falls past the next one.",
+     .help =
+         "r increases from 1 until a domino has less energy than it needs to topple the next one, or until "
+         "1/s. Beyond 1/s a domino falls past the next one without touching it.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
      .echo = "s",
@@ -231,7 +232,7 @@ const struct command limit_commands[] = {
      .synonyms = "two maximum",
      .train = true,
      .argument = {{SEPARATION}},
-     .summary = "the largest growth for two: the first just tips over",
+     .summary = "the largest growth for two dominoes; the first just tips over",
      .equation = "(9; b5) (15; b11) (17; b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
@@ -252,7 +253,7 @@ const struct command limit_commands[] = {
      .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
                   {.name = "TO", .kind = ARGUMENT_OF, .of = "s"},
                   {.name = "N", .kind = ARGUMENT_COUNT}},
-     .summary = "the largest growth at N separations: the paper's figures",
+     .summary = "the largest growth at N separations, as in the paper's figures",
      .example = "set q hollow; curve 0.1 0.9 5",
      .see = "rmax pair best",
      .rows = true,
@@ -263,7 +264,7 @@ const struct command limit_commands[] = {
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
      .summary = "how many dominoes topple one H tall, at growth R (or r)",
      .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is "
-             "at least H tall. The n-th is smaller than H; it topples the next.",
+             "at least H tall. The n-th domino is smaller than H and topples the next one.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",

@@ -169,7 +169,7 @@ static bool lines_read(struct reader *r, FILE *in, struct measured_rows *rows)
     }
     free(line);
     if (good && ferror(in))
-        return wrong(r, "cannot read on: %s", strerror(errno));
+        return wrong(r, "cannot read any further: %s", strerror(errno));
     return good && (rows->count > 0 ||
                     wrong(r, "no speeds; the first line is 'gap (mm), speed (m/s)', each line after "
                              "it a row that was measured"));

@@ -104,9 +104,9 @@ static bool likely_make(struct session *session, const struct call *call, struct
         return true;
     free(l->scene.domino);
     if (status == DOM_STOPS)
-        return session_no_answer(session,
-                                 "even placed without any error fewer than half of the rows fall: 'fall' "
-                                 "says where, and 'mend' looks for what saves the row");
+        return session_no_answer(
+            session, "fewer than half of the rows fall, even without random errors: 'fall' shows where "
+                     "the row stops, and 'mend' finds what saves it");
     return row_status(session, status);
 }
 

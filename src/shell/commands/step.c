@@ -7,15 +7,15 @@
 enum { CYCLES_MAX = 1000 };
 
 static const struct column walk_columns[] = {
-    {"cycle", "", "its number, from 1", 0},
-    {"event", "", "the last one that was passed", 6},
+    {"cycle", "", "number of the cycle, from 1", 0},
+    {"event", "", "the last event that was passed", 6},
     {"theta", "rad", "tilt of the head", 0},
     {"t", "s", "time since the launch of this cycle", 0},
     {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
     {"before", "mgh/2", "kinetic energy before the collision", 0},
-    {"lost", "mgh/2", "of that in the collision (22; c4)", 0},
-    {"gained", "mgh/2", "fuel set free since: H(0) - H(theta); negative: climbed", 0},
-    {"fallen", "mgh/2", "the part of that from dominoes that detached since", 0},
+    {"lost", "mgh/2", "kinetic energy lost in the collision (22; c4)", 0},
+    {"gained", "mgh/2", "fuel set free since then: H(0) - H(theta); negative: climbed", 0},
+    {"fallen", "mgh/2", "part of the gain that comes from dominoes that detached", 0},
     {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
     {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
     {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
@@ -205,9 +205,10 @@ const struct command walk_commands[] = {
                    .of = "way to space rows",
                    .choices = cycle_by,
                    .optional = true}},
-     .summary = "one cycle in N rows, even in time or in tilt",
+     .summary = "one cycle in N rows, with equal steps of time or tilt",
      .equation = "(12; b8) (21; c3)",
-     .help = "12 rows, even in time, unless N and BY say otherwise; the events have rows of their own. "
+     .help = "12 rows with equal steps of time, unless N and BY say otherwise; the events have rows of their "
+             "own. "
              "Energies are in J where 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
@@ -217,7 +218,7 @@ const struct command walk_commands[] = {
      .synonyms = "next walk forward",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "to the next event: what happens, and its ledger of energy",
+     .summary = "go to the next event: what happens, and its ledger of energy",
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
      .help = "The first step is to the launch of the first cycle; after the hit the next, larger and slower "
              "cycle begins. The ledger: before - lost + gained = kinetic.",
@@ -229,7 +230,7 @@ const struct command walk_commands[] = {
      .synonyms = "undo previous walk",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "back to the event before",
+     .summary = "go back to the event before",
      .example = "step 3; back",
      .see = "step goto",
      .columns = walk_columns,
@@ -238,7 +239,7 @@ const struct command walk_commands[] = {
      .synonyms = "jump walk",
      .train = true,
      .argument = {{.name = "PLACE", .kind = ARGUMENT_PLACE, .of = "event", .choices = event_names}},
-     .summary = "to a tilt, or to the launch, top, fall, stop or hit",
+     .summary = "go to a tilt, or to the launch, top, fall, stop or hit",
      .example = "goto 0.3",
      .see = "step where",
      .columns = walk_columns,

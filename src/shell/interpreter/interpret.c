@@ -103,10 +103,11 @@ static bool ending_fits(struct session *session, const struct command *c, const 
     case ENDING_OTHER:
     case ENDING_FOREIGN:
         if (c->draws)
-            return session_error(session,
-                                 "'%s' does not say as what to draw: its ending is .svg, .png, .pdf or .txt, "
-                                 "or .csv or .json for its data",
-                                 names_shown(path, shown));
+            return session_error(
+                session,
+                "'%s' has no ending of a picture: use .svg, .png, .pdf or .txt, or .csv or .json for "
+                "its data",
+                names_shown(path, shown));
         return ending->kind == ENDING_OTHER ||
                session_error(session,
                              "'%s' ends in %s, which is not written here; endings are .csv, .json "

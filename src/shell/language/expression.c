@@ -126,7 +126,7 @@ static bool apply(struct expression *e, const struct function *f, const char *at
         return expression_fail(e, "%s of %s is not defined", f->name,
                                expression_kind(a[0], kind, sizeof kind));
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
-        return expression_fail(e, "%s takes two of a kind", f->name);
+        return expression_fail(e, "%s needs two values of the same kind, such as two lengths", f->name);
     *q = f->kind == KEEPS    ? a[0]
          : f->kind == HALVES ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2}
                              : (struct quantity){.angle = f->kind == TO_ANGLE};

@@ -32,10 +32,12 @@ bool movie_named(struct session *session, const char *path)
     char shown[NAMES_SHOWN];
     const struct movie_kind *kind = kind_of(path);
     if (session->redirected)
-        return session_error(session,
-                             "an animation goes into FILE, and nothing is left for the file behind '>'");
+        return session_error(
+            session,
+            "the animation is written into FILE, so that '>' has no answer to write; leave out the '>'");
     if (!kind)
-        return session_error(session, "'%s' is no name of an animation: its ending is .gif, .webm or .mp4",
+        return session_error(session,
+                             "'%s' is not the name of an animation: use the ending .gif, .webm or .mp4",
                              names_shown(path, shown));
     return !kind->ffmpeg || program_there("ffmpeg") ||
            session_error(

@@ -57,7 +57,7 @@ bool picture_ready(struct session *session)
 {
     char shown[NAMES_SHOWN];
     if (session->appended)
-        return session_error(session, "'%s' holds one picture: '>' draws it anew, '>>' cannot add another",
+        return session_error(session, "'%s' holds one picture, and '>>' cannot add another; '>' replaces it",
                              names_shown(session->redirected, shown));
     return gnuplot_ready(session);
 }
