@@ -46,7 +46,8 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
  * Shows K - D > 0 for tilts from low to high and all growths of the strip. Any of three lower bounds will do:
  * 1. Monotony: K and D are what they are at the corners of the box.
  * 2. The mean value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|; where D is
- * monotonic in the box, its largest value is at an end.
+ * monotonic in the box, its largest value is at an end. mid is a tilt of the cycle for every growth of the
+ * strip at which a larger tilt of the box is one.
  * 3. The same in r: where d(K - D)/dr <= M, K - D is at least what it is at the upper end, less max(M, 0)
  * times the width of the strip. Where M <= 0 the upper end of the strip decides for all growths of it. No
  * part of the tilts does better than its middle alone: where that fails, the strip is too wide.
@@ -66,15 +67,13 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     if (down(level->box.lo - all.height.hi) > 0)
         return OUTCOME_PROVED;
 
-    double at = 0.5 * (low + high), spread = 0;
-    if (all.by_tilt.lo >= 0)
-        at = high;
-    else if (all.by_tilt.hi <= 0)
-        at = low;
-    else
-        spread =
-            PROOF_BOUND(MEAN_VALUE_TILT,
-                        up(larger(all.by_tilt.hi, -all.by_tilt.lo) * larger(up(high - at), up(at - low))), 0);
+    double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
+    /* At larger growths the head falls farther. Wherever another tilt of the box is in the cycle, this one
+     * is, too: only there are the bounds of D those of a train. */
+    at = smaller(at, larger(low, upright_hit_below(box)));
+    double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
+           nearer = up(least_0(-all.by_tilt.lo) * up(at - low));
+    double spread = PROOF_BOUND(MEAN_VALUE_TILT, larger(farther, nearer), 0);
     struct climb thin = climb_of(proof, box, at, at, true);
     double by_monotony = down(level->box.lo - thin.height.hi);
     if (down(by_monotony - spread) > 0)

@@ -75,8 +75,8 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
     double slope = w->domino.slope.hi, square = up(up(slope * slope) * w->share.hi), n = u->n;
     double rL = g->high.rL.hi, Y = c->Y.lo, cube = down(Y * down(Y * Y));
     w->T.hi = PROOF_BOUND(REST_OF_T, up(w->T.hi + up(square * series)), w->T.hi);
-    double by_theta = up(rL / Y + up(up(c->X.hi * up(rL * rL)) / cube));
-    double Q = up(up(up(by_theta) * rest->shift) + up(g->shape->L.hi / cube));
+    double by_theta = up(up(rL / Y) + up(up(c->X.hi * up(rL * rL)) / cube));
+    double Q = up(up(by_theta * rest->shift) + up(g->shape->L.hi / cube));
     double twist = larger(w->twist.hi, -w->twist.lo);
     double first = up(up(2 * up(slope * w->share.hi)) *
                       up(up(twist * series) + up(up(up(slope * Q) * up(p * m)) * up(series * series))));
