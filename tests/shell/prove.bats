@@ -41,6 +41,26 @@ root=$BATS_TEST_DIRNAME/../..
     [[ $("$DOMINO" -e 'prove count 112 m') == *'Proved: 20 dominoes are as many as it takes at growth 1.5, and no fewer.'* ]]
 }
 
+@test "no bound is rounded to more than is proved" {
+    # The largest growth is 10 to 13 digits: the upper bound has a digit more before its point.
+    ten='set s 0.05; set q hollow; set d 0.00066373441778146873; set tol 1e-12; prove rmax'
+    same 'the upper bound' 10.00000000004 "$(json "$ten" | values high)"
+    [[ $("$DOMINO" -e "$ten") == *$'\n'high*' 10.00000000004 '* ]]
+    # 9.99999999997566 has 12 digits in the sentence.
+    [[ $("$DOMINO" -e "set tol 3e-14; ${ten/set tol 1e-12; /}") == *'Proved, but no more: for every growth from 1 to 9.99999999992 the'* ]]
+    # Where nothing is proved of r = 1, 1 is no bound: r_max is 1.00001 here.
+    row=$(json 'set s 1.7446902362499113e-06; set d 0.0062815366331832392; set q 17.011137143564472; set tol 4e-7; prove rmax')
+    same 'result at r = 1' 'not proved' "$(values result <<<"$row")"
+    same 'upper bound' null "$(values high <<<"$row")"
+    # More powers than are taken, and growths that are 1 but for rounding: logarithms bound the number.
+    row=$(json 'set r 1.0000001; prove count 112 m')
+    same 'a small growth' '77550536 77550536' "$(values low <<<"$row") $(values high <<<"$row")"
+    row=$(json 'set r 1.00000000001; prove count 112 m')
+    same 'a tiny growth' 'not proved' "$(values result <<<"$row")"
+    within 'from below' 775505313941 "$(values low <<<"$row")" 'd < 0 && d > -1e-4'
+    within 'from above' 775505313941 "$(values high <<<"$row")" 'd > 0 && d < 1e-4'
+}
+
 @test "what is not proved is said, with its reason" {
     row=$(json 'effect friction 0.1; prove rmax 0.4')
     same result 'not proved' "$(values result <<<"$row")"

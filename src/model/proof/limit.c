@@ -68,6 +68,8 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
     for (int less = 0; less <= 1024; less = less > 0 ? 2 * less : 1) {
         double end = nextafter((n - less) / grid->unit, INFINITY);
         limit->low = (n - less) / grid->unit;
+        if (limit->low < limit->from)
+            break;
         limit->outcome = OUTCOME_PROVED;
         if (*done < end)
             limit->outcome = proof_range(proof, done, end, larger(1e-3 / grid->unit, LAST_STRIP * end), stop);
@@ -108,7 +110,8 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
 
 static struct limit_proof limit_from(struct proof *proof, double from, double tol)
 {
-    struct limit_proof limit = {.kind = LIMIT_PARTLY, .from = from, .low = from, .high = NAN, .decimals = 17};
+    struct limit_proof limit = {
+        .kind = LIMIT_PARTLY, .from = from, .low = from, .high = INFINITY, .decimals = 17};
     double end = up(1 / proof->shape.s.lo), width = FIRST_STRIP, done = from;
     while (done < end && width > LAST_STRIP * done) {
         double next = smaller(done + width, end), top;
@@ -177,6 +180,9 @@ struct limit_proof limit_prove(struct proof *proof, double tol)
         from = band_begin(proof);
     if (from > 1)
         return limit_from(proof, from, tol);
-    return (struct limit_proof){
-        .kind = none ? LIMIT_NONE : LIMIT_PARTLY, .from = 1, .low = NAN, .high = 1, .outcome = first};
+    return (struct limit_proof){.kind = none ? LIMIT_NONE : LIMIT_PARTLY,
+                                .from = 1,
+                                .low = NAN,
+                                .high = none ? 1 : INFINITY,
+                                .outcome = first};
 }

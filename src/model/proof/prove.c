@@ -2,6 +2,7 @@
 /* Public entry points of <domino_proof.h>: check the arguments, then prove. */
 #include "domino_proof.h"
 #include "proof/limit.h"
+#include "proof/power.h"
 
 const char *dom_proof_gap_text(enum dom_proof_gap gap)
 {
@@ -149,7 +150,7 @@ static struct span barrier_prove(struct proof *proof, double low, double high, d
 
 static void cycle_prove(struct proof *proof, double r, double tol, struct dom_proof_cycle *result)
 {
-    double low = r > 1 ? larger(1, nextafter(r, 0)) : 1, high = r > 1 ? nextafter(r, INFINITY) : 1, top;
+    double low = larger(1, nextafter(r, 0)), high = nextafter(r, INFINITY), top;
     enum outcome outcome;
     proof_guess(proof, r, &top);
     if (!upright_find(&proof->shape, low, high, 1e-17, &proof->box)) {
@@ -209,24 +210,43 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
 /* Returns a b with bounds that are equal where the product is exact: the fma has its rounding error. */
 static struct span times_exactly(struct span a, double b)
 {
+    const double least = 0x1p-960; /* of a smaller product, the error may underflow to 0 */
     double lo = a.lo * b, hi = a.hi * b;
-    return (struct span){fma(a.lo, b, -lo) == 0 ? lo : down(lo), fma(a.hi, b, -hi) == 0 ? hi : up(hi)};
+    return (struct span){lo > least && fma(a.lo, b, -lo) == 0 ? lo : down(lo),
+                         hi > least && fma(a.hi, b, -hi) == 0 ? hi : up(hi)};
 }
 
+enum { POWERS_MOST = 100000 };
+
 /* Returns the smallest n with first r^n >= height for sure, of numbers between bounds; infinite where there
- * is none. */
+ * is none up to POWERS_MOST. */
 static double count_until(struct span first, double r, double height, bool surely)
 {
-    enum { MOST = 10000000 };
     struct span tall = first;
     double n = 0;
-    for (; n < MOST && (surely ? tall.lo : tall.hi) < height; n++) {
+    for (; n < POWERS_MOST && (surely ? tall.lo : tall.hi) < height; n++) {
         struct span next = times_exactly(tall, r);
         if (!((surely ? next.lo : next.hi) > (surely ? tall.lo : tall.hi)))
             return INFINITY;
         tall = next;
     }
-    return n < MOST ? n : HUGE_VAL;
+    return n < POWERS_MOST ? n : HUGE_VAL;
+}
+
+/* Bounds ln(height/first)/ln r, for as many dominoes as no power is taken of; height is above first. */
+static void count_by_logarithms(double first, double height, double r, double *least, double *most)
+{
+    struct span growth = {larger(1, down(r)), up(r)},
+                ratio = span_over(span_around(height), span_around(first));
+    if (!span_finite(ratio)) {
+        *least = POWERS_MOST;
+        *most = INFINITY;
+        return;
+    }
+    ratio.lo = larger(ratio.lo, 1);
+    struct span n = span_over(span_log(ratio), span_log(growth));
+    *least = ceil(larger(0, n.lo));
+    *most = isfinite(n.hi) ? ceil(n.hi) : HUGE_VAL;
 }
 
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most)
@@ -241,8 +261,12 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
     struct span last = exact;
     for (double k = 0; k < n && isfinite(n) && last.lo == last.hi; k++)
         last = times_exactly(last, r);
-    if (n == same && (last.lo == last.hi || r == 1)) {
+    if (n == same && (isfinite(n) ? last.lo == last.hi : r == 1)) {
         *least = *most = n;
+        return DOM_OK;
+    }
+    if (!isfinite(same)) {
+        count_by_logarithms(first, height, r, least, most);
         return DOM_OK;
     }
     *least = count_until(span_around(first), up(r), down(height), false);

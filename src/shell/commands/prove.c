@@ -67,7 +67,7 @@ enum { ALL_DIGITS = 17 };
 struct proved {
     enum what what;
     double low, high;
-    int digits;
+    int digits, high_digits;
     const char *result;
     struct dom_proof_work work;
 };
@@ -79,7 +79,7 @@ static bool prove_row(const struct session *session, const struct call *call, do
     return answer_row(call->answer,
                       ROW(cell_real(s), cell_word(prove_names(NULL, (int)p->what)),
                           p->what == PROVE_COUNT ? cell_count(p->low) : cell_proved(p->low, p->digits),
-                          p->what == PROVE_COUNT ? cell_count(p->high) : cell_proved(p->high, p->digits),
+                          p->what == PROVE_COUNT ? cell_count(p->high) : cell_proved(p->high, p->high_digits),
                           cell_word(p->result), cell_count((domq_real)p->work.boxes),
                           cell_count((domq_real)p->work.chains)),
                       reason);
@@ -92,6 +92,13 @@ static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON]
         return NULL;
     snprintf(reason, ANSWER_REASON, "not proved: %s", dom_proof_gap_text(gap));
     return reason;
+}
+
+/* Returns a number that is less than `proved` when it is printed with 12 digits: rounded up, it would claim
+ * more than is proved. */
+static double less_in_12_digits(double proved)
+{
+    return proved * (1 - 6e-12);
 }
 
 /* Says in words what is proved of the largest growth. */
@@ -112,9 +119,11 @@ static void say_limit(const struct call *call, const struct dom_proof *p, bool p
                         : "the train stops");
         break;
     case DOM_PROVED_PARTLY:
-        if (p->low > p->from)
+        if (less_in_12_digits(p->low) > p->from)
             answer_say(call->answer, "Proved, but no more: for every growth from %.12g to %.12g %s.", p->from,
-                       p->low, who);
+                       less_in_12_digits(p->low), who);
+        else if (p->low >= p->from)
+            answer_say(call->answer, "Proved, but no more: at growth %.12g %s.", p->from, who);
         else
             answer_say(call->answer, "Nothing is proved.");
         break;
@@ -140,10 +149,11 @@ static bool prove_limit(struct session *session, const struct call *call, enum w
                        .low = proof.low,
                        .high = proof.ends == DOM_PROVED_NONE ? DOM_NAN : proof.high,
                        .digits = digits_of(proof.low, proof.decimals),
+                       .high_digits = digits_of(proof.high, proof.decimals),
                        .result = result[proof.ends],
                        .work = proof.work};
     if (proof.ends != DOM_PROVED_BARRIER)
-        p.digits = ALL_DIGITS;
+        p.digits = p.high_digits = ALL_DIGITS;
     answer_holds(call->answer, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
     prove_row(session, call, train.s, &p, gap_reason(proof.gap, reason));
     say_limit(call, &proof, what == PROVE_PAIR);
@@ -183,6 +193,7 @@ static bool prove_cycle(struct session *session, const struct call *call, enum w
                        .low = range.low,
                        .high = range.high,
                        .digits = ALL_DIGITS,
+                       .high_digits = ALL_DIGITS,
                        .result = result[proof.verdict],
                        .work = proof.work};
     answer_holds(call->answer, proof.verdict == DOM_PROVED_GOES_ON);
