@@ -24,7 +24,6 @@ struct upright {
     double g_last;             /* lower bound of h - 1 of all dominoes from n on */
     double drop_rest;          /* upper bound of sum (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)), i >= n */
     double slide_rest;         /* upper bound of -sum r^(-q i) dh(theta_i0)/dr, i >= n */
-    double drop_rest;          /* upper bound of sum i q/r r^(-q i) (h(theta_i0) - h(theta_last)), i >= n */
     struct span fuel, inertia; /* P, T */
     struct span kinetic, kinetic_by_r; /* K and dK/dr; the latter may be infinite */
     bool by_r;                         /* derivatives with respect to r are finite */
