@@ -905,7 +905,9 @@ struct dom_budget {
 
 /*
  * Finds the sigma at which the whole row falls with the given probability, 0 < probability < 1.
- * placement->sigma is not used. DOM_STOPS: even with sigma = 0 too few rows fall.
+ * placement->sigma is not used. DOM_STOPS: even with sigma = 0 too few rows fall. DOM_INTERRUPTED, once
+ * one is known: sigma and low are the largest with which as many of these rows fall, and high is the smallest
+ * with which fewer fall, or infinite.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, double probability,

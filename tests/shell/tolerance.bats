@@ -69,3 +69,19 @@ verdicts() { # COMMANDS...
     same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
     wrong tolerance 'there is no row'
 }
+
+# ---- budget ----
+
+@test "budget: finds sigma without an effect, and says how many rows fall with it" {
+    said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
+    grep -qE '^Place the gaps within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(92 to 98\)\.$' <<<"$said"
+    same 'no effect is on' off "$(json 'effect row 13; budget 0.95 50; show placement' | tail -n 1 | values value)"
+    # The interval is that of the study with this sigma.
+    answer=$(json 'effect row 13; effect placement 1.9 mm; placement 300')
+    same low 92 "$(values low <<<"$answer" | awk '{ print int(100 * $1) }')"
+    same high 98 "$(values high <<<"$answer" | awk '{ print int(100 * $1) + 1 }')"
+    same 'gaps of the effect are not used' "$(json 'effect row 13; budget 0.95 50')" \
+        "$(json 'effect row 13; effect placement 9 mm; budget 0.95 50')"
+    differ 'its heights are' "$(json 'effect row 13; budget 0.95 50')" \
+        "$(json 'effect row 13; effect placement 9 mm 0.02; budget 0.95 50')"
+}

@@ -239,6 +239,49 @@ static void floor_at_the_reach(void **state)
     assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
 }
 
+/* Runs studies until as many have run as the pool says, and is interrupted then. */
+static enum dom_status few_studies(size_t count, dom_task *task, void *context, void *pool)
+{
+    int *left = pool;
+    if ((*left)-- <= 0)
+        return DOM_INTERRUPTED;
+    for (size_t i = 0; i < count; i++)
+        task(i, context);
+    return DOM_OK;
+}
+
+/* Checks that an interrupted search keeps what is known of the answer, closer with each study. */
+static void budget_interrupted(void **state)
+{
+    (void)state;
+    struct domq_domino domino[6];
+    struct asked train = asked_default();
+    const struct domq_scale scale = domq_scale_default();
+    train.s = 0.3;
+    train.r = 1.3;
+    ask_row_of_train(&train, &scale, 0.01, domino, 6);
+    const struct asked_row row = {
+        .domino = domino, .count = 6, .g = scale.g, .push = 5, .tol = 1e-9, .precision = DOM_DOUBLE};
+    struct domq_placement p = {.seed = 5, .rows = 40};
+    struct domq_budget whole, part;
+    assert_status(ask_placement_budget(&row, &p, 0.9, &whole), DOM_OK);
+    p.parallel = few_studies;
+    int known = 0, bounded = 0;
+    for (int studies = 0; studies < 18; studies++) {
+        int left = studies;
+        p.pool = &left;
+        part = (struct domq_budget){.sigma = -1};
+        assert_status(ask_placement_budget(&row, &p, 0.9, &part), DOM_INTERRUPTED);
+        if (part.sigma == -1)
+            continue;
+        assert_true(part.sigma == part.low && part.low <= whole.sigma && whole.sigma <= part.high);
+        known++;
+        bounded += part.high < 1.5 * part.low;
+    }
+    print_message("# %d known, %d bounded\n", known, bounded);
+    assert_true(known >= 5 && bounded >= 3);
+}
+
 /* Checks budgets of too few rows, and of rows that cannot be placed well enough. */
 static void budgets(void **state)
 {
@@ -491,6 +534,7 @@ int main(void)
         cmocka_unit_test(ends),
         cmocka_unit_test(floor_at_the_reach),
         cmocka_unit_test(budgets),
+        cmocka_unit_test(budget_interrupted),
         cmocka_unit_test(errors_are_normal),
         cmocka_unit_test(any_order),
         cmocka_unit_test(studies_add_up),

@@ -251,7 +251,9 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    double widest; /* largest gap of the row */
+    double widest;  /* largest gap of the row */
+    double lo, hi;  /* the share falls with lo, and no longer with hi, as far as is known */
+    bool of_answer; /* lo and hi are being found, not the interval around the answer */
 };
 
 /* Finds the part of the rows that fall. Every sigma uses the same random numbers, with errors that are longer
@@ -266,9 +268,15 @@ static enum dom_status fall_share(const struct budget *b, double sigma, double *
     return status;
 }
 
+/* Keeps what is known of the answer, for a search that is interrupted. */
+static void known(struct budget *b, double lo, double hi)
+{
+    b->lo = b->of_answer ? lo : b->lo;
+    b->hi = b->of_answer ? hi : b->hi;
+}
+
 /* Finds sigma to a thousandth between lo, where more than the share fall, and hi, where fewer do. */
-static enum dom_status sigma_between(const struct budget *b, double share, double lo, double hi,
-                                     double *sigma)
+static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* smaller than any error of real rows */
     while (hi - lo > 1e-3 * hi && hi > none) {
@@ -277,20 +285,23 @@ static enum dom_status sigma_between(const struct budget *b, double share, doubl
         if (status != DOM_OK)
             return status;
         *(falls >= share ? &lo : &hi) = at;
+        known(b, lo, hi);
     }
     *sigma = lo;
+    known(b, lo, lo);
     return DOM_OK;
 }
 
 /* Finds the first of doubled sigmas at which fewer than the share fall; infinite if it is larger than the
  * widest gap. */
-static enum dom_status sigma_at(const struct budget *b, double share, double *sigma)
+static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;
     for (double hi = b->widest / 4096;; lo = hi, hi *= 2) {
         enum dom_status status = fall_share(b, hi, &falls);
         if (status != DOM_OK)
             return status;
+        known(b, falls < share ? lo : hi, falls < share ? hi : HUGE_VAL);
         if (falls < share)
             return sigma_between(b, share, lo, hi, sigma);
         if (hi >= b->widest) {
@@ -317,7 +328,7 @@ static double unlikely(double share, double rows, bool at_least)
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *p, double share, struct dom_budget *budget)
 {
-    struct budget b = {.row = row, .compute = compute, .placement = p};
+    struct budget b = {.row = row, .compute = compute, .placement = p, .hi = HUGE_VAL, .of_answer = true};
     double falls;
     if (!(share > 0 && share < 1))
         return DOM_BAD_PROBABILITY;
@@ -329,10 +340,13 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
     double N = (double)p->rows, few = fmax(unlikely(share, N, false), 0), many = unlikely(share, N, true);
     struct dom_budget found = {.low = 0};
     status = sigma_at(&b, share, &found.sigma);
+    b.of_answer = false;
     if (status == DOM_OK && many <= N)
         status = sigma_at(&b, many / N, &found.low);
     if (status == DOM_OK)
         status = sigma_at(&b, few / N, &found.high);
+    if (status == DOM_INTERRUPTED && b.lo > 0)
+        *budget = (struct dom_budget){.sigma = b.lo, .low = b.lo, .high = b.hi};
     if (status == DOM_OK)
         *budget = found;
     return status;

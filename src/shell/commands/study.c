@@ -5,22 +5,23 @@
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
+#include <string.h>
 
-/* Makes the row and its random errors. Reports an error if there are none. */
-static bool study_make(struct session *session, domq_real rows, struct task_pool *pool,
+/* Makes the row and its random errors. Reports an error if they are needed and there are none. */
+static bool study_make(struct session *session, domq_real rows, bool needed, struct task_pool *pool,
                        struct scene_row *scene, struct domq_placement *p)
 {
     const struct effect_state *errors = &session->effect[DOM_EFFECT_placement];
     if (!scene_row_make(session, scene))
         return false;
-    if (!errors->on) {
+    if (!errors->on && needed) {
         free(scene->domino);
         session_error(session, "this command needs random errors; first enter 'effect placement 1 mm'");
         return false;
     }
     *p = (struct domq_placement){
-        .sigma = errors->value[0],
-        .heights = errors->value[1],
+        .sigma = errors->on ? errors->value[0] : 0,
+        .heights = errors->on ? errors->value[1] : 0,
         .seed = (unsigned long)session->seed,
         .rows = (size_t)rows,
         .parallel = workers_tasks,
@@ -52,7 +53,7 @@ static bool run_placement(struct session *session, const struct call *call)
     struct domq_placement p;
     struct task_pool pool = {.progress = true};
     domq_real rows = call->count > 0 ? call->number[0] : 2000;
-    if (!study_make(session, rows, &pool, &scene, &p))
+    if (!study_make(session, rows, true, &pool, &scene, &p))
         return false;
     bool done = session->shard.parts > 0 ? study_blocks(session, call, &scene, &p)
                                          : placement_all(session, call, &scene, &p);
@@ -86,37 +87,84 @@ static const char *share_of(domq_real share, char text[SHARE_OF])
     return text;
 }
 
+/* Returns sigma with two digits, rounded down, so that not fewer rows fall. */
+static domq_real two_digits(domq_real sigma)
+{
+    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(sigma)) - 1);
+    return quad(floor)(sigma / digit * (1 + (domq_real)1e-12)) * digit;
+}
+
+/* Says how precisely to place the gaps, and between which shares the rows fall then. */
+static enum dom_status budget_say(struct answer *a, const struct scene_row *scene,
+                                  const struct domq_placement *p, const struct domq_budget *budget,
+                                  domq_real share)
+{
+    struct domq_placement at = *p;
+    struct domq_study study;
+    char text[SHARE_OF];
+    at.sigma = two_digits(budget->sigma);
+    enum dom_status status = domq_placement_study(&scene->row, &scene->compute, &at, &study, NULL);
+    if (status != DOM_OK)
+        return status;
+    share_of(share, text);
+    double of = strstr(text, "of 1000") ? 1000 : 100;
+    int digits = strchr(text, '%') ? 2 : 0; /* rounded outwards */
+    double digit = pow(10, -digits);
+    answer_say(a, "Place the gaps within %s (one standard deviation): then %s rows fall (%.*f to %.*f%s).",
+               measured(at.sigma, "m", 2).text, text, digits, floor(of * study.low / digit) * digit, digits,
+               ceil(of * study.high / digit) * digit, digits ? " %" : "");
+    return DOM_OK;
+}
+
+/* Answers with what was found before ^C. */
+static void budget_partial(struct answer *a, const struct domq_budget *b, domq_real share, domq_real rows)
+{
+    static const char partial[] = "interrupted: the answer is between low and high";
+    char text[SHARE_OF];
+    bool open = !isfinite(b->high);
+    if (answer_for_people(a))
+        answer_say(a, "Interrupted: with gaps placed within %s at least %s rows fall%s%s.",
+                   measured(two_digits(b->sigma), "m", 2).text, share_of(share, text),
+                   open ? "; how many fall with larger errors is not known" : ", and fewer with ",
+                   open ? "" : measured(b->high, "m", 2).text);
+    answer_row(a,
+               ROW(cell_real(share), cell_narrow(b->sigma, 4), cell_narrow(b->low, 4),
+                   cell_narrow(b->high, 4), cell_count(rows)),
+               answer_for_people(a) ? NULL : partial);
+}
+
 static bool run_budget(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct domq_placement p;
-    struct domq_budget budget;
+    struct domq_budget budget = {.sigma = 0};
     struct task_pool pool = {.progress = false}; /* how many studies it takes is not known */
+    struct answer *a = call->answer;
     domq_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
     if (!(share > 0 && share < 1))
         return session_error(session,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_shown(share).text);
-    if (!study_make(session, rows, &pool, &scene, &p))
+    if (!study_make(session, rows, false, &pool, &scene, &p))
         return false;
     enum dom_status status = domq_placement_budget(&scene.row, &scene.compute, &p, (double)share, &budget);
+    bool any = !isfinite(budget.sigma);
+    if (status == DOM_OK && !any && answer_for_people(a))
+        status = budget_say(a, &scene, &p, &budget, share);
     free(scene.domino);
     if (status == DOM_STOPS)
         return session_no_answer(session, p.heights > 0
                                               ? "even with exact gaps fewer rows fall; enter a smaller P"
                                               : "even with exact gaps the row does not fall; 'mend' finds a "
                                                 "change that saves it");
+    if (status == DOM_INTERRUPTED && budget.sigma > 0 && !any)
+        budget_partial(a, &budget, share, rows);
     if (status != DOM_OK)
-        return session_status(session, status);
-    bool any = !isfinite(budget.sigma);
-    char text[SHARE_OF];
-    if (!any)
-        answer_say(call->answer, "Place the gaps within %s (one standard deviation): then %s rows fall.",
-                   measured((domq_real)budget.sigma, "m", 2).text, share_of(share, text));
-    return answer_row(call->answer,
-                      ROW(cell_real(share), cell_bound((domq_real)budget.sigma, DOMQ_NAN),
-                          cell_bound((domq_real)budget.low, DOMQ_NAN),
-                          cell_bound((domq_real)budget.high, DOMQ_NAN), cell_count(rows)),
+        return row_status(session, status);
+    return answer_row(a,
+                      ROW(cell_real(share), cell_bound(budget.sigma, DOMQ_NAN),
+                          cell_bound(budget.low, DOMQ_NAN), cell_bound(budget.high, DOMQ_NAN),
+                          cell_count(rows)),
                       any ? "even with errors as large as the largest gap more rows fall" : NULL);
 }
 
@@ -197,9 +245,10 @@ const struct command study_commands[] = {
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "how precise gaps must be to fall with probability P",
      .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
-             "rows if ROWS is left out). The random rows are the same at every sigma. First enter a row and "
-             "'effect placement 1 mm'.",
-     .example = "effect row 13; effect placement 1 mm; budget 0.9 200",
+             "rows if ROWS is left out). The random rows are the same at every sigma. The numbers after the "
+             "share are its 95 % interval. Random heights count too, with 'effect placement 1 mm 0.01'; "
+             "its error of the gaps is not used. ^C ends the search with what it has found.",
+     .example = "effect row 13; budget 0.9 200",
      .see = "placement mend",
      .principal = "sigma",
      ANSWER(budget)},
