@@ -179,7 +179,7 @@ curve 0.1 0.9 0|15|^curve: N = 0 .*integer in 1 \.\. [0-9]+$
 curve 0.1 0.9 -5|15|^curve: N = -5 .*integer in 1 \.\. [0-9]+$
 curve 0.1 0.9 2.5|15|^curve: N = 2.5 .*integer in 1 \.\. [0-9]+$
 curve 0.1 0.9 1e12|15|^curve: N = 1e\+12 .*integer in 1 \.\. [0-9]+$
-curve 0.1 0.9 1|0|^curve: one row .*at least 2$
+curve 0.1 0.9 1|0|^curve: one row .*at least 2, for example
 count 0|7|^count: H = 0 .*metres, larger than 0$
 count -112|7|^count: H = -112 .*metres, larger than 0$
 count 112 0.5|11|^count: R = 0.5 is out of range; R is a value of r, 1 \.\. 1e\+06$

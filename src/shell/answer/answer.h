@@ -25,7 +25,7 @@ struct answer {
     bool of_row;                       /* about the row, also of a command that else is about the train */
     bool units;                        /* csv names its columns with their units: it is read back */
     bool begun;
-    bool prepared; /* nothing more comes before the next row */
+    bool prepared; /* what comes before the next row has been written */
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
@@ -35,9 +35,10 @@ struct answer {
     struct measure measure[ANSWER_COLUMNS]; /* of each column in a table of rows, from its first row on */
     bool gap;                   /* set a blank line between this answer and the one before, for people */
     int lost;                   /* errno of the first write that failed; 0 for none */
-    struct cell *kept;          /* where the cells of the last row stay */
+    struct cell *kept;          /* the cells of the last row, or NULL */
     bool reasoned;              /* every row has a place for a reason */
-    char unsaid[ANSWER_REASON]; /* why a number is missing in rows that had no place to say it; "" for none */
+    char unsaid[ANSWER_REASON]; /* the reason of a missing number in rows without a place for reasons; "" for
+                                   none */
     const struct cell *like; /* unless NULL, a row of the kinds of cells that most rows have, for the head */
     /* Unless NULL, the answer is that of one point of a sweep: this takes its rows, and swept is its own. */
     void (*point)(struct answer *answer, const struct cell *cells, const char *reason);

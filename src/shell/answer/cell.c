@@ -47,7 +47,7 @@ struct cell cell_word(const char *word)
 
 /* ---- Text ---- */
 
-/* Two digits, rounded up so that it stays a bound. */
+/* Writes a bound in two digits, rounded up so that it stays a bound. */
 static const char *bound_text(domq_real error, char text[WIDE_TEXT])
 {
     if (!isfinite(error))
@@ -66,7 +66,8 @@ static int exact_digits(struct cell cell, int all)
     return digits;
 }
 
-/* Digits of a value up to those that its bound makes doubtful, so that what is printed is within it. */
+/* Returns how many digits of a value its bound leaves certain, so that the printed value is within the bound.
+ */
 static int bound_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
@@ -74,7 +75,7 @@ static int bound_digits(struct cell cell, int all)
     return digits < all ? digits : all;
 }
 
-/* What the digits leave out is an error, too. */
+/* Returns the bound of the printed number: the digits that are left out are an error, too. */
 static domq_real printed_error(struct cell cell, const char *number)
 {
     return cell.error + quad(fabs)(quad_read(number, NULL) - cell.number);
@@ -113,7 +114,7 @@ const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_
     return "-";
 }
 
-/* As the session's precision has it. */
+/* Returns the value rounded to the session's precision. */
 static domq_real rounded(const struct output_style *style, domq_real value)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)(float)value

@@ -30,7 +30,7 @@ struct cell {
     bool computed; /* to the session's tolerance: more digits than it promises are not shown */
 };
 
-/* A number that does not exist (NaN, infinity) becomes CELL_NONE: null in json. */
+/* Makes a cell of a number; NaN and infinity become CELL_NONE, which is null in json. */
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
 struct cell cell_unbounded(domq_real value); /* no error bound is known */
@@ -44,13 +44,13 @@ bool cell_finite(const struct output_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* enough for any cell that is not a word */
 
-/* In a table, in so many digits at most, with its bound if those are shown. */
+/* Writes a cell of a table, in so many digits at most, with its bound if bounds are shown. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* For programs: digits that read back to the same number, few if few do, and no bound beside them. */
+/* Writes a cell for programs: the fewest digits that read back to the same number, without a bound. */
 const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT]);
 
-/* The bound of a number as cell_plain writes it; none where none is known. */
+/* Writes the bound of a number as cell_plain does; nothing where no bound is known. */
 const char *cell_plain_bound(const struct output_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT]);
 

@@ -15,7 +15,7 @@ static void cell_write(const struct answer *a, struct cell cell)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
-/* The first row decides whether there is a column for reasons. */
+/* Writes the names of the columns; the first row decides whether there is a column for reasons. */
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)cells;

@@ -16,7 +16,7 @@
 
 #include "answer/cell.h"
 
-/* What a column's number is times 10^power, in a unit that people have. */
+/* A unit for people: the number of a column times 10^power is in this unit. */
 struct measure {
     const char *unit;
     int power;

@@ -115,7 +115,7 @@ static void measures_prepare(struct answer *a, const struct cell *cells)
     }
 }
 
-/* What the terminal can do. */
+/* Finds the width and the letters of the terminal. */
 static void answer_ask(struct answer *a)
 {
     a->width = terminal_width(a->out);
@@ -124,7 +124,7 @@ static void answer_ask(struct answer *a)
     errno = 0; /* asking what is no terminal sets it */
 }
 
-/* Before the first line: the blank line between answers. */
+/* Prepares the first line: writes the blank line between answers. */
 static void answer_prepare(struct answer *a)
 {
     if (a->prepared)
@@ -183,7 +183,7 @@ static const char *row_finite(struct answer *a, struct cell *shown, const char *
     return people || (reason && *reason) ? reason : lost;
 }
 
-/* Returns the text as it may be shown; what is to be freed goes into own. */
+/* Returns the text as it may be shown; *own is what the caller frees. */
 static const char *shown_text(const char *text, char **own)
 {
     if (!text || !escape_needed(text))

@@ -29,7 +29,7 @@ void answer_largest(struct answer *answer, const char *key, domq_real largest);
 void column_fit(struct column *column, const char *word);
 
 /*
- * One row; reason, unless NULL, says why something does not exist: a line for people, a last column or
+ * Writes a row; reason, unless NULL, says why something does not exist: a line for people, a last column or
  * key "reason" for programs; csv has that column where its first row has a reason.  Returns true, with which
  * a command ends that has answered.
  */
@@ -38,7 +38,7 @@ bool answer_row(struct answer *answer, const struct cell *cells, const char *rea
 /* Keeps the cells of a row, as 'ans', without writing them: people read the answer in sentences. */
 void answer_keep(struct answer *answer, const struct cell *cells);
 
-/* One row of these cells, in which nothing is missing. */
+/* Writes a row of these cells, in which nothing is missing. */
 #define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 
 /*
@@ -67,7 +67,7 @@ bool answer_lost(const struct answer *answer);
 /* Returns true if the output is a table for a person. */
 bool answer_for_people(const struct answer *answer);
 
-/* A sentence that only people see. */
+/* Writes a sentence that only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /*
@@ -76,7 +76,7 @@ void answer_say(struct answer *answer, const char *format, ...) __attribute__((f
  */
 void output_wrapped(FILE *out, const char *text, int left, int right);
 
-/* Radians in the style's unit of angles, and the name of that. */
+/* Return radians in the style's unit of angles, and the name of that unit. */
 domq_real style_angle(const struct output_style *style, domq_real radians);
 const char *style_angle_unit(const struct output_style *style);
 

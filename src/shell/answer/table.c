@@ -29,13 +29,13 @@ static const char *column_unit(const struct answer *a, const struct column *c, s
     return text;
 }
 
-/* What a number takes in a table. */
+/* Returns how many columns a number takes in a table. */
 static int number_width(const struct answer *a, int digits)
 {
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
 }
 
-/* Digits that a table has room for: with bounds, up to what they leave. */
+/* Returns how many digits a table has room for; with bounds, as many as the bounds leave. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
@@ -62,7 +62,7 @@ static const char *table_text(const struct answer *a, struct cell cell, int digi
     return cell_text(cell, !bounded && digits > most ? most : digits, a->style.errors, text);
 }
 
-/* On a terminal with UTF-8 the field's letters are written as such. */
+/* Returns the text with Greek letters and signs, on a terminal with UTF-8. */
 static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
 {
     enum { LETTER = 4 }; /* bytes of one with its end: ">=" becomes longer */
@@ -106,7 +106,7 @@ static int column_width(const struct answer *a, const struct column *c, int digi
     return c->width ? c->width : number > head ? number : head;
 }
 
-/* Digits that leave room for every column of a table of rows in the width of the terminal. */
+/* Returns how many digits leave room for every column of a table of rows in the width of the terminal. */
 static int row_digits(const struct answer *a)
 {
     int width = a->width, digits = table_digits(a), fixed = 0, numbers = 0;

@@ -84,7 +84,7 @@ const char *cost_method(enum dom_method method)
 #define SLOW_SECONDS  0.05 /* runs that last longer are not repeated as often */
 #define MOST_SECONDS  2.0  /* no row of the paper's recipe is tried that would take longer */
 
-/* Answers a batch, so that the clock resolves it; then the least of several batches. */
+/* Returns the seconds of one answer: the least of several batches, each long enough for the clock. */
 static double least_seconds(const struct costed *answer, const struct domq_train *train,
                             const struct domq_compute *compute, double first)
 {

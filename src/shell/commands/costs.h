@@ -18,7 +18,7 @@ struct costed {
 /* Ends with a NULL name. */
 extern const struct costed cost_answers[];
 
-/* Their names, for names.h. */
+/* Lists for names.h the names of these answers. */
 const char *cost_names(const void *context, int k);
 
 struct cost_row {
@@ -40,18 +40,18 @@ struct cost {
     domq_real value; /* of the reference */
 };
 
-/* Fills cost; not DOM_OK where the answer does not exist, or after an interrupt. */
+/* Fills cost. Returns another status than DOM_OK if the answer does not exist, or after an interrupt. */
 enum dom_status cost_measure(const struct costed *answer, const struct domq_train *train,
                              const struct domq_compute *compute, struct cost *cost);
 
-/* The same for the session's train; false: what is wrong was reported. */
+/* Fills cost for the session's train. Returns false after an error, which was reported. */
 struct session;
 bool cost_of(struct session *session, const struct costed *answer, struct cost *cost);
 
-/* "paper", "GSL", "ours". */
+/* Returns the name of a method, such as "GSL". */
 const char *cost_method(enum dom_method method);
 
-/* The quickest row that is as close as this relative error; NULL where none is. */
+/* Returns the quickest row whose relative error is at most this; NULL if there is none. */
 const struct cost_row *cost_reaching(const struct cost *cost, enum dom_method method,
                                      enum dom_precision precision, double error);
 

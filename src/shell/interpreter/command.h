@@ -54,20 +54,21 @@ struct argument {
      * is given as its choice; NULL: nothing. */
     names_list *(*offers)(domq_real before, int n);
     int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
-    const char *most_of;                        /* what that is the largest number of */
+    const char *most_of;                        /* the name of what `most` limits */
 };
 
 enum { ARGUMENTS_MAX = 3 };
 
 /* The arguments of one call, as they were read. */
 struct call {
-    int count; /* of those that were given */
+    int count; /* number of arguments that were given */
     domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
     char *word[ARGUMENTS_MAX];
-    const struct parameter *parameter; /* that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
-    int column[ARGUMENTS_MAX];         /* their places in the line, for messages */
-    void *own; /* what argument.read keeps for its command; call_free calls own_free */
+    const struct parameter
+        *parameter; /* the parameter that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
+    int column[ARGUMENTS_MAX]; /* their places in the line, for messages */
+    void *own;                 /* what argument.read keeps for its command; call_free calls own_free */
     void (*own_free)(void *own);
     struct answer *answer;
 };

@@ -31,7 +31,7 @@ static bool key_quantity(struct expression *e, const char *name, const char *key
     return cell_quantity(e, name, c, i, cells, result);
 }
 
-/* rmax(0.3): the command runs, and one number of its answer is the value. */
+/* Runs a command such as rmax(0.3), and takes one number of its answer as the value. */
 static bool command_quantity(struct expression *e, const struct command *c, const char *key,
                              const struct quantity *arguments, int count, struct quantity *result)
 {

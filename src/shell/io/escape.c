@@ -25,8 +25,8 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !surrogate ? length : 0;
 }
 
-/* What is not shown as it is, in order; the classes Cc, Zl and Zp of Unicode, and of Cf and Cn all but the
- * joiners U+200C and U+200D, which some scripts need. */
+/* Characters that are not shown as they are, in order; the classes Cc, Zl and Zp of Unicode, and of Cf and Cn
+ * all but the joiners U+200C and U+200D, which some scripts need. */
 static const struct {
     uint32_t first, last;
 } hidden[] = {

@@ -19,13 +19,13 @@ enum { ESCAPE_PIECE = 12 }; /* of one character: itself, "\x1b", "\u202e", "\u{e
  */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
-/* Returns true if some character of the text is not shown as it is. */
+/* Returns true if a character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
-/* The whole text into size bytes, at least 16; "..." ends a text that is too long. */
+/* Writes the whole text into size bytes, at least 16; "..." ends a text that is too long. */
 const char *escape_text(const char *text, char *shown, size_t size);
 
-/* The whole text in memory that the caller frees; NULL if there is none. */
+/* Returns the whole text in memory that the caller frees; NULL if there is none. */
 char *escape_copy(const char *text);
 
 /*

@@ -12,7 +12,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Between two looks at what cannot be waited for: short for a person, long for the processor. */
+/* The time between two tries where nothing can wait: short for a person, long for the processor. */
 static const struct timespec moment = {.tv_nsec = 10000000};
 
 /* ---- Waits ---- */
@@ -78,7 +78,7 @@ bool io_write(int file, const char *bytes, size_t count)
 
 /* ---- Streams ---- */
 
-/* What a stream reads or writes. */
+/* The file of a stream, and the flag that ends its waits. */
 struct channel {
     int file;
     const volatile sig_atomic_t *interrupt;
@@ -186,7 +186,7 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
     return in;
 }
 
-/* A stream into memory; *text has room for so many bytes. */
+/* A stream into memory: the bytes at *text, and how many fit. */
 struct memory {
     char **text;
     size_t *size, room;

@@ -69,7 +69,7 @@ double terminal_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Blanks rather than a control sequence: a dumb terminal has none. */
+/* Overwrites the line with blanks, because a dumb terminal has no control sequences. */
 static void wipe(void)
 {
     fprintf(stderr, "\r%*s\r", 30, "");
@@ -80,7 +80,7 @@ static void wipe(void)
 /* Written by the handler, and by whichever thread has the first row. */
 static atomic_int ticks, ticker_quiet;
 
-/* Whether the ticker uses SIGALRM, and the handler before it. */
+/* True while the ticker uses SIGALRM; and the handler that it replaced. */
 static bool ticking;
 static struct sigaction alarm_before;
 

@@ -37,7 +37,7 @@ struct progress {
     double begun, shown; /* seconds of the monotonic clock */
 };
 
-/* Seconds of the monotonic clock. */
+/* Returns the seconds of the monotonic clock. */
 double terminal_clock(void);
 
 /*

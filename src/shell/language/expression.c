@@ -60,7 +60,7 @@ enum { DEPTH_MAX = 100 };
 
 static bool sum(struct expression *e, struct quantity *q);
 
-/* What each step of an expression may give: a finite number, in a unit whose exponents do not overflow. */
+/* Returns true for a finite number in a unit whose exponents do not overflow: what each step may give. */
 static bool finite_result(struct expression *e, const char *at, const struct quantity *q)
 {
     enum { EXPONENT_MOST = 999 };

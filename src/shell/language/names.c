@@ -13,7 +13,7 @@ int names_exact(names_list *list, const void *context, const char *text)
     return -1;
 }
 
-/* Edits from a to b: insert, delete, replace, swap two neighbours; for short words. */
+/* Returns how many edits lead from a to b: insert, delete, replace, swap two neighbours. For short words. */
 static size_t distance(const char *a, const char *b)
 {
     enum { LONGEST = 32 };

@@ -39,7 +39,7 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
 
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 }; /* digits that read back to the same number; room for any */
 
-/* printf's "%.*g". */
+/* Writes a number as printf's "%.*g" does. */
 const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT]);
 
 /* The same with 10 digits for messages: quad_shown(x).text. */
@@ -48,10 +48,10 @@ struct quad_shown {
 };
 struct quad_shown quad_shown(domq_real value);
 
-/* The fewest digits that read back to the same number. */
+/* Writes a number in the fewest digits that read back to the same number. */
 const char *quad_exact(domq_real value, char text[WIDE_TEXT]);
 
-/* strtod: out of range is errno = ERANGE. */
+/* Reads a number as strtod does; errno is ERANGE for one out of range. */
 domq_real quad_read(const char *text, char **end);
 
 #endif

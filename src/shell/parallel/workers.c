@@ -37,13 +37,13 @@ struct crew {
     struct workers_end end;
 };
 
-/* What a worker knows of its speed. */
+/* The speed of a worker. */
 struct pace {
     size_t points; /* of its last block */
     double seconds;
 };
 
-/* So many points that they take the time of a block; shorter near the end, so that all end together. */
+/* Returns how many points take the time of a block; fewer near the end, so that all workers end together. */
 static size_t block_points(const struct workers *w, const struct pace *pace, size_t left)
 {
     double fit = pace->points ? BLOCK_SECONDS * (double)pace->points / (pace->seconds + 1e-9) : 1;
@@ -54,7 +54,7 @@ static size_t block_points(const struct workers *w, const struct pace *pace, siz
     return points < share ? points : share;
 }
 
-/* Points of one block, by the worker `own`; false where one of them ended it. */
+/* Computes the points of one block with the worker `own`; returns false if a point ended the work. */
 static bool block_run(const struct workers *w, void *own, size_t from, size_t points, struct pace *pace,
                       FILE *out)
 {
@@ -101,7 +101,7 @@ static void crew_write(struct crew *c)
         pthread_cond_broadcast(&c->room);
 }
 
-/* The next points, and the number of their block; 0 points: there are no more. */
+/* Takes the next points, and the number of their block; returns 0 points if there are no more. */
 static size_t crew_take(struct crew *c, const struct pace *pace, size_t *from, size_t *block)
 {
     while (!c->over && c->taken - c->written >= c->window)
@@ -160,7 +160,7 @@ static void *hand_run(void *context)
     return NULL;
 }
 
-/* Signals stay with the thread that they have always come to. */
+/* Starts the threads with all signals blocked, so that signals still come to the caller's thread. */
 static unsigned hands_begin(struct hand *hand, unsigned count)
 {
     unsigned begun = 1;

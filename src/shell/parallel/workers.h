@@ -22,7 +22,7 @@ struct workers {
     size_t size; /* of own, in bytes */
     /* Adds a worker's copy to own, when all is done; NULL: nothing is to be added. */
     void (*gather)(void *own, const void *worker);
-    unsigned count;                         /* of workers; 1 is the caller's thread alone */
+    unsigned count;                         /* number of workers; 1 is the caller's thread alone */
     FILE *out;                              /* NULL: no rows are written */
     bool progress;                          /* shows how far the work is */
     const volatile sig_atomic_t *interrupt; /* as in struct dom_compute */
@@ -36,7 +36,7 @@ struct workers_end {
 /* Computes all points.  The first worker is the caller's thread; without threads for all, fewer do it. */
 struct workers_end workers_run(const struct workers *workers);
 
-/* What the library's tasks are run with. */
+/* The settings with which workers_tasks runs the library's tasks. */
 struct task_pool {
     domq_real threads; /* 0: one for each processor */
     bool progress;

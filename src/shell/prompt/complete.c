@@ -17,7 +17,7 @@ struct offer {
     bool files;
 };
 
-/* Commands that have a value, and ans. */
+/* Lists for names.h the commands that have a value, and ans. */
 static const char *answer_names(const void *context, int k)
 {
     const char *name;
@@ -28,7 +28,7 @@ static const char *answer_names(const void *context, int k)
     return k == 0 ? "ans" : NULL;
 }
 
-/* Parameters that have a number. */
+/* Lists for names.h the parameters that are numbers. */
 static const char *number_names(const void *context, int k)
 {
     (void)context;
@@ -86,7 +86,7 @@ static const struct argument *words_argument(const struct command *c, int i)
     return NULL;
 }
 
-/* Commands that answer, and can be swept. */
+/* Lists for names.h the commands that can be swept. */
 static const char *swept_names(const void *context, int k)
 {
     const char *name;
@@ -155,7 +155,8 @@ static struct offer offer_at(const char *line, size_t length, bool swept)
     return offer;
 }
 
-/* The command before the dot at the end of text: 'rmax.' or 'rmax(0.3).'; NULL if there is none. */
+/* Returns the command before the dot at the end of text, as in 'rmax.' or 'rmax(0.3).'; NULL if there is
+ * none. */
 static const struct command *command_before_dot(const char *text, const char *dot)
 {
     const char *end = dot;
@@ -172,7 +173,7 @@ static const struct command *command_before_dot(const char *text, const char *do
     return c && command_values(c, &fewest) >= 0 ? c : NULL;
 }
 
-/* After the ':' of a sweep a command begins. */
+/* Returns the place after the ':' of a sweep, where a command begins; else the line itself. */
 static const char *swept_command(const char *line)
 {
     char name[32], message[NAMES_MESSAGE];

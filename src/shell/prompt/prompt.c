@@ -29,12 +29,13 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* Those that would end the program end the session, so that the terminal is given back as it was. */
+/* Signals that have handlers here. Those that would end the program end the session, which restores the
+ * terminal. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* ^C drops the line; on an empty line it says how to leave. */
+/* Drops the line after ^C; on an empty line says how to leave. */
 static void prompt_interrupt(void)
 {
     interrupted = 0;
@@ -92,7 +93,7 @@ static void on_line(char *text)
         rl_callback_handler_remove();
 }
 
-/* Readline must know which bytes take no column: those between \001 and \002. */
+/* Writes the prompt. Bytes that take no column are between \001 and \002, for Readline. */
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";

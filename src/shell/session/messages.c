@@ -40,7 +40,7 @@ static void session_caret(const struct session *session)
     fprintf(stderr, "%*s\n", above ? at : session->column + CARET_INDENT, "^");
 }
 
-/* A point of a sweep has no terminal: the first message is kept. */
+/* Keeps the first message of a point of a sweep, which has no terminal. */
 static void session_keep(const struct session *session, bool no_answer, const char *format, va_list arguments)
 {
     struct captured_error *h = session->captured_error;
