@@ -30,7 +30,7 @@ static void say(const char *what, const struct dom_train *t, bool pair, const st
                 t->d, t->q, t->fuel, pair ? " pair" : "", p->low, p->high, r_max);
 }
 
-/* Is r_max refuted: the train goes on at every growth up to it and a little farther, or stops before it? */
+/* Returns true if r_max is refuted: the train goes on beyond it, or stops before it. */
 static bool refutes(const struct dom_proof *p, double r_max)
 {
     return r_max < p->low * (1 - 1e-15) || r_max > p->high * (1 + 1e-15);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The bounds of the proofs, one by one: this program compiles the sources of the proofs with a switch that
- * puts a wrong bound in the place of a right one. With all bounds right every check holds; with any one wrong
+ * replaces a right bound by a wrong one. With all bounds right every check holds; with any one wrong
  * a check has to fail.
  */
 #include "support.h"
@@ -30,7 +30,7 @@ static enum bound broken;
 #include "proof/upright.c"
 /* NOLINTEND(bugprone-suspicious-include) */
 
-/* Is a value outside? NaN is no enclosure. */
+/* Returns 1 if a value is outside of the interval; a bound that is NaN encloses nothing. */
 static int outside(struct span a, double value, double slack)
 {
     return !(a.lo <= value + slack && a.hi >= value - slack);
@@ -144,7 +144,7 @@ static int boxes_wrong(struct proof *proof, bool paper, bool pair)
     return wrong;
 }
 
-/* Is a growth that stops shown to go on, or one that goes on to stop? */
+/* Returns how many verdicts are wrong: growths that stop and are said to go on, or the reverse. */
 static int verdicts_wrong(struct proof *proof)
 {
     static const struct {

@@ -20,7 +20,7 @@
 /* A train without its growth. Its numbers are intervals around the doubles: decimals are in them, too. */
 struct shape {
     struct span s, d, L, q;
-    struct span v_inf; /* of theta_inf: cos theta_inf = d/L (A16), so v = s/L */
+    struct span v_inf; /* of theta_inf: cos theta_inf = d/L (40; A16), so v = s/L */
     struct span v_top; /* of theta_u, where one domino is highest: tan theta_u = d */
     struct span g_top; /* h(theta_u) - 1 */
     double steepest;   /* sqrt(1 + d^2), the largest |dh/dtheta| */

@@ -14,8 +14,8 @@ static struct span power_whole(struct span x, int n)
 
 /*
  * Returns 2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))) for 0 <= t <= 1/3.
- * Remainder: in the place of 1/(2n+1) + t^2 (1/(2n+3) + ...), n = TERMS, stands an interval from 0 to 1/n,
- * which contains it: it is at most (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1).
+ * The remainder 1/(2n+1) + t^2 (1/(2n+3) + ...), n = TERMS, is replaced by an interval from 0 to 1/n that
+ * contains it: the remainder is at most (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1).
  */
 static struct span twice_atanh(struct span t)
 {

@@ -6,7 +6,7 @@
  * IEEE 754 rounds these five operations correctly, to the nearest double. From the rounded result z, up(z)
  * and down(z) are beyond the neighbours of z, and so beyond what was rounded (Rump, Zimmermann, Boldo,
  * Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419). Rounding modes are
- * not changed: no compiler has to be told, and threads do not disturb each other.
+ * not changed: the compiler needs no option, and threads do not disturb each other.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H

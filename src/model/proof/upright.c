@@ -96,7 +96,7 @@ static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, c
     w->fuel_by_r = span_add(w->fuel_by_r, change);
 }
 
-/* (c6): K = P / E, E = r^q (1 + 1/T) - 1, where P > 0. */
+/* (24; c6): K = P / E, E = r^q (1 + 1/T) - 1, where P > 0. */
 static void kinetic_of_train(struct upright *u, const struct walk *w)
 {
     const struct growth *g = &u->growth;
@@ -124,7 +124,7 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     struct span push = span_sub(g->shape->g_top, u->link[1].g);
     struct span order = span_over(span_times(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
     u->fuel = push;
-    if (!(hit.lo > g->shape->v_top.hi)) /* perhaps it has not tipped over when it hits (b0) */
+    if (!(hit.lo > g->shape->v_top.hi)) /* perhaps it has not tipped over when it hits (5; b0) */
         u->fuel.lo = -1;
     if (hit.hi < g->shape->v_top.lo)
         u->fuel.hi = -1;
@@ -134,7 +134,7 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     u->by_r = u->by_r && hit.lo > g->shape->v_top.hi;
 }
 
-/* The paper's closed form P = 1 - h(theta_last) in the place of the sum. */
+/* Finds the fuel by the paper's closed form P = 1 - h(theta_last), instead of the sum. */
 static void paper_fuel(const struct upright *u, struct walk *w)
 {
     const struct growth *g = &u->growth;

@@ -55,7 +55,7 @@ static struct cell cell_proved(double value, int digits)
     return cell;
 }
 
-/* Returns how many digits of a number stand before its decimal point, and so many after it. */
+/* Returns how many digits a number has, with this many after its decimal point. */
 static int digits_of(double value, int decimals)
 {
     return (value >= 1 ? (int)log10(value) + 1 : 0) + decimals;
@@ -274,7 +274,7 @@ const struct command prove_commands[] = {
              "and all growths in between; domino-model(7) says how. Where it fails, the answer is 'not "
              "proved' with "
              "what was proved so far, also after ^C. Friction and slopes have no proof.",
-     .equation = "(c8), section 'A general domino train'",
+     .equation = "(26; c8), section 'A general domino train'",
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",
      .echo = "s",

@@ -35,7 +35,7 @@ const char *expression_kind(struct quantity quantity, char *text, size_t size);
 /* Lists for names.h the units. */
 const char *expression_units(const void *context, int k);
 
-/* Of names, of units and of anything else: letters, digits and '_', no digit first. */
+/* Return true if a name can begin with the character; and the length of the name: letters, digits and '_'. */
 bool name_start(char c);
 size_t name_length(const char *text);
 
