@@ -294,7 +294,24 @@ static bool run_verdict(struct session *session, const struct call *call)
 
 static bool run_place(struct session *session, const struct call *call)
 {
-    return scene_row_place(session, (size_t)call->number[0], call->number[1]);
+    const size_t k = (size_t)call->number[0];
+    const domq_real gap = call->number[1];
+    struct scene_row scene;
+    if (call->quantity[1].length == 0 && gap > 0) {
+        if (!scene_row_make(session, &scene))
+            return false;
+        bool there = k >= 2 && k <= scene.row.count; /* else scene_row_place reports it */
+        domq_real before = there ? scene.domino[k - 2].height : gap,
+                  own = there ? scene.domino[k - 1].height : gap;
+        free(scene.domino);
+        if (gap > before && gap > own)
+            return session_error(session,
+                                 "a gap of %s without a unit would be %s, but domino %zu is %s tall; write "
+                                 "'place %zu %s mm', or the unit that you mean",
+                                 quad_shown(gap).text, measured(gap, "m", 6).text, k - 1,
+                                 measured(before, "m", 4).text, k, quad_shown(gap).text);
+    }
+    return scene_row_place(session, k, gap);
 }
 
 /* ---- rowmax: the largest growth of a finite row ---- */
@@ -385,8 +402,9 @@ const struct command row_commands[] = {
      .synonyms = "move spacing distance gap",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",
-     .help =
-         "The change lasts until another row is entered; 'save FILE' keeps it, and so does 'row > FILE.csv'.",
+     .help = "A GAP without a unit is in metres, and refused if that is more than the dominoes beside it are "
+             "tall. The change lasts until another row is entered; 'save FILE' keeps it, and so does 'row > "
+             "FILE.csv'.",
      .example = "effect row 5; place 3 25 mm; fall",
      .see = "row fall mend",
      .run = run_place},

@@ -266,7 +266,7 @@ void effect_save(const struct session *session, enum dom_effect_name name, FILE 
         fprintf(out, " %s", quad_exact(session->effect[name].value[i], number));
     putc('\n', out);
     for (size_t i = 0; e->argument[0].or_file && i < session->listed.changes; i++)
-        fprintf(out, "place %zu %s\n", session->listed.placed[i].k,
+        fprintf(out, "place %zu %s m\n", session->listed.placed[i].k,
                 quad_exact(session->listed.placed[i].gap, number));
 }
 

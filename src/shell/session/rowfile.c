@@ -42,7 +42,7 @@ static const struct kind {
      "none", "", 1, 1, ""},
 };
 
-enum { CELLS = KINDS + 1, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
+enum { CELLS = 64, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
 
 struct reader {
     struct session *session;
@@ -59,13 +59,35 @@ struct reader {
     const char *then;                         /* appended to messages: the consequence of the error, or "" */
     int cells;                                /* the number of cells of this line; at most CELLS are kept */
     char *cell[CELLS];
-    char *buffer; /* LINE_MOST bytes, too many for some stacks */
+    char unused[200]; /* names of columns that are not used, for a note */
+    char *buffer;     /* LINE_MOST bytes, too many for some stacks */
+};
+
+/* Other names that people give to columns; those of no kind are for the reader. */
+static const struct synonym {
+    const char *name;
+    int kind;
+} synonyms[] = {
+    {"nr", DOMINO},    {"no", DOMINO},     {"no.", DOMINO},      {"number", DOMINO},   {"spacing", GAP},
+    {"distance", GAP}, {"length", HEIGHT}, {"depth", THICKNESS}, {"thick", THICKNESS}, {"weight", MASS},
+    {"note", KINDS},   {"notes", KINDS},   {"comment", KINDS},   {"comments", KINDS},  {"remark", KINDS},
+    {"", KINDS},       {NULL, KINDS},
 };
 
 static const char *kind_names(const void *context, int k)
 {
     (void)context;
     return k < KINDS ? kinds[k].name : NULL;
+}
+
+/* Returns the kind of a column's name; KINDS for one that is for the reader, -1 for an unknown one. */
+static int kind_find(const char *name)
+{
+    int k = names_exact(kind_names, NULL, name);
+    for (const struct synonym *s = synonyms; k < 0 && s->name; s++)
+        if (strcmp(s->name, name) == 0)
+            return s->kind;
+    return k;
 }
 
 /* Returns the value of a unit in SI; 0 if the kind does not have this unit. */
@@ -180,27 +202,43 @@ static bool unit_read(struct reader *r, int kind, const char *at)
                                       names_shown(at, shown), k->name, k->units);
 }
 
+/* Keeps the name of a column that is not used, for one note about all of them. */
+static void unused_keep(struct reader *r, const char *name)
+{
+    char shown[NAMES_SHOWN];
+    size_t used = strlen(r->unused);
+    snprintf(r->unused + used, sizeof r->unused - used, "%s'%.40s'", used ? ", " : "",
+             names_shown(name, shown));
+}
+
 /* Reads the name and the unit of the next column. */
 static bool name_read(struct reader *r, const char *cell)
 {
-    char name[32], shown[NAMES_SHOWN];
-    size_t length = strcspn(cell, " \t([");
+    char name[32];
+    size_t length = strcspn(cell, " \t([_");
     snprintf(name, sizeof name, "%.*s", (int)length, cell);
     for (char *c = name; *c; c++)
         *c = (char)tolower((unsigned char)*c);
-    int k = names_exact(kind_names, NULL, name);
-    const char *close = names_closest(kind_names, NULL, name);
-    if (k < 0)
+    int k = kind_find(name);
+    const char *close = k < 0 ? names_closest(kind_names, NULL, name) : NULL;
+    r->columns++;
+    if (isdigit((unsigned char)*cell) || *cell == '.')
         return wrong(r, cell,
-                     close ? "unknown column '%s'; did you mean '%s'?"
-                           : "unknown column '%s'; the columns are %s",
-                     names_shown(close ? name : cell, shown), close ? close : COLUMNS);
+                     "the first line has a number, but it names the columns: write "
+                     "'height (mm), thickness (mm), gap (mm)' above");
+    if (close)
+        return wrong(r, cell, "unknown column '%s'; did you mean '%s'?", name, close);
+    if (k < 0)
+        unused_keep(r, cell);
+    if (k < 0 || k == KINDS)
+        return true;
     if (r->column[k] > 0)
-        return wrong(r, cell, "'%s' is the name of two columns; the first is column %d", name, r->column[k]);
-    r->column[k] = ++r->columns;
+        return wrong(r, cell, "'%s' is the %s, as column %d is; name one of them otherwise", name,
+                     kinds[k].name, r->column[k]);
+    r->column[k] = r->columns;
     if (r->column[MASS] > 0 && r->column[DENSITY] > 0)
         return wrong(r, cell, "both mass and density are given; leave one of these columns out");
-    return unit_read(r, k, cell + length + strspn(cell + length, " \t"));
+    return unit_read(r, k, cell + length + strspn(cell + length, " \t_"));
 }
 
 static bool head_read(struct reader *r)
@@ -214,13 +252,17 @@ static bool head_read(struct reader *r)
                      ", separated by ',', ';' or tabs");
     if (!cells_cut(r))
         return false;
-    /* CELLS columns are one more than there are kinds: one is unknown, or given twice. */
+    if (r->cells > CELLS)
+        return wrong(r, NULL, "there are %d columns; at most %d can be read", r->cells, CELLS);
     for (int i = 0; i < r->cells; i++)
         if (!name_read(r, r->cell[i]))
             return false;
     for (int k = 0; k < KINDS; k++)
         if (kinds[k].required && r->column[k] == 0)
             return wrong(r, NULL, "the column '%s' is missing; the first line names " COLUMNS, kinds[k].name);
+    if (*r->unused)
+        session_note(r->session, "%s:%ld: not used: the columns %s; those that are: " COLUMNS, r->path,
+                     r->line, r->unused);
     return true;
 }
 
@@ -313,8 +355,11 @@ static bool row_read(struct reader *r, struct listed_row *rows)
         return false;
     if (r->cells != r->columns)
         return wrong(r, r->cells > r->columns ? r->cell[r->columns] : NULL,
-                     "too %s cells: %d, but the first line has %d; a %s separates them",
-                     r->cells > r->columns ? "many" : "few", r->cells, r->columns, r->between);
+                     "too %s cells: %d, but the first line has %d; a %s separates them%s",
+                     r->cells > r->columns ? "many" : "few", r->cells, r->columns, r->between,
+                     r->cells > r->columns && *r->separator == ','
+                         ? ", so decimals have a point: 48.5, not 48,5"
+                         : "");
     if (rows->count == DOMINOES_MOST)
         return wrong(r, NULL, "too many dominoes; a row has at most %d", DOMINOES_MOST);
     for (int k = 0; k < KINDS; k++) {

@@ -10,7 +10,9 @@
  * The first line names the columns in any order: height, thickness, gap and, if known, mass, or density and
  * width.  Each needs a unit, in the first line or in the cell: a number without one is an error.  A solid
  * block weighs density * height * thickness * width.  The default width is half the height, the default
- * density 1; or a column gives relative masses.  A column domino, with numbers, is not used.  Cells are
+ * density 1; or a column gives relative masses.  A column domino, with numbers, is not used.
+ * Names have synonyms, such as spacing for gap and weight for mass; other columns are named in a note and
+ * ignored.  Cells are
  * separated as the names are: by ',', ';' or tabs.  Decimals have a point: a comma could also separate
  * thousands.  A file means the same in every session: names of a session have no value in it, and a bare
  * angle is in radians.

@@ -1,0 +1,49 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Rows in files as people have them: names of columns, units, decimal commas; and gaps without a unit.
+# shellcheck disable=SC2154 # 'run' sets what it looks at
+
+load common
+
+setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
+
+@test "names of columns: synonyms in any case, with units in brackets of either kind" {
+    printf 'height (mm), thickness (mm), gap (mm), mass (g)\n48, 7.5, -, 10\n50, 7.5, 20, 12\n' >plain.csv
+    printf 'Nr;LENGTH [mm];Thick(mm);Spacing [cm];Weight (g);Note\n1;48;7.5;-;10;red\n2;50;7.5;2;12;x, y\n' >synonyms.csv
+    printf 'no\tlength_mm\tdepth_mm\tdistance_mm\tweight_g\n1\t48\t7.5\t-\t10\n2\t50\t7.5\t20\t12\n' >tabs.csv
+    for file in synonyms tabs; do
+        same "$file" "$("$DOMINO" -e 'effect row plain.csv; row')" "$("$DOMINO" -e "effect row $file.csv; row" 2>&1)"
+    done
+}
+
+@test "unknown columns are named once and ignored; a wrong spelling is an error" {
+    printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
+    run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
+    same 'one note' "-e:1: effect: more.csv:1: not used: the columns 'colour', 'shop'; those that are: height, thickness, gap, and, if known, mass or density, width" "$stderr"
+    printf 'height (mm), thickness (mm), gap (mm), mas (g)\n48, 7.5, -, 10\n' >typo.csv
+    wrong 'effect row typo.csv' "typo.csv:1:40: unknown column 'mas'; did you mean 'mass'\?"
+    printf 'height (mm), length (mm), thickness (mm), gap (mm)\n48, 50, 7.5, -\n' >twice.csv
+    wrong 'effect row twice.csv' "'length' is the height, as column 1 is; name one of them otherwise"
+}
+
+@test "numbers without units, without names, and with decimal commas are explained" {
+    printf 'height, thickness, gap\n48, 7.5, -\n' >bare.csv
+    wrong 'effect row bare.csv' "'48' would be 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell"
+    printf '48, 7.5, 20\n' >nameless.csv
+    wrong 'effect row nameless.csv' "the first line has a number, but it names the columns: write 'height \(mm\), "
+    printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv
+    wrong 'effect row commas.csv' 'too many cells: 5, .*decimals have a point: 48\.5, not 48,5'
+    printf 'height (mm);thickness (mm);gap (mm)\n48,0;7,5;-\n' >semicolons.csv
+    wrong 'effect row semicolons.csv' "semicolons.csv:2:3: height ends before ',0'; write decimals with a point"
+}
+
+@test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {
+    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m, but domino 1 is 4\.8 cm tall; write 'place 2 3 mm'"
+    wrong 'effect row 3; place 9 3' 'there is no gap before domino 9'
+    same metres 0.03 "$(json 'effect row 3; place 2 0.03; row' | values gap | sed -n 2p)"
+    same unit 3 "$(json 'effect row 3; place 2 3 m; row' | values gap | sed -n 2p)"
+    "$DOMINO" -e 'effect row 3; place 2 3 m; place 3 0.03; save scene.dom; row > saved.csv'
+    "$DOMINO" -e 'source scene.dom; row > read.csv; effect row saved.csv; row > again.csv'
+    same_file saved.csv read.csv
+    same_file saved.csv again.csv
+}
