@@ -40,7 +40,7 @@ sensitivity rmax|parameter value step less more
 solve d : rmax = 5/3|value answer branch
 effect row 4; effect placement 5 mm; placement 50|sigma heights rows fall probability low high unknown stops_most
 effect row 4; effect placement 5 mm; budget 0.9 50|probability sigma low high rows
-effect friction 0.2; goto 0.1|cycle event theta t omega before lost gained fallen kinetic potential rubbed
+reset; effect friction 0.2; goto 0.1|cycle event theta t omega before lost gained fallen kinetic potential rubbed
 print 0.1|value unit'
 
 # Runs commands (with ';' or newlines) in one of the ways that need no terminal.

@@ -108,7 +108,7 @@ harmless() { # FILE
     printf 'foo\n' >"$name"
     for line in "pool $name" "effect row \"$name\"" "source $name"; do
         run -1 --separate-stderr "$DOMINO" -e "$line"
-        [[ $stderr =~ (no block|other fields|one column|unknown command) ]] || same "$line" 'what is wrong' "$stderr"
+        [[ $stderr =~ (not a block|no block|other fields|one column|unknown command) ]] || same "$line" 'what is wrong' "$stderr"
     done
     run -1 --separate-stderr "$DOMINO" --safe -e "effect row ${name}.csv"
     [[ $stderr == *'a safe session cannot do'* ]]

@@ -106,7 +106,7 @@ null_of() { # COMMANDS SELECTION KEY REASON
     null_of 'effect floor 0; effect friction 1.5; slip' true needs 'lifted off the floor'
     null_of 'effect row 3; effect floor 0; set s 1; set r 1; fall' '.domino == 2' floor 'lifted off the floor'
     run "$DOMINO" -e 'effect row 3; effect floor 0; set s 1; set r 1; fall'
-    [[ $output == *'The most that is needed: more than any friction, since it is lifted off, under domino 1 while'* ]]
+    [[ $output == *'Domino 1 needs the most friction, while it falls: it is lifted off, which no friction prevents.'* ]]
     [[ $("$DOMINO" -e 'set precision quad; count 1e4000 m') == *'one of 1e+4000 m.'* ]]
     if command -v gnuplot; then "$DOMINO" -e 'set s 1; set r 1; draw forces > x.svg' && ! grep -qE "[^a-z]nan[^a-z]" x.svg; fi
 }

@@ -133,7 +133,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect foo 1' "unknown effect 'foo'; use one of: friction, slope, row, push, placement, floor"
     wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; K is 2 .. 4 in this row'
     wrong 'effect row 1; place 2 1 cm' 'a row of one domino has no gap'
-    wrong 'effect row 4; place 2 -1' 'no gap'
+    wrong 'effect row 4; place 2 -1' 'is not a gap'
 }
 
 @test "a wrong value leaves the scene as it was" {

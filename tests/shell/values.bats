@@ -374,12 +374,12 @@ END
 7|print chain|^print:.*'chain' has no value
 7|print nan|^print:.*'nan' has no value
 7|print inf|^print:.*'inf' has no value
-7|print 0x10|^print:.*decimals
+7|print 0x10|^print:.*decimal number
 7|print "1"|^print:.*'"1"'
 7|print ans|^print:.*no earlier answer
 7|print ans.r_max|^print:.*no earlier answer
 7|print rmax.foo|^print:.*unknown key of rmax 'foo'
-7|print rmax.ends_by|^print:.*rmax.ends_by is a word, 'barrier'
+7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
 7|print pair(0.1)|^print:.*does not exist here: 'pair' says why
 11|print 2 + thetac.theta_leave|^print:.*does not exist here: 'thetac' says why
 END
@@ -456,8 +456,8 @@ thetac|thetac
 ch 0.1|chain 0.1
 du|duration
 cou 112|count 112
-se s 0.3; sh s|set s 0.3; show s
-pr rmax|print rmax
+set s 0.3; sh s|set s 0.3; show s
+pri rmax|print rmax
 set dig 3; show dig|set digits 3; show digits
 set fuel p; fuel|set fuel paper; fuel
 set ang d; thetac|set angle deg; thetac
@@ -505,7 +505,7 @@ END
 # ---- Settings ----
 
 @test "digits: in tables, and only there" {
-    same 'table' '0.1772870173 0.177 0.177287017325' \
+    same 'table' '0.177287 0.177 0.177287017325' \
         "$("$DOMINO" -e 'fuel; set digits 3; fuel; set digits 17; fuel' | awk '$1 == "fuel" { print $2 }' | paste -sd ' ' -)"
     same 'rows' 0.738 "$("$DOMINO" -e 'set digits 3; set tol 1e-3; chain 0.1' | awk '$1 == 1 { print $2 }')"
     same 'print' 0.333 "$("$DOMINO" -e 'set digits 3; print 1/3')"
@@ -569,7 +569,7 @@ END
     same 'ans' "$(json 'theta1 theta1(0.1)/2' | values theta_1)" \
         "$(json 'theta1 0.1; set angle deg; set angle rad; theta1 ans/2' | values theta_1 | tail -n 1)"
     answer=$("$DOMINO" -e 'set angle deg; thetac; launch; chain 10')
-    for line in '^theta_c *36\.86989765 deg ' '^omega0 .*deg/s' '^  *deg '; do
+    for line in '^theta_c *36\.8699 deg ' '^omega0 .*deg/s' '^  *deg '; do
         grep -q "$line" <<<"$answer" || same deg "$line" "$answer"
     done
     same 'no radians' '(nothing)' "$(grep -w rad <<<"$answer")"
@@ -608,6 +608,7 @@ mode() { find "$1" -prune -perm "$2"; }
 @test "'> FILE' and '>> FILE' after any command" {
     enter
     while IFS='|' read -r call _; do
+        case $call in design*) continue ;; esac # a file gets its row, see plan.bats
         for format in table csv json; do
             expected=$("$DOMINO" -e "set output $format; $call")
             run -0 --separate-stderr "$DOMINO" -e "set output $format; $call > out; $call >> out; $call"
@@ -866,7 +867,7 @@ set placement 0.1 |(nothing)
 set ou|output
 set d|d density digits
 show t|tol threads timing
-se ti|timing
+set ti|timing
 set output |table csv json
 set output j|json
 set fuel |exact paper
@@ -1048,7 +1049,7 @@ END
 
 @test "angle deg: functions take degrees, print answers in them" {
     same 'sin(90)' 1 "$("$DOMINO" -e 'set angle deg; print sin(90)')"
-    same 'thetac' '36.86989765 deg' "$("$DOMINO" -e 'set angle deg; print thetac')"
+    same 'thetac' '36.8699 deg' "$("$DOMINO" -e 'set angle deg; print thetac')"
     same 'atan(1)' '45 deg' "$("$DOMINO" -e 'set angle deg; print atan(1)')"
     same 'sin(90 deg)' 1 "$("$DOMINO" -e 'print sin(90 deg)')"
 }
