@@ -202,9 +202,12 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
         double rest = up(w.power.hi * fall);
         /* In a wide interval more dominoes make the rest no smaller, once the lower chain has come to its
-         * end. */
-        bool still = w.domino.v.lo < v_before * (1 + 1e-3) && rest > 0.98 * rest_before;
-        if (!shape->pair && w.domino.v.lo > shape->v_top.hi && (rest <= rest_most || still)) {
+         * end. In a narrow one only a chain that rounding holds has come there: equal dominoes that stand
+         * close approach their end slowly. */
+        double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
+        bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
+        if (!shape->pair && w.domino.v.lo > shape->v_top.hi &&
+            (rest <= rest_most || still || i + 1 == LINKS_MOST)) {
             u->n = i + 1;
             break;
         }
