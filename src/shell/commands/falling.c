@@ -62,7 +62,7 @@ static void end_say(struct answer *a, const struct scene_row *scene, const struc
     if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
         answer_say(a, "The row stops at domino %zu of %zu, which has %s of the energy that it needs.%s",
                    v->domino, count, share_text(fall_share(last)).text,
-                   count > 1 ? " 'mend' finds a change that saves the row." : "");
+                   count > 1 ? " 'mend' looks for a change that saves the row." : "");
     else
         answer_say(a, "The row ends at domino %zu of %zu: %s.", v->domino, count,
                    v->end == DOM_ROW_STOPS ? locks_farther_on : dom_row_end_text(v->end));

@@ -77,7 +77,7 @@ static void help_list(FILE *out)
 {
     char usage[USAGE_SIZE], typed[USAGE_SIZE + 2], names[256] = "Parameters:";
     int column = summary_column();
-    fputs("The first five minutes: type what follows the '>'\n", out);
+    help_say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++) {
         snprintf(typed, sizeof typed, "> %s", first_lines[i].line);
         help_entry(out, typed, column + 2, first_lines[i].does);

@@ -402,9 +402,10 @@ const struct command row_commands[] = {
      .synonyms = "move spacing distance gap",
      .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
      .summary = "change the gap before domino K of the row",
-     .help = "A GAP without a unit is in metres, and refused if that is more than the dominoes beside it are "
-             "tall. The change lasts until another row is entered; 'save FILE' keeps it, and so does 'row > "
-             "FILE.csv'.",
+     .help =
+         "A GAP without a unit is in metres, and an error if that is more than the dominoes beside it are "
+         "tall. The change lasts until another row is entered; 'save FILE' keeps it, and so does 'row > "
+         "FILE.csv'.",
      .example = "effect row 5; place 3 25 mm; fall",
      .see = "row fall mend",
      .run = run_place},
