@@ -47,3 +47,12 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     same_file saved.csv read.csv
     same_file saved.csv again.csv
 }
+
+@test "s and d as lengths are divided by h" {
+    same 's' "$(json 'set s 0.5; set d 7/48; duration')" "$(json 'set s 2.4 cm; set d 7 mm; duration')"
+    same 'of another h' 0.25 "$(json 'set h 8 cm; set s 2 cm; show s' | values value)"
+    same 'as an argument' "$(json 'rmax 0.5')" "$(json 'rmax 24 mm')"
+    same 'in a grid' "$(json 'sweep s 0.25, 0.5 : rmax')" "$(json 'sweep s 12 mm, 24 mm : rmax')"
+    wrong 'set s 2 ms' 's is a plain number, not a time'
+    wrong 'set r 2 cm' 'r is a plain number, not a length'
+}

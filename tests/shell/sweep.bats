@@ -172,7 +172,7 @@ curve 0.02 0.9 100'
     wrong_line 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
     wrong_line 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' is not the name of a parameter"
     wrong_line 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
-    wrong_line 'sweep s 0.1 3 cm 9 : rmax' 's is a plain number, not a length'
+    wrong_line 'sweep s 0.1 3 ms 9 : rmax' 's is a plain number, not a time'
     wrong_line 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'
     wrong_line 'sweep s 0.1 0.9 2.5 : rmax' 'N = 2.5 is not a count'
     wrong_line 'sweep s 0.1 0.9 9 s 0.1 0.9 9 : rmax' "'s' is in the grid twice"

@@ -300,7 +300,7 @@ END
 7|count 112 deg|^count: H is a length, not an angle
 7|count 3 s|^count: H is a length, not a time
 7|count 3 m^2|^count: H is a length, not in m\^2
-7|set s 3 m|^set: s is a plain number, not a length
+7|set s 3 m|^set: s = 62.5 is out of range
 7|set s 0.3 rad|^set: s is a plain number, not an angle
 7|set r h|^set: r is a plain number, not a length
 7|set h 3 s|^set: h is a length, not a time
@@ -314,7 +314,7 @@ END
 6|rmax 10 deg|^rmax: S is a plain number, not an angle
 9|pair    1 s|^pair: S is a plain number, not a time
 11|count 112 2 m|^count: R is a plain number, not a length
-7|curve 0.1 m 0.3 3|^curve: FROM is a plain number, not a length
+7|curve 0.1 m 0.3 3|^curve: FROM = 2.08333[0-9]* is out of range; FROM is a value of s
 15|curve 0.1 0.3 3 s|^curve: N is a plain number, not a time
 11|print 1 m + 1 s|^print:.*a length and a time
 11|print 1 m + 1|^print:.*a length and a plain number

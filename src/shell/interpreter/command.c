@@ -111,6 +111,9 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
                                ? (struct quantity){1, 1, 0, 0}
                            : is_tilt(a) ? (struct quantity){1, 0, 0, 1}
                                         : (struct quantity){1, 0, 0, 0};
+    /* s and d are over the height: a length is divided by that of the first domino. */
+    if (p && strcmp(p->value[a->which].unit, "h") == 0 && q.length == 1 && q.time == 0 && q.angle == 0)
+        q = (struct quantity){.value = q.value / session->scale.h};
     bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
     if (!bare && a->kind != ARGUMENT_ANY &&
         (q.length != unit.length || q.time != unit.time || q.angle != unit.angle))
