@@ -48,6 +48,20 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     same_file saved.csv again.csv
 }
 
+@test "masses in pounds, ounces and tonnes" {
+    while IFS='|' read -r unit number kilograms; do
+        printf 'height (mm), thickness (mm), gap (mm), weight (%s)\n48, 7.5, -, %s\n' "$unit" "$number" >mass.csv
+        close "$unit" "$kilograms" "$(json 'effect row mass.csv; row' | values mass)" 1e-15
+    done <<'END'
+lb|2|0.90718474
+oz|16|0.45359237
+t|0.001|1
+kg|3|3
+END
+    printf 'height (mm), thickness (mm), gap (oz)\n48, 7.5, -\n' >gap.csv
+    wrong 'effect row gap.csv' "is not a unit of gap; its units are: m, mm, cm"
+}
+
 @test "s and d as lengths are divided by h" {
     same 's' "$(json 'set s 0.5; set d 7/48; duration')" "$(json 'set s 2.4 cm; set d 7 mm; duration')"
     same 'of another h' 0.25 "$(json 'set h 8 cm; set s 2 cm; show s' | values value)"

@@ -31,8 +31,8 @@ static const struct kind {
     {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
     {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
     {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
-    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "'mass (g)'", "kg, g", "g", 1, 1000,
-     "g"},
+    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "'mass (g)'", "kg, g, t, lb, oz",
+     "g", 1, 1000, "g"},
     {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "'density (g/cm^3)'",
      "kg/m^3, g/cm^3", "g/cm^3", 1000, 1, "g/cm^3"},
     {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
@@ -93,7 +93,15 @@ static int kind_find(const char *name)
 /* Returns the value of a unit in SI; 0 if the kind does not have this unit. */
 static domq_real unit_value(const struct kind *k, const char *name)
 {
+    /* Other units of mass, as quotients of whole numbers: an ounce is a sixteenth of a pound. */
+    static const struct {
+        const char *name;
+        domq_real times, over;
+    } masses[] = {{"t", 1000, 1}, {"lb", 45359237, 100000000}, {"oz", 45359237, 1600000000}};
     struct quantity q = expression_unit(name);
+    for (size_t i = 0; k == &kinds[MASS] && i < sizeof masses / sizeof *masses; i++)
+        if (strcmp(name, masses[i].name) == 0)
+            return masses[i].times / masses[i].over;
     if (strcmp(name, k->unit) == 0 || strcmp(name, k->more) == 0)
         return strcmp(name, k->unit) == 0 ? 1 : (domq_real)k->times / k->over;
     return *k->unit == 'm' && q.length == 1 && q.time == 0 && q.angle == 0 ? q.value : 0;
