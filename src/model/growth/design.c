@@ -317,7 +317,7 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
         return;
     }
     size_t fewest = 1;
-    while (growth(p, fewest) > most && fewest < MORE * MORE)
+    while (growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
         fewest++;
     bool fits = p->wish->least != DOM_LEAST_LENGTH && fewest_that_fits(p, fewest, k, &c);
     if (!fits && shortest(p, fewest, k, &c)) {

@@ -16,7 +16,7 @@ struct range {
 
 static struct range range_of(const struct trial *t)
 {
-    const struct dom_domino *d = t->domino ? &t->domino[t->k] : NULL;
+    const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
         /* Up to where it touches the next domino, or is out of reach of the one before. */

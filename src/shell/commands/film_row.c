@@ -81,7 +81,7 @@ static void frame_caption(const struct row_film *f, const struct domq_moment *m,
         snprintf(speed, sizeof speed, " (%.3g times as fast as it is)", (double)f->what->speed);
     if (!over)
         falling_row_summary(&f->row, verdict);
-    snprintf(text, 3 * ROW_SENTENCE, "%s\n%s%s", moment, verdict, over ? "" : speed);
+    snprintf(text, (size_t)3 * ROW_SENTENCE, "%s\n%s%s", moment, verdict, over ? "" : speed);
 }
 
 static bool frame_seen(const struct domq_moment *m, void *context)

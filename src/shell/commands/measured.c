@@ -89,7 +89,12 @@ static bool name_read(struct reader *r, char *name, int column)
 static bool head_read(struct reader *r, char *line)
 {
     char *cell[CELLS];
-    r->separator = strchr(line, ';') ? ';' : strchr(line, '\t') && !strchr(line, ',') ? '\t' : ',';
+    bool tabs = strchr(line, '\t') && !strchr(line, ',');
+    r->separator = ',';
+    if (tabs)
+        r->separator = '\t';
+    if (strchr(line, ';'))
+        r->separator = ';';
     int n = cells_cut(line, r->separator, cell);
     r->head = true;
     for (int i = 0; i < n; i++)

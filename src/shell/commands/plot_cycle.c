@@ -288,7 +288,7 @@ static bool chain_draw(struct session *session, struct cycle_samples *c)
     static const enum ink inks[LINES] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE};
     struct angles a = {.count = 0};
     struct chart chart = cycle_chart(session, c, "Tilts");
-    struct chart_curve *line[LINES];
+    struct chart_curve *line[LINES] = {NULL};
     snprintf(chart.y.label, sizeof chart.y.label, "tilt of domino i in %s",
              style_angle_unit(&session->style));
     chart.y.low = 0;
@@ -299,7 +299,7 @@ static bool chain_draw(struct session *session, struct cycle_samples *c)
             return false;
         }
         for (int i = 0; i < c->lines; i++) {
-            if (k == 0)
+            if (!line[i])
                 line[i] =
                     chart_curve(&chart, CHART_LINE, inks[i], i, "i = %d%s", i, i == 0 ? ", the head" : "");
             chart_point(&chart, line[i], plot_angle(session, c->at[k].theta),

@@ -104,10 +104,12 @@ static bool likely_make(struct session *session, const struct call *call, struct
         return true;
     free(l->scene.domino);
     if (status == DOM_STOPS)
-        return session_no_answer(
-            session, "fewer than half of the rows fall, even without random errors: 'fall' shows where "
-                     "the row stops, and 'mend' finds what saves it");
-    return row_status(session, status);
+        session_no_answer(session,
+                          "fewer than half of the rows fall, even without random errors: 'fall' shows where "
+                          "the row stops, and 'mend' finds what saves it");
+    else
+        row_status(session, status);
+    return false;
 }
 
 bool plot_placement(struct session *session, const struct call *call)

@@ -40,7 +40,8 @@ static bool row_ran(struct session *session, bool times, struct ran *ran)
     if (status == DOM_OK)
         return true;
     ran_free(ran);
-    return row_status(session, status);
+    row_status(session, status);
+    return false;
 }
 
 /* ---- Energy to spare ---- */

@@ -63,7 +63,7 @@ static int column_find(struct points *p, char *const *head, int columns)
 
 static bool points_read(FILE *rows, struct points *p)
 {
-    char *line = NULL, *cell[CELLS];
+    char *line = NULL, *cell[CELLS] = {NULL};
     size_t size = 0, room = 0;
     int column = -1;
     bool good = true;
@@ -102,8 +102,10 @@ static bool points_read(FILE *rows, struct points *p)
 static bool points_find(struct session *session, const struct call *call, struct points *p)
 {
     FILE *rows = tmpfile();
-    if (!rows)
-        return session_error(session, "cannot draw: %s", strerror(errno));
+    if (!rows) {
+        session_error(session, "cannot draw: %s", strerror(errno));
+        return false;
+    }
     struct answer answer = {.out = rows, .style = call->answer->style, .rows = true};
     struct call asked = *call;
     answer.style.format = &format_csv;
@@ -114,7 +116,9 @@ static bool points_find(struct session *session, const struct call *call, struct
     if (done && !points_read(rows, p))
         done = session_status(session, DOM_NO_MEMORY);
     fclose(rows);
-    return done;
+    if (done && p->count == 0)
+        session_no_answer(session, "the sweep has no points to draw");
+    return done && p->count > 0;
 }
 
 static void points_free(struct points *p)

@@ -38,9 +38,9 @@ static void grid_fill(struct grid *g, const struct drawn *k, double thickness, c
 
 static char mark_of(const struct falling_row *row, size_t k)
 {
-    return row_ends_at(row, k)      ? ROW_MARK_ENDS[0]
-           : row_weakest_is(row, k) ? ROW_MARK_WEAKEST[0]
-                                    : "1234567890"[k % 10];
+    static const char digits[] = "1234567890", ends[] = ROW_MARK_ENDS, weakest[] = ROW_MARK_WEAKEST;
+    const char *mark = row_ends_at(row, k) ? ends : row_weakest_is(row, k) ? weakest : &digits[k % 10];
+    return *mark;
 }
 
 /* Writes text around a column of a line, unless something is there already. */
@@ -76,9 +76,9 @@ static void ground_write(const struct grid *g, const struct falling_row *row, FI
     struct row_unit unit = row_unit(g->unit * g->width);
     double step = row_step(9 * g->unit / unit.size) * unit.size;
     memset(line, '-', sizeof line);
-    for (double x = 0; x < g->left + g->unit * g->width; x += step)
-        if (column_of(g, x) < g->width)
-            line[column_of(g, x)] = '+';
+    for (int k = 0; k * step < g->left + g->unit * g->width; k++)
+        if (column_of(g, k * step) < g->width)
+            line[column_of(g, k * step)] = '+';
     line_write(out, "0 -", line, g->width);
     memset(line, ' ', sizeof line);
     for (int pass = 0; pass < 2; pass++)
@@ -186,10 +186,11 @@ bool row_text(const struct falling_row *row, const double *tilt, size_t head, do
             ground_write(&g, row, out);
         return drawn;
     }
-    g.cell = malloc((size_t)(g.width * g.height));
+    size_t cells = (size_t)g.width * (size_t)g.height;
+    g.cell = malloc(cells);
     if (!g.cell)
         return false;
-    memset(g.cell, ' ', (size_t)(g.width * g.height));
+    memset(g.cell, ' ', cells);
     for (size_t k = row->count; k-- > 0;) {
         struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : 0);
         grid_fill(&g, &d, (double)row->scene.domino[k].thickness, mark_of(row, k));

@@ -116,7 +116,7 @@ static bool program_shows(const struct pager *p, const volatile sig_atomic_t *in
         return false;
     struct sigaction before[DURING];
     struct termios modes;
-    pid_t child;
+    pid_t child = -1;
     FILE *text = tmpfile();
     bool whole = text && fwrite(p->text, 1, p->size, text) == p->size && fflush(text) == 0, known = false;
     int wrong = ENOENT;

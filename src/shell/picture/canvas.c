@@ -145,14 +145,15 @@ const char *canvas_sample(const struct canvas *c, enum ink ink, int dash, char s
     enum { CELLS = 3 };
     sample[0] = '\0';
     if (!c->look.braille) {
-        snprintf(sample, 4 * GLYPH, "%c", inks[ink].letter);
+        snprintf(sample, (size_t)4 * GLYPH, "%c", inks[ink].letter);
         return sample;
     }
+    size_t used = 0;
     for (int k = 0; k < CELLS; k++) {
         char glyph[GLYPH];
         unsigned dots = (dash_on(c, dash, 2 * k) ? 0x04u : 0) | (dash_on(c, dash, 2 * k + 1) ? 0x20u : 0);
         glyph_of(0x2800u + dots, glyph);
-        strcat(sample, glyph);
+        used += (size_t)snprintf(sample + used, (size_t)4 * GLYPH - used, "%s", glyph);
     }
     return sample;
 }

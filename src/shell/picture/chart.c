@@ -132,8 +132,10 @@ double axis_place(const struct chart_axis *a, double value)
 static int ticks_even(const struct chart_axis *a, int most, double tick[TICKS])
 {
     double least = (a->high - a->low) / most, ten = pow(10, floor(log10(least))), step = ten;
-    for (int k = 0; step < least * (1 - 1e-9) || (a->whole && step < 1); k++)
-        step = ten * (k % 3 == 0 ? 2 : k % 3 == 1 ? 5 : 10) * pow(10, k / 3);
+    for (int k = 0; step < least * (1 - 1e-9) || (a->whole && step < 1); k++) {
+        step = ten * (k % 3 == 0 ? 2 : k % 3 == 1 ? 5 : 10);
+        ten = k % 3 == 2 ? 10 * ten : ten;
+    }
     int n = 0;
     double first = ceil(a->low / step - 1e-9);
     for (double k = first; k * step <= a->high + 1e-9 * step && n < TICKS; k++)

@@ -41,8 +41,9 @@ static void title_script(const struct chart *c, FILE *out)
     enum { WIDTH = 60 };
     fprintf(out, "set title \"");
     int column = 0;
-    for (const char *part[] = {c->title, c->note, NULL}, **p = part; *p; p++) {
-        for (const char *at = *p; *at; at++) {
+    const char *const part[] = {c->title, c->note};
+    for (size_t p = 0; p < sizeof part / sizeof *part; p++) {
+        for (const char *at = part[p]; *at; at++) {
             bool breaks = *at == ' ' && column + (int)strcspn(at + 1, " ") > WIDTH;
             if (breaks)
                 fputs("\\n", out);
@@ -50,7 +51,7 @@ static void title_script(const struct chart *c, FILE *out)
                 fprintf(out, *at == '"' || *at == '\\' ? "\\%c" : "%c", *at);
             column = breaks ? 0 : column + 1;
         }
-        if (p == part && *c->note)
+        if (p == 0 && *c->note)
             fputs("\\n", out);
         column = 0;
     }

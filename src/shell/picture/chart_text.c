@@ -250,7 +250,8 @@ static void events_draw(const struct frame *f, int rows)
         const struct chart_curve line = {.ink = INK_GREY, .dash = 2};
         double x = clamp(dot_x(f, e->x), f->left * f->canvas->across, f->right * f->canvas->across - 1);
         int phase = 0, wide = terminal_columns(e->name), row = 0;
-        int at = (int)clamp((int)x / f->canvas->across - wide / 2, f->left, f->right - wide);
+        int start = (int)x / f->canvas->across - wide / 2;
+        int at = (int)clamp(start, f->left, f->right - wide);
         line_draw(f, x, f->bottom * f->canvas->down - 1, x, f->top * f->canvas->down, &line, &phase);
         while (row + 1 < rows && at <= end[row])
             row++;

@@ -65,7 +65,7 @@ static bool asked_sixel(void)
 
 static bool begins(const char *text, const char *with)
 {
-    return strncmp(text, with, strlen(with)) == 0;
+    return text && strncmp(text, with, strlen(with)) == 0;
 }
 
 enum graphics graphics_of(FILE *stream)
