@@ -210,7 +210,7 @@ END
     one_line "'never' is neither a value nor one of the words; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the number of the domino is missing, as in 'draw at domino 8'" "$record; draw at domino"
-    one_line "'a.mov' is no name of an animation: its ending is .gif, .webm or .mp4" "$record; animate a.mov"
+    one_line "'a.mov' is not the name of an animation: use the ending .gif, .webm or .mp4" "$record; animate a.mov"
     one_line 'the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate is a number of frames in a second in 1 .. 50' "$record; animate a.gif rate 1000"
     one_line 'at most 3000 are drawn; a larger speed' "$record; animate a.gif speed 0.01"

@@ -88,9 +88,9 @@ static double friction_find(struct fit *f)
         best = step * 1e-6;
         lo = 0;
     }
-    gsl_function function = {.function = squares_at, .params = f};
+    gsl_function squares = {.function = squares_at, .params = f};
     gsl_min_fminimizer *m = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
-    if (m && gsl_min_fminimizer_set(m, &function, best, lo, hi) == GSL_SUCCESS)
+    if (m && gsl_min_fminimizer_set(m, &squares, best, lo, hi) == GSL_SUCCESS)
         for (int i = 0; i < 100; i++) {
             if (gsl_min_fminimizer_iterate(m) != GSL_SUCCESS)
                 break;
