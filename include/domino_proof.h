@@ -7,7 +7,8 @@
  * <domino.h>.
  *
  * A proof holds for all trains whose s, d and q (unless q is a whole number) round to the doubles given:
- * decimals and fractions such as 7/48 are among them. A train with friction or a slope has no proof.
+ * decimals and fractions such as 7/48 are among them. A train with friction or a slope has no proof. In
+ * another rounding mode than to nearest, nothing is proved.
  */
 #ifndef DOMINO_PROOF_H
 #define DOMINO_PROOF_H
@@ -24,7 +25,8 @@ extern "C" {
     X(EFFECT, "trains with friction or a slope have no proof")                                               \
     X(ROUNDING, "the two sides differ by less than the rounding of double precision")                        \
     X(BOXES, "the proof takes more boxes or dominoes than are allowed")                                      \
-    X(INTERRUPTED, "interrupted")
+    X(INTERRUPTED, "interrupted")                                                                            \
+    X(MODE, "the rounding mode is not to nearest: call fesetround(FE_TONEAREST) first")
 
 enum dom_proof_gap {
 #define DOM_PROOF_GAP_ENUM(name, text) DOM_PROOF_##name,
@@ -100,7 +102,8 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
 /*
  * Proves the smallest n with first r^n >= height, as dom_count_find finds it: `least` <= n <= `most`, which
  * differ if the last digit of a height or of r decides. For powers that are exact in double, such as those of
- * r = 2, the doubles decide. Infinite: no n is enough. DOM_BAD_HEIGHT, DOM_BAD_R.
+ * r = 2, the doubles decide. Infinite: no n is enough. Where nothing is proved, the bounds are 0 and
+ * infinity. DOM_BAD_HEIGHT, DOM_BAD_R.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
 

@@ -8,6 +8,8 @@
 #include "domino_proof.h"
 #include "sweep.h"
 
+#include <fenv.h>
+
 struct counts {
     int brackets, reaches, none, partly, wrong, refuted;
 };
@@ -201,6 +203,37 @@ static void gaps_statuses_and_counts(void **state)
     assert_status(dom_prove_count(1, 2, 0.5, &least, &most), DOM_BAD_R);
 }
 
+/* In another rounding mode nothing is proved, wrong parameters are still errors, and the mode stays. */
+static void another_rounding_mode_proves_nothing(void **state)
+{
+    (void)state;
+    static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (size_t k = 0; k < sizeof modes / sizeof *modes; k++) {
+        struct dom_train train = dom_train_default(), wrong = train;
+        struct dom_proof limit[2];
+        struct dom_proof_cycle cycle;
+        double least, most;
+        wrong.s = 2;
+        assert_int_equal(fesetround(modes[k]), 0);
+        enum dom_status status[] = {dom_prove_rmax(&train, NULL, &limit[0]),
+                                    dom_prove_pair(&train, NULL, &limit[1]),
+                                    dom_prove_cycle(&train, NULL, &cycle),
+                                    dom_prove_count(0.048, 112, 1.5, &least, &most)},
+                        bad = dom_prove_rmax(&wrong, NULL, &(struct dom_proof){.low = 0});
+        int mode = fegetround();
+        fesetround(FE_TONEAREST);
+        assert_int_equal(mode, modes[k]);
+        for (size_t i = 0; i < sizeof status / sizeof *status; i++)
+            assert_status(status[i], DOM_OK);
+        for (int i = 0; i < 2; i++)
+            assert_true(limit[i].ends == DOM_PROVED_PARTLY && limit[i].gap == DOM_PROOF_MODE &&
+                        isnan(limit[i].low) && isinf(limit[i].high));
+        assert_true(cycle.verdict == DOM_PROVED_NOTHING && cycle.gap == DOM_PROOF_MODE);
+        assert_true(least == 0 && isinf(most));
+        assert_status(bad, DOM_BAD_S);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -208,6 +241,7 @@ int main(void)
         cmocka_unit_test(limits_of_hard_cases_lie_in_what_is_proved),
         cmocka_unit_test(verdicts_agree),
         cmocka_unit_test(gaps_statuses_and_counts),
+        cmocka_unit_test(another_rounding_mode_proves_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

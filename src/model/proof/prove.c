@@ -4,6 +4,8 @@
 #include "proof/limit.h"
 #include "proof/power.h"
 
+#include <fenv.h>
+
 const char *dom_proof_gap_text(enum dom_proof_gap gap)
 {
     static const char *const text[] = {
@@ -59,6 +61,18 @@ static bool has_effect(const struct dom_train *train)
 #undef OR_ON
 }
 
+/* Returns true if operations round to nearest, as span.h needs: a caller may have changed that. */
+static bool rounds_to_nearest(void)
+{
+    return fegetround() == FE_TONEAREST;
+}
+
+/* Returns why no proof of the train is begun, or DOM_PROOF_NONE. */
+static enum dom_proof_gap gap_before(const struct dom_train *train)
+{
+    return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;
+}
+
 /* Begins a proof of a train whose parameters are in their ranges. */
 static enum dom_status begin(struct proof *proof, const struct dom_train *train,
                              const struct dom_compute *compute, bool pair)
@@ -85,8 +99,8 @@ static enum dom_status prove_limit(const struct dom_train *train, const struct d
     if (status != DOM_OK)
         return status;
     *result = (struct dom_proof){
-        .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = DOM_PROOF_EFFECT};
-    if (has_effect(train))
+        .ends = DOM_PROVED_PARTLY, .from = 1, .low = DOM_NAN, .high = INFINITY, .gap = gap_before(train)};
+    if (result->gap != DOM_PROOF_NONE)
         return DOM_OK;
     status = begin(&proof, train, compute, pair);
     if (status != DOM_OK)
@@ -189,8 +203,8 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
                                        .kinetic = none,
                                        .barrier = none,
                                        .margin = none,
-                                       .gap = DOM_PROOF_EFFECT};
-    if (has_effect(train))
+                                       .gap = gap_before(train)};
+    if (result->gap != DOM_PROOF_NONE)
         return DOM_OK;
     status = begin(&proof, train, compute, false);
     if (status != DOM_OK)
@@ -255,6 +269,11 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         return DOM_BAD_HEIGHT;
     if (!(r >= 1 && isfinite(r)))
         return DOM_BAD_R;
+    if (!rounds_to_nearest()) {
+        *least = 0;
+        *most = INFINITY;
+        return DOM_OK;
+    }
     /* The doubles themselves decide where their powers are exact; else all numbers that round to them. */
     struct span exact = span_of(first);
     double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
