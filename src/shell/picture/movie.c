@@ -5,7 +5,7 @@
 #include <strings.h>
 
 /* What ffmpeg makes of the frames; both forms can be written into a pipe. */
-enum { OPTIONS = 9, BEFORE = 15, ARGUMENTS = BEFORE + OPTIONS + 1 };
+enum { OPTIONS = 9, BEFORE = 16, ARGUMENTS = BEFORE + OPTIONS + 1 };
 struct movie_kind {
     const char *ending;
     bool ffmpeg;
@@ -83,14 +83,15 @@ bool movie_begin(struct session *session, struct movie *m, const char *path, int
 static bool movie_convert(struct session *session, struct movie *m)
 {
     char rate[32], line[256] = "";
-    const char *argv[ARGUMENTS] = {"ffmpeg",     "-hide_banner", "-loglevel", "error",      "-f",
-                                   "image2pipe", "-c:v",         "png",       "-framerate", rate,
-                                   "-i",         "pipe:0",       "-an",       "-pix_fmt",   "yuv420p"};
+    const char *argv[ARGUMENTS] = {"ffmpeg", "-hide_banner", "-loglevel",  "error", "-f", "image2pipe",
+                                   "-c:v",   "png",          "-framerate", rate,    "-i", "pipe:0",
+                                   "-an",    "-pix_fmt",     "yuv420p",    "-y"};
     int n = BEFORE;
     snprintf(rate, sizeof rate, "100/%d", m->delay);
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
-    argv[n] = "pipe:1"; /* a NULL follows */
+    /* Its standard output under a name: as a file ffmpeg goes back in it, and writes how long the film is. */
+    argv[n] = "file:/proc/self/fd/1"; /* a NULL follows */
     FILE *complaints = tmpfile();
     if (!complaints)
         return session_error(session, "cannot draw: %s", strerror(errno));
