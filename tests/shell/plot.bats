@@ -206,6 +206,9 @@ END
         wrong "plot $what > a.svg" "there is no row"
     done
     wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
+    wrong 'effect row 1; plot speed > a.svg' "a front needs two dominoes; 'effect row 5' sets up five"
+    wrong 'effect row 1; plot fall' 'the only domino is tipped over its edge, and needs no energy'
+    wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the row ends before the front has a speed'
     wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do
         wrong "set s 0.001; plot $what" 'the fuel P is not positive'

@@ -82,7 +82,7 @@ static bool fall_chart(struct session *session, const struct ran *ran)
         least = spare > 0 && spare < least ? spare : least;
         most = isfinite(spare) && spare > most ? spare : most;
     }
-    bool weak = v->weakest && v->weakest <= ran->count && v->spare >= 0;
+    bool weak = v->weakest && v->weakest <= ran->count && v->spare >= 0 && isfinite(v->spare);
     snprintf(chart.title, sizeof chart.title, "Energy to spare, domino by domino");
     snprintf(chart.x.label, sizeof chart.x.label, "domino");
     snprintf(chart.y.label, sizeof chart.y.label, "more than it needs, in %%");
@@ -133,7 +133,12 @@ bool plot_fall(struct session *session, const struct call *call)
                      cell_real(known ? f->barrier : DOMQ_NAN), cell_real(known ? f->margin : DOMQ_NAN),
                      cell_real((domq_real)spare_of(&ran, i)));
     }
-    bool shown = !people || fall_chart(session, &ran);
+    bool idle = people && ran.scene.row.count == 1 && isnan(spare_of(&ran, 0));
+    if (idle)
+        session_no_answer(session,
+                          "the only domino is tipped over its edge, and needs no energy; 'effect row 5' "
+                          "sets up five");
+    bool shown = !people || (!idle && fall_chart(session, &ran));
     ran_free(&ran);
     return shown;
 }
@@ -172,13 +177,16 @@ static bool speed_chart(struct session *session, const struct ran *ran)
     else
         snprintf(chart.note, sizeof chart.note, "The row ends at domino %zu: %s.", ran->verdict.domino,
                  dom_row_end_text(ran->verdict.end));
+    enum { DOTS = 120 }; /* more of them would hide the curve */
     chart.x.low = chart.y.low = 0;
     struct chart_curve *front = chart_curve(&chart, CHART_STEPS, INK_BLUE, 0, "%s", "");
-    struct chart_curve *hits = chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit");
+    struct chart_curve *hits =
+        ran->count <= DOTS ? chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit") : NULL;
     for (size_t i = 0; i < ran->count; i++) {
         double speed = speed_of(ran, i), at = place_of(ran, i) / metres;
         chart_point(&chart, front, at, isnan(speed) ? last : speed);
-        chart_point(&chart, hits, at, speed);
+        if (hits)
+            chart_point(&chart, hits, at, speed);
         last = speed;
     }
     return chart_show(session, &chart);
@@ -193,7 +201,15 @@ bool plot_speed(struct session *session, const struct call *call)
     for (size_t i = 0; i < ran.count && !people; i++)
         answer_cells(call->answer, cell_count((domq_real)ran.fall[i].domino),
                      cell_real((domq_real)place_of(&ran, i)), cell_real((domq_real)speed_of(&ran, i)));
-    bool shown = !people || speed_chart(session, &ran);
+    bool runs = false;
+    for (size_t i = 0; i < ran.count && !runs; i++)
+        runs = !isnan(speed_of(&ran, i));
+    if (people && !runs)
+        session_no_answer(session, ran.scene.row.count == 1
+                                       ? "a front needs two dominoes; 'effect row 5' sets up five"
+                                       : "the row ends before the front has a speed; 'fall' shows where, and "
+                                         "'mend' finds what saves it");
+    bool shown = !people || (runs && speed_chart(session, &ran));
     ran_free(&ran);
     return shown;
 }

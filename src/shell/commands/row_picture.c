@@ -78,9 +78,10 @@ void script_view(FILE *script, const struct view *v)
             "unset grid\nunset key\nset border 1 lc rgb '#404040'\nset tics out nomirror\n",
             v->margin_left / v->width, 1 - v->margin_right / v->width, v->margin_below / v->height,
             1 - v->margin_above / v->height, v->left, v->right, v->low, v->high);
-    script_tics(script, "x", v->left, v->right, row_step(60 * v->per_dot / unit), unit);
+    /* The tape begins at domino 1; above, the last tic keeps clear of the caption. */
+    script_tics(script, "x", v->left > 0 ? v->left : 0, v->right, row_step(60 * v->per_dot / unit), unit);
     double up = row_step(34 * v->per_dot / unit);
-    script_tics(script, "y", up * unit, v->high, up, unit); /* the unit takes the place of 0 */
+    script_tics(script, "y", up * unit, v->high - 10 * v->per_dot, up, unit); /* the unit is written at 0 */
     fprintf(script, "set label 9002 '%s' at screen %.8g, first %.10g right font ',%d'\n", name,
             (v->margin_left - 12) / v->width, 0.0, SMALL + 1);
     fprintf(script, "set arrow 1 from %.10g,0 to %.10g,0 nohead lc rgb '#404040' lw 1.5 back\n", v->left,
@@ -159,21 +160,26 @@ static enum part part_of(const struct falling_row *row, size_t k, size_t head, b
     return k + 1 == head && moved ? HEAD : moved ? FALLS : STANDS;
 }
 
-/* A stretch of a line that is written on, in dots. */
-struct taken {
-    double from, to;
+/* A text in the picture: its middle and its size, in dots, from the front of domino 1 and from the ground. */
+struct box {
+    double x, y, wide, high;
 };
 
-/* Takes room for a text of so many dots around x; false where some of it is taken. */
-static bool take(struct taken *taken, int *count, int most, double x, double wide)
+enum { BOXES = 256 };
+
+/* Takes the room of a text, with a little around it; false where another text is. */
+static bool box_take(struct box *taken, int *count, struct box own)
 {
-    struct taken own = {x - wide / 2 - 2, x + wide / 2 + 2};
-    for (int i = 0; i < *count; i++)
-        if (own.from < taken[i].to && taken[i].from < own.to)
+    for (int i = 0; i < *count; i++) {
+        double x = own.x - taken[i].x, y = own.y - taken[i].y;
+        if (2 * (x < 0 ? -x : x) < own.wide + taken[i].wide &&
+            2 * (y < 0 ? -y : y) < own.high + taken[i].high)
             return false;
-    if (*count < most)
-        taken[(*count)++] = own;
-    return *count < most;
+    }
+    if (*count == BOXES)
+        return false;
+    taken[(*count)++] = own;
+    return true;
 }
 
 static bool marked(const struct falling_row *row, size_t k)
@@ -185,23 +191,25 @@ static bool marked(const struct falling_row *row, size_t k)
 /* The numbers below the ground, those of the marked dominoes first, then from the last, the largest. */
 static void script_numbers(FILE *script, const struct view *v, const struct falling_row *row)
 {
-    enum { MOST = 200 };
-    struct taken taken[MOST];
+    struct box taken[BOXES];
     int count = 0;
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = row->count; k-- > 0;) {
             char number[24];
             double x = row->at[k] + (double)row->scene.domino[k].thickness / 2;
             int n = snprintf(number, sizeof number, "%zu", k + 1);
-            if (marked(row, k) != (pass == 0) || x < v->left || x > v->right ||
-                !take(taken, &count, MOST, x / v->per_dot, n * SMALL * 0.62))
+            struct box own = {x / v->per_dot, 0, n * SMALL * 0.62 + 4, 1};
+            if (marked(row, k) != (pass == 0) || x < v->left || x > v->right || !box_take(taken, &count, own))
                 continue;
             fprintf(script, "set label '%s' at %.8g,%.8g center font ',%d' tc rgb '%s' front\n", number, x,
                     v->low / 2, SMALL, part_of(row, k, 0, false) == WEAKEST ? fill[WEAKEST] : "#000000");
         }
 }
 
-/* Writes the height of a domino that has room for it above, with the word that marks it; false: no room. */
+/*
+ * Writes the height of a domino, with the word that marks it; false: there is no room above, or the domino
+ * before has the same height.
+ */
 static bool height_label(const struct view *v, const struct falling_row *row, size_t k, char text[64])
 {
     const struct domq_domino *d = &row->scene.domino[k];
@@ -214,7 +222,10 @@ static bool height_label(const struct view *v, const struct falling_row *row, si
              part == WEAKEST ? "  weakest"
              : part == ENDS  ? "  ends here"
                              : "");
-    return marked(row, k) || (before > half && after > half);
+    if (marked(row, k))
+        return true;
+    return before > half && after > half &&
+           !(k > 0 && strcmp(measured(row->scene.domino[k - 1].height, "m", 3).text, height.text) == 0);
 }
 
 double row_label_room(const struct view *v, const struct falling_row *row)
@@ -231,27 +242,51 @@ double row_label_room(const struct view *v, const struct falling_row *row)
     return room;
 }
 
-/* Heights above the dominoes, upright; gaps between their feet: where there is room. */
+static void script_height(FILE *script, const struct view *v, const struct falling_row *row, size_t k,
+                          struct box *taken, int *count)
+{
+    const struct domq_domino *d = &row->scene.domino[k];
+    double middle = row->at[k] + (double)d->thickness / 2, top = (double)d->height;
+    char text[64];
+    if (!height_label(v, row, k, text))
+        return;
+    double length = (double)strlen(text) * SMALL * 0.62;
+    struct box own = {middle / v->per_dot, top / v->per_dot + 5 + length / 2, 1.25 * SMALL, length + 4};
+    if (box_take(taken, count, own))
+        fprintf(script,
+                "set label '%s' at %.8g,%.8g left rotate by 90 offset 0,0.35 font ',%d' tc rgb '%s' front\n",
+                text, middle, top, SMALL, part_of(row, k, 0, false) == WEAKEST ? fill[WEAKEST] : "#000000");
+}
+
+static void script_gap(FILE *script, const struct view *v, const struct falling_row *row, size_t k,
+                       struct box *taken, int *count)
+{
+    double gap = (double)row->scene.domino[k].gap, middle = row->at[k] - gap / 2;
+    struct measured measure = measured(row->scene.domino[k].gap, "m", 3);
+    double wide = (double)strlen(measure.text) * SMALL * 0.62;
+    bool flat = gap > (wide + 4) * v->per_dot;
+    struct box own = {middle / v->per_dot, 9, wide, SMALL};
+    if (!flat)
+        own = (struct box){middle / v->per_dot, 4 + wide / 2, 1.25 * SMALL, wide};
+    if (k > 0 && gap > 1.4 * SMALL * v->per_dot && box_take(taken, count, own))
+        fprintf(script, "set label '%s' at %.8g,%.8g %s font ',%d' tc rgb '#505050' front\n", measure.text,
+                middle, (flat ? 9 : 4) * v->per_dot, flat ? "center" : "left rotate by 90", SMALL);
+}
+
+/*
+ * Writes heights above the dominoes, upright, and gaps between their feet, where there is room: those of the
+ * marked dominoes first, then from the last, the largest; heights before gaps.
+ */
 static void script_sizes(FILE *script, const struct view *v, const struct falling_row *row)
 {
-    for (size_t k = 0; k < row->count; k++) {
-        const struct domq_domino *d = &row->scene.domino[k];
-        double middle = row->at[k] + (double)d->thickness / 2, gap = (double)d->gap;
-        char text[64];
-        if (height_label(v, row, k, text))
-            fprintf(script,
-                    "set label '%s' at %.8g,%.8g left rotate by 90 offset 0,0.35 font ',%d' tc rgb '%s' "
-                    "front\n",
-                    text, middle, (double)d->height, SMALL,
-                    part_of(row, k, 0, false) == WEAKEST ? fill[WEAKEST] : "#000000");
-        struct measured measure = measured(d->gap, "m", 3);
-        double wide = (double)strlen(measure.text) * SMALL * 0.62;
-        bool flat = gap > (wide + 4) * v->per_dot;
-        if (k > 0 && gap > 1.4 * SMALL * v->per_dot)
-            fprintf(script, "set label '%s' at %.8g,%.8g %s font ',%d' tc rgb '#505050' front\n",
-                    measure.text, row->at[k] - gap / 2, (flat ? 9 : 4) * v->per_dot,
-                    flat ? "center" : "left rotate by 90", SMALL);
-    }
+    struct box taken[BOXES];
+    int count = 0;
+    for (int pass = 0; pass < 3; pass++)
+        for (size_t k = row->count; k-- > 0;)
+            if (pass == 2)
+                script_gap(script, v, row, k, taken, &count);
+            else if (marked(row, k) == (pass == 0))
+                script_height(script, v, row, k, taken, &count);
 }
 
 /* Writes the corners of those that look so, as curves that close. */

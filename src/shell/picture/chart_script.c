@@ -35,7 +35,16 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
     fprintf(out, ")\n");
 }
 
-/* Writes the title, and below it the note in lines of a width that fits. */
+/* Returns the length of the word at the start of a text; a number and its unit are one word. */
+static int word_length(const char *text)
+{
+    size_t n = strcspn(text, " ");
+    if (*text >= '0' && *text <= '9' && text[n] == ' ' && text[n - 1] != ',')
+        n += 1 + strcspn(text + n + 1, " ");
+    return (int)n;
+}
+
+/* Writes the title, and below it the note in lines of a width that fits, nearly of one length. */
 static void title_script(const struct chart *c, FILE *out)
 {
     enum { WIDTH = 60 };
@@ -43,8 +52,10 @@ static void title_script(const struct chart *c, FILE *out)
     int column = 0;
     const char *const part[] = {c->title, c->note};
     for (size_t p = 0; p < sizeof part / sizeof *part; p++) {
+        int length = (int)strlen(part[p]), even = length / (length / WIDTH + 1) + 8;
+        int width = even < WIDTH ? even : WIDTH;
         for (const char *at = part[p]; *at; at++) {
-            bool breaks = *at == ' ' && column + (int)strcspn(at + 1, " ") > WIDTH;
+            bool breaks = *at == ' ' && column + 1 + word_length(at + 1) > width && length > WIDTH;
             if (breaks)
                 fputs("\\n", out);
             else
@@ -142,7 +153,7 @@ static void map_points(const struct chart *c, FILE *out)
     setting(out, "cblabel", m->label, "");
 }
 
-static void style_script(const struct chart_curve *curve, FILE *out)
+static void style_script(const struct chart *c, const struct chart_curve *curve, FILE *out)
 {
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     const char *colour = ink_colour(curve->ink);
@@ -163,7 +174,7 @@ static void style_script(const struct chart_curve *curve, FILE *out)
         break;
     case CHART_BARS:
         fprintf(out, "using 1:2:(0.75) with boxes fs solid %s lc rgb '%s' dt 1",
-                curve->ink == INK_RED    ? "1 border lc rgb 'black'"
+                curve->ink == INK_RED    ? c->x.high - c->x.low < 200 ? "1 border lc rgb 'black'" : "1 border"
                 : curve->ink == INK_GREY ? "0.25 noborder"
                                          : "0.8 noborder",
                 colour);
@@ -207,7 +218,7 @@ void chart_script(const struct chart *c, FILE *out)
     }
     for (int k = 0; k < c->curves; k++) {
         fprintf(out, "%s$curve%d ", between, k);
-        style_script(&c->curve[k], out);
+        style_script(c, &c->curve[k], out);
         between = ", ";
     }
     fprintf(out, "\n");
