@@ -20,6 +20,18 @@ static enum bound broken;
 
 #define PROOF_BOUND(name, right, wrong) (broken == BREAK_##name ? (wrong) : (right))
 
+/* The interrupt of the proofs: it is raised after so many passes. */
+static const size_t *passes;
+static size_t raise_at = SIZE_MAX;
+
+static bool raised_by_count(const volatile sig_atomic_t *flag)
+{
+    (void)flag;
+    return passes && *passes >= raise_at;
+}
+
+#define dom_raised raised_by_count
+
 /* NOLINTBEGIN(bugprone-suspicious-include): the sources themselves, with the switch. */
 #include "proof/chain.c"
 #include "proof/climb.c"
@@ -222,6 +234,40 @@ static void limits_of_the_reference_lie_in_what_is_proved(void **state)
     proof_end(&proof);
 }
 
+/* Whenever an interrupt comes, no more than a few passes follow, and what is proved is true. */
+static void an_interrupt_ends_every_stage(void **state)
+{
+    (void)state;
+    static const struct {
+        double s, d, q, r_max;
+        bool pair;
+    } train[] = {{0.4, 7.0 / 48, 4, 1.6442290395351491, false},
+                 {0.3, 7.0 / 48, 3, 1.654207309921, true},
+                 {0.1, 7.0 / 48, 0.65, 9.907306223703, true}};
+    for (size_t k = 0; k < sizeof train / sizeof *train; k++) {
+        struct proof proof;
+        struct shape shape = shape_make(train[k].s, train[k].d, train[k].q);
+        shape.pair = train[k].pair;
+        assert_true(proof_begin(&proof, &shape));
+        raise_at = SIZE_MAX;
+        passes = &proof.chains;
+        struct limit_proof whole = limit_prove(&proof, 1e-3);
+        size_t in_all = proof.chains;
+        assert_true(whole.kind != LIMIT_PARTLY && in_all > 300);
+        for (raise_at = 1; raise_at <= in_all; raise_at += 1 + in_all / 499) {
+            proof.boxes = proof.chains = 0;
+            struct limit_proof limit = limit_prove(&proof, 1e-3);
+            assert_true(limit.kind != LIMIT_PARTLY || limit.outcome == OUTCOME_INTERRUPTED);
+            assert_true(isnan(limit.low) || limit.low <= train[k].r_max);
+            assert_true(limit.high >= train[k].r_max);
+            assert_true(proof.chains <= raise_at + 12);
+        }
+        raise_at = SIZE_MAX;
+        passes = NULL;
+        proof_end(&proof);
+    }
+}
+
 static void each_wrong_bound_is_noticed(void **state)
 {
     (void)state;
@@ -249,6 +295,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_bound_holds),
         cmocka_unit_test(limits_of_the_reference_lie_in_what_is_proved),
+        cmocka_unit_test(an_interrupt_ends_every_stage),
         cmocka_unit_test(each_wrong_bound_is_noticed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

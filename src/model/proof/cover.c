@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "proof/cover.h"
+#include "domino.h"
 
 #include <stdlib.h>
 
@@ -20,6 +21,11 @@ void proof_end(struct proof *proof)
 {
     free(proof->links);
     proof->links = NULL;
+}
+
+bool proof_interrupted(const struct proof *proof)
+{
+    return dom_raised(proof->interrupt);
 }
 
 static struct climb climb_of(struct proof *proof, const struct upright *upright, double low, double high,
@@ -56,7 +62,7 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
                                 int depth, size_t *left)
 {
     const struct upright *box = &proof->box, *point = &proof->point;
-    if (proof->interrupt && *proof->interrupt)
+    if (proof_interrupted(proof))
         return OUTCOME_INTERRUPTED;
     if (*left == 0 || depth > DEEPEST)
         return OUTCOME_OPEN;
@@ -114,6 +120,8 @@ static enum outcome cover_all(struct proof *proof, const struct level *level)
 
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high)
 {
+    if (proof_interrupted(proof))
+        return OUTCOME_INTERRUPTED;
     if (!strip_begin(proof, r_low, r_high, 1e-17))
         return OUTCOME_OPEN;
     if (proof->point.fuel.hi <= 0)
@@ -124,6 +132,8 @@ enum outcome proof_strip(struct proof *proof, double r_low, double r_high)
 
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double most)
 {
+    if (proof_interrupted(proof))
+        return OUTCOME_INTERRUPTED;
     if (!strip_begin(proof, r_low, r_high, 1e-17))
         return OUTCOME_LIMIT;
     struct level level = {span_of(most), span_of(most), span_of(0), false};
@@ -151,6 +161,8 @@ enum outcome proof_range(struct proof *proof, double *done, double r_high, doubl
 
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top)
 {
+    if (proof_interrupted(proof))
+        return false;
     proof->boxes++;
     proof->chains += 2;
     if (!upright_find(&proof->shape, r_low, r_high, 1e-17, &proof->box))
@@ -171,10 +183,10 @@ double proof_guess(struct proof *proof, double r, double *top)
 {
     enum { SAMPLES = 48, STEPS = 60 };
     *top = 0;
-    if (!upright_find(&proof->shape, r, r, 1e-17, &proof->point))
+    if (proof_interrupted(proof) || !upright_find(&proof->shape, r, r, 1e-17, &proof->point))
         return NAN;
     double hit = upright_hit_below(&proof->point), best = 0, kinetic = span_middle(proof->point.kinetic);
-    for (int k = 1; k <= SAMPLES; k++) {
+    for (int k = 1; k <= SAMPLES && !proof_interrupted(proof); k++) {
         double height = guess_height(proof, hit * k / SAMPLES);
         if (height > best) {
             best = height;
@@ -183,7 +195,7 @@ double proof_guess(struct proof *proof, double r, double *top)
     }
     /* By the sign of the slope, between the neighbours of the highest sample. */
     double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit);
-    for (int k = 0; k < STEPS && high - low > 1e-9 * hit; k++) {
+    for (int k = 0; k < STEPS && high - low > 1e-9 * hit && !proof_interrupted(proof); k++) {
         double at = 0.5 * (low + high);
         struct climb climb = climb_of(proof, &proof->point, at, at, true);
         if (span_middle(climb.by_tilt) > 0)
@@ -196,5 +208,7 @@ double proof_guess(struct proof *proof, double r, double *top)
         best = height;
         *top = at;
     }
+    if (proof_interrupted(proof))
+        return NAN;
     return kinetic - best;
 }

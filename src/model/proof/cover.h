@@ -28,6 +28,10 @@ struct proof {
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 
+/* Returns true after an interrupt: every stage ends soon then, since one pass down a long train takes a few
+ * ms. */
+bool proof_interrupted(const struct proof *proof);
+
 /* Proves that the train goes on for every growth from r_low to r_high: K > D for every tilt of the cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
@@ -43,7 +47,8 @@ bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 /* Proves that D < level for all tilts at all growths of the interval. */
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double level);
 
-/* Returns an estimate of the margin K - B, and of where the barrier is highest. It proves nothing. */
+/* Returns an estimate of the margin K - B, and of where the barrier is highest. It proves nothing. NaN:
+ * numbers are out of range, or an interrupt. */
 double proof_guess(struct proof *proof, double r, double *top);
 
 #endif

@@ -13,7 +13,7 @@ static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
-    for (int k = 0; k < 80 && high - low > 2e-16 * high; k++) {
+    for (int k = 0; k < 80 && high - low > 2e-16 * high && !proof_interrupted(proof); k++) {
         double at = low - at_low * (high - low) / (at_high - at_low);
         if (k % 3 == 2 || !(at > low && at < high))
             at = 0.5 * (low + high);
@@ -90,6 +90,10 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
     *stop = NAN;
     limit->outcome = OUTCOME_OPEN;
     proof_guess(proof, root, &top);
+    if (proof_interrupted(proof)) {
+        limit->outcome = OUTCOME_INTERRUPTED;
+        return false;
+    }
     /* A coarse decimal may be beyond the next root, or beyond the reach. */
     for (int finer = 0; finer < 9; finer++, tol /= 10) {
         struct grid grid = grid_for(root, tol);
@@ -142,8 +146,8 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * Looks for a growth at which a pair goes on, where equal dominoes do not. Returns one just above the lowest
- * root that samples show, as a decimal; NaN if there is none.
+ * Looks for a growth at which a pair goes on, where equal dominoes do not. Returns one that is proved, just
+ * above the lowest root that samples show, as a decimal; NaN if there is none.
  */
 static double band_begin(struct proof *proof)
 {
@@ -161,7 +165,11 @@ static double band_begin(struct proof *proof)
                     low = at;
             }
             double from = ceil(high * 1e6) / 1e6;
-            return from < r && proof_strip(proof, from, from) == OUTCOME_PROVED ? from : r;
+            if (from < r && proof_strip(proof, from, from) == OUTCOME_PROVED)
+                return from;
+            if (proof_strip(proof, r, r) == OUTCOME_PROVED)
+                return r;
+            return NAN;
         }
         last = r;
     }
@@ -175,14 +183,16 @@ struct limit_proof limit_prove(struct proof *proof, double tol)
     if (first == OUTCOME_PROVED)
         return limit_from(proof, 1, tol);
     proof_guess(proof, 1, &top);
-    bool none = first != OUTCOME_INTERRUPTED && proof_stops(proof, 1, 1, top);
-    if (none && proof->shape.pair)
+    bool none = proof_stops(proof, 1, 1, top);
+    if (none && proof->shape.pair) {
         from = band_begin(proof);
-    if (from > 1)
-        return limit_from(proof, from, tol);
+        if (from > 1)
+            return limit_from(proof, from, tol);
+        none = !proof_interrupted(proof);
+    }
     return (struct limit_proof){.kind = none ? LIMIT_NONE : LIMIT_PARTLY,
                                 .from = 1,
                                 .low = NAN,
                                 .high = none ? 1 : INFINITY,
-                                .outcome = first};
+                                .outcome = proof_interrupted(proof) ? OUTCOME_INTERRUPTED : first};
 }

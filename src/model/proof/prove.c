@@ -187,7 +187,9 @@ static void cycle_prove(struct proof *proof, double r, double tol, struct dom_pr
     else if (fuel && (margin.lo >= 0 || proof_strip(proof, low, high) == OUTCOME_PROVED))
         result->verdict = DOM_PROVED_GOES_ON;
     else
-        result->gap = outcome == OUTCOME_PROVED ? DOM_PROOF_ROUNDING : gap_of(outcome);
+        result->gap = proof_interrupted(proof)    ? DOM_PROOF_INTERRUPTED
+                      : outcome == OUTCOME_PROVED ? DOM_PROOF_ROUNDING
+                                                  : gap_of(outcome);
 }
 
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,

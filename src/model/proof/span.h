@@ -6,8 +6,8 @@
  * IEEE 754 rounds these five operations correctly, to the nearest double. From the rounded result z, up(z)
  * and down(z) are beyond the neighbours of z, and so beyond what was rounded (Rump, Zimmermann, Boldo,
  * Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419). Rounding modes are
- * not changed: the compiler needs no option, and threads do not disturb each other. dom_prove_... refuse a
- * caller's other mode.
+ * not changed: the compiler needs no option, and threads do not disturb each other. In any other mode that a
+ * caller has set, dom_prove_... prove nothing.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H
