@@ -167,6 +167,7 @@ harmless() { # FILE
 
 @test "exponents of units do not overflow" {
     wrong 'print ((((((1 m)^64)^64)^64)^64)^64)^4' 'the unit has an exponent above 999'
+    wrong 'print ((1 kg)^64)^64' 'the unit has an exponent above 999'
     wrong 'print (1 s)^-99^1 * (1/(1 m)^99)^99' 'the unit has an exponent above 999'
     same 'below that they count' '1 m^960' "$("$DOMINO" -e 'print ((1 m)^64)^15')"
     same 'and cancel' 1 "$("$DOMINO" -e 'print ((1 m)^64)^15 / ((1 m)^60)^16')"

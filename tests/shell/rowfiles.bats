@@ -58,6 +58,12 @@ oz|16|0.45359237
 t|0.001|1
 kg|3|3
 END
+    printf 'height (mm), thickness (mm), gap (yd), mass\n48, 7.5, -, 10 g\n50, 7.5, 0.02, 1 oz\n' >cells.csv
+    close 'in the cell' 0.01 "$(json 'effect row cells.csv; row' | values mass | head -n 1)" 1e-15
+    close 'each in its own' 0.028349523125 "$(json 'effect row cells.csv; row' | values mass | tail -n 1)" 1e-15
+    close 'a gap in yards' 0.018288 "$(json 'effect row cells.csv; row' | values gap | tail -n 1)" 1e-15
+    printf 'height (mm), thickness (mm), gap (mm), mass\n48, 7.5, -, 10 mm\n' >length.csv
+    wrong 'effect row length.csv' "mass: this is a length; write a number in the unit of the first line, as in 'mass \(g\)'"
     printf 'height (mm), thickness (mm), gap (oz)\n48, 7.5, -\n' >gap.csv
     wrong 'effect row gap.csv' "is not a unit of gap; its units are: m, mm, cm"
 }

@@ -103,6 +103,9 @@ curve 0.02 0.9 100'
     same 'whole, by ratios' '5 16 50' "$(grid 'row 5 50 3 log')"
     same 's is no second here' '0.1,0.2 0.1,0.4' "$(grid 'd 0.1 0.1 1 s 0.2 0.4 2' 2)"
     same 'nor behind a list' '0.1,0.4 0.2,0.4' "$(grid 'd 0.1, 0.2 s 0.4 0.4 1' 2)"
+    same 'g is gravity here' '0.1,1 0.1,2 0.2,1 0.2,2' "$(grid 'h 0.1, 0.2 g 1, 2' 2)"
+    same 'but a gram of a mass' '0.001 0.01' "$(grid 'mass 1 g 10 g 2')"
+    same 'in a list, too' '0.001,0.1 0.01,0.1' "$(grid 'mass 1 g, 10 g d 0.1 0.1 1' 2)"
     same 'without blanks' '0.1 0.2' "$(csv 'sweep s 0.1 0.2 2: print 0' | tail -n +2 | cut -d , -f 1 | paste -sd ' ' -)"
     same 'tol follows precision' '1e-05 1e-12 1e-30' \
         "$(csv 'sweep precision float, double, quad : print tol' | tail -n +2 | cut -d , -f 2 | paste -sd ' ' -)"

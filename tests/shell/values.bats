@@ -120,6 +120,28 @@ END
 0.0762|m|3 in
 0.3048|m|1 ft
 0|m|12 in - 1 ft
+0.9144|m|1 yd
+2|kg|2 kg
+0.01|kg|10 g
+0.01|kg|10g
+0.005|kg|(2 + 3) g
+2000|kg|2 t
+0.45359237|kg|1 lb
+0.028349523125|kg|1 oz
+0.038349523125|kg|10 g + 1 oz
+0|kg|16 oz - 1 lb
+600|kg m^-3|600 kg/m^3
+600|kg m^-3|0.6 g/cm^3
+2|kg|sqrt(4 kg^2)
+0.002|kg|min(1 kg, 2 g)
+5|-|5 g / 1 g
+9.81|m s^-2|g
+19.62|m s^-2|2*g
+0.0048929663608562693|s^2|h/g
+0.0048929663608562693|s^2|4.8 cm/g
+9.81|m^2 s^-2|1 m*g
+9.81|kg m s^-2|1 kg*g
+0.00981|kg m s^-2|1 g*g
 2|s|2 s
 0.002|s|2 ms
 2|rad|2 rad
@@ -152,6 +174,13 @@ h|4.8 cm|0.048
 h|48mm|0.048
 h|1 ft|0.3048
 h|1.5|1.5
+mass|10 g|0.01
+mass|2 oz|0.05669904625
+mass|0.01|0.01
+mass|600 kg/m^3 * 7 mm * 24 mm * 48 mm|0.0048384
+density|600 kg/m^3|600
+density|0.6 g/cm^3|600
+density|600|600
 g|9.81 m/s^2|9.81
 g|981 cm/s^2|9.81
 g|2 * 4.905 m / (1 s)^2|9.81
@@ -305,6 +334,15 @@ END
 7|set r h|^set: r is a plain number, not a length
 7|set h 3 s|^set: h is a length, not a time
 7|set h 3 m/s|^set: h is a length, not in m s\^-1
+10|set mass 3 mm|^set: mass is a mass, not a length; enter one such as '10 g'$
+7|set h 10 g|^set: h is a length, not a mass; enter one such as '48 mm'$
+13|set density 5 kg|^set: density is a density, not a mass; enter one such as '600 kg/m\^3'$
+7|set s 3 g|^set: s is a plain number, not a mass; enter it without a unit, or as a length$
+7|set q 3 kg|^set: q is a plain number, not a mass; enter it without a unit$
+13|set mass 10 lbs|^set: 'lbs' is not a unit; did you mean 'lb'
+11|print 1 g + 1|^print:.*a mass and a plain number
+7|print sqrt(4 kg)|^print:.*sqrt of this is not defined
+7|print max(1 kg, 2)|^print:.*max needs two values of the same kind
 7|set g 3 m|^set: g is in m s\^-2, not a length
 7|set q 1 m|^set: q is a plain number, not a length
 9|set tol 1 ms|^set: tol is a plain number, not a time

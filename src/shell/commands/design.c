@@ -67,7 +67,7 @@ static bool read_wish(struct reader *r, struct wishes *w)
     struct argument argument = {.name = wish_names(NULL, k), .kind = k == 0 ? ARGUMENT_ANY : ARGUMENT_HEIGHT};
     if (!read_quantity(r, &argument, &q, k == 0 ? &w->safety : &w->hall))
         return false;
-    if (k == 0 && (q.length != 0 || q.time != 0 || q.angle != 0))
+    if (k == 0 && !quantity_bare(q))
         return session_error(session, "the safety is a number, such as 2: times the energy that is needed");
     return true;
 }

@@ -108,7 +108,7 @@ static const char draw_usage[] =
 static bool read_at(struct reader *r, struct draw_what *what)
 {
     struct session *session = r->session;
-    struct quantity q = {0, 0, 0, 0};
+    struct quantity q = {.value = 0};
     what->column = session->column = reader_column(r, skip_blanks(r->at));
     if (!more(r))
         return session_error(session, "the moment is missing; %s", draw_usage);
@@ -128,7 +128,7 @@ static bool read_at(struct reader *r, struct draw_what *what)
     r->last = true;
     if (!value(r, "the moment", ARGUMENT_ANY, &q, &what->time))
         return false;
-    if (!quantity_plain(q) && !(q.time == 1 && q.length == 0 && q.angle == 0)) {
+    if (!quantity_plain(q) && !quantity_alike(q, (struct quantity){.time = 1})) {
         char kind[64];
         return session_error(session, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
                              expression_kind(q, kind, sizeof kind));
@@ -140,7 +140,7 @@ bool draw_read(struct reader *r, struct call *call)
 {
     struct session *session = r->session;
     struct draw_what *what = calloc(1, sizeof *what);
-    struct quantity q = {0, 0, 0, 0};
+    struct quantity q = {.value = 0};
     call->own = what;
     call->own_free = free;
     if (!what)
@@ -174,7 +174,7 @@ bool film_read(struct reader *r, struct call *call)
 {
     struct session *session = r->session;
     struct film_what *what = calloc(1, sizeof *what);
-    struct quantity q = {0, 0, 0, 0};
+    struct quantity q = {.value = 0};
     call->own = what;
     call->own_free = free;
     if (!what)
@@ -190,7 +190,7 @@ bool film_read(struct reader *r, struct call *call)
                 return false;
             domq_real got = speed ? what->speed : what->rate;
             /* A rate may be said as 20/s. */
-            if (!quantity_plain(q) && !(rate && q.time == -1 && q.length == 0 && q.angle == 0))
+            if (!quantity_plain(q) && !(rate && quantity_alike(q, (struct quantity){.time = -1})))
                 return session_error(session, "%s is a plain number", speed ? "the speed" : "the rate");
             if (!(speed ? got >= (domq_real)0.001 && got <= 1000 : got >= 1 && got <= 50))
                 return session_error(

@@ -95,7 +95,7 @@ static bool ask_command(struct session *point, struct probe *p, struct quantity 
     point->command = c->name;
     bool done = command_allowed(point, c) && read_arguments(&r, c, &call) && c->run(point, &call);
     call_free(&call);
-    *value = (struct quantity){answer.holds == ANSWER_YES ? 1 : -1, 0, 0, 0};
+    *value = (struct quantity){.value = answer.holds == ANSWER_YES ? 1 : -1};
     if (!done || p->verdict)
         return done && (answer.holds != ANSWER_OPEN || session_no_answer(point, "nothing is decided"));
     struct cell cell = kept[q->key];
@@ -145,7 +145,7 @@ domq_real probe_at(struct probe *p, domq_real value)
     point.captured_error = &p->error;
     point.threads = 1;
     point.shard.parts = 0;
-    struct quantity answer = {0, 0, 0, 0};
+    struct quantity answer = {.value = 0};
     bool put = !p->parameter || probe_put(&point, p->parameter, value);
     bool done = put && (p->inquiry->command ? ask_command(&point, p, &answer)
                                             : ask_expression(&point, p->inquiry, &answer));

@@ -58,7 +58,7 @@ static int cells_cut(char *line, char separator, char *cell[CELLS])
 
 static bool of_kind(struct quantity q, const struct kind *k)
 {
-    return q.length == 1 && q.time == k->time && q.angle == 0;
+    return q.length == 1 && q.time == k->time && q.angle == 0 && q.mass == 0;
 }
 
 /* Reads a name of the first line, such as "gap (mm)". */
@@ -120,7 +120,7 @@ static bool cell_read(struct reader *r, int k, const char *cell, domq_real *valu
     struct expression e = {.text = cell, .angle = 1, .lookup = no_name};
     if (!expression_evaluate(&e, &q) || *skip_blanks(e.end) != '\0')
         return wrong(r, "'%.20s' is not %s; write a number, with a decimal point", cell, kinds[k].unit);
-    bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
+    bool bare = quantity_bare(q);
     if (bare && r->unit[k] == 0)
         return wrong(r, "'%.20s' has no unit; name it in the first line, '%s'", cell, kinds[k].example);
     if (!bare && !of_kind(q, &kinds[k]))

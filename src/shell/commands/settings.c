@@ -219,7 +219,7 @@ static bool run_print(struct session *session, const struct call *call)
     struct quantity q = call->quantity[0];
     char unit[48], number[WIDE_TEXT];
     expression_unit_text(q, unit, sizeof unit);
-    if (q.length == 0 && q.time == 0 && q.angle == 1) {
+    if (quantity_plain(q) && q.angle == 1) {
         q.value = style_angle(&session->style, q.value);
         snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
     }
@@ -278,10 +278,12 @@ const struct command session_commands[] = {
      .synonyms = "calculate calculator convert units feet inch evaluate",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY}},
      .summary = "the value of an expression",
-     .help = "Numbers, + - * / ^ and parentheses; units m mm cm km in ft s ms rad deg; pi; sin cos tan asin "
-             "acos "
-             "atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; the parameters; 'ans' and "
-             "'ans.KEY', the last answer; commands, with a key or without: rmax, rmax(0.3).r_max_paper.",
+     .help =
+         "Numbers, + - * / ^ and parentheses; units of length m mm cm km in ft yd, of mass kg g t lb oz, "
+         "of time s ms, of angle rad deg; pi; sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs "
+         "floor ceil round hypot min max; the parameters; 'ans' and 'ans.KEY', the last answer; commands, "
+         "with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number "
+         "or a ')': '10 g'; elsewhere g is gravity: 'h/g', '2*g'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "set",
      ANSWER(print)},

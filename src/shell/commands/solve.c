@@ -151,8 +151,7 @@ static bool units_agree(struct session *session, const struct scan *s)
     struct quantity a = s->probe.unit, b = s->solve->value;
     if (s->solve->verdict || s->answers == 0)
         return true;
-    bool bare = b.length == 0 && b.time == 0 && b.angle == 0;
-    return bare || (a.length == b.length && a.time == b.time && a.angle == b.angle) ||
+    return quantity_bare(b) || quantity_alike(a, b) ||
            session_error(session, "%s is %s, and VALUE is %s", s->solve->inquiry.name,
                          expression_kind(a, is, sizeof is), expression_kind(b, wanted, sizeof wanted));
 }

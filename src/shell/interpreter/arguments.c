@@ -113,6 +113,13 @@ static bool known_word(struct session *session, struct reader *r, const char *at
     return known;
 }
 
+/* Returns true for a value of a parameter in whose unit there is a mass. */
+static bool weighs(const struct argument *a)
+{
+    const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
+    return p && expression_unit(p->value[a->which].unit).mass != 0;
+}
+
 bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, domq_real *number)
 {
     struct session *session = r->session;
@@ -120,7 +127,10 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
                            .lookup = session_lookup,
                            .context = session,
                            .angle = session->style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1,
-                           .no_unit = r->stops ? "s" : NULL}; /* a grid goes on with this parameter */
+                           /* A grid goes on with these parameters; grams are what its masses have. */
+                           .no_unit = !r->stops   ? NULL
+                                      : weighs(a) ? "s"
+                                                  : "sg"};
     int begin = session->column;
     long errors = session->errors;
     if (!expression_evaluate(&e, q)) {
@@ -175,7 +185,7 @@ bool read_value(struct reader *r, const struct parameter *p, int i, const char *
                              message, p->name, range);
     }
     r->at = begin;
-    struct quantity q = {0, 0, 0, 0};
+    struct quantity q = {.value = 0};
     return read_quantity(r, &(struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name, .which = i},
                          &q, number);
 }

@@ -108,18 +108,22 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
     struct quantity unit = p ? expression_unit(p->value[a->which].unit)
                            : a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH
-                               ? (struct quantity){1, 1, 0, 0}
-                           : is_tilt(a) ? (struct quantity){1, 0, 0, 1}
-                                        : (struct quantity){1, 0, 0, 0};
+                               ? (struct quantity){.value = 1, .length = 1}
+                           : is_tilt(a) ? (struct quantity){.value = 1, .angle = 1}
+                                        : (struct quantity){.value = 1};
     /* s and d are over the height: a length is divided by that of the first domino. */
-    if (p && strcmp(p->value[a->which].unit, "h") == 0 && q.length == 1 && q.time == 0 && q.angle == 0)
+    bool over_height = p && strcmp(p->value[a->which].unit, "h") == 0;
+    if (over_height && quantity_alike(q, (struct quantity){.length = 1}))
         q = (struct quantity){.value = q.value / session->scale.h};
-    bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
-    if (!bare && a->kind != ARGUMENT_ANY &&
-        (q.length != unit.length || q.time != unit.time || q.angle != unit.angle))
-        return session_error(session, "%s is %s, not %s", a->name,
+    const char *example = expression_example(unit);
+    if (!quantity_bare(q) && a->kind != ARGUMENT_ANY && !quantity_alike(q, unit))
+        return session_error(session, "%s is %s, not %s; enter %s%s%s", a->name,
                              expression_kind(unit, wanted, sizeof wanted),
-                             expression_kind(q, kind, sizeof kind));
+                             expression_kind(q, kind, sizeof kind),
+                             example       ? "one such as '"
+                             : over_height ? "it without a unit, or as a length"
+                                           : "it without a unit",
+                             example ? example : "", example ? "'" : "");
     *number = q.value;
     if (a->kind == ARGUMENT_ANY)
         return true;

@@ -64,8 +64,8 @@ static bool sum(struct expression *e, struct quantity *q);
 static bool finite_result(struct expression *e, const char *at, const struct quantity *q)
 {
     enum { EXPONENT_MOST = 999 };
-    bool unit =
-        abs(q->length) <= EXPONENT_MOST && abs(q->time) <= EXPONENT_MOST && abs(q->angle) <= EXPONENT_MOST;
+    bool unit = abs(q->length) <= EXPONENT_MOST && abs(q->time) <= EXPONENT_MOST &&
+                abs(q->angle) <= EXPONENT_MOST && abs(q->mass) <= EXPONENT_MOST;
     if (isfinite(q->value) && unit)
         return true;
     e->end = at;
@@ -93,8 +93,7 @@ static bool number(struct expression *e, struct quantity *q)
 static bool postfix_unit(struct expression *e, struct quantity *q)
 {
     const char *c = skip_blanks(e->end);
-    if (c > e->end && e->no_unit && strlen(e->no_unit) == name_length(c) &&
-        strncmp(e->no_unit, c, name_length(c)) == 0)
+    if (c > e->end && e->no_unit && name_length(c) == 1 && strchr(e->no_unit, *c))
         return true;
     if (name_start(*c)) {
         struct quantity with = *q;
@@ -118,18 +117,19 @@ static bool apply(struct expression *e, const struct function *f, const char *at
     if (count != wanted)
         return expression_fail(e, "%s takes %d value%s", f->name, wanted, wanted == 1 ? "" : "s");
     bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
-    if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2))
+    if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
         return expression_fail(e, "%s of this is not defined", f->name);
     if (f->kind == HALVES && a[0].value < 0)
         return expression_no_value(e, "%s of this is not defined", f->name);
     if (f->one && f->kind < KEEPS && !number)
         return expression_fail(e, "%s of %s is not defined", f->name,
                                expression_kind(a[0], kind, sizeof kind));
-    if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time))
+    if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time || a[0].mass != a[1].mass))
         return expression_fail(e, "%s needs two values of the same kind, such as two lengths", f->name);
-    *q = f->kind == KEEPS    ? a[0]
-         : f->kind == HALVES ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2}
-                             : (struct quantity){.angle = f->kind == TO_ANGLE};
+    *q = f->kind == KEEPS ? a[0]
+         : f->kind == HALVES
+             ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2, a[0].mass / 2}
+             : (struct quantity){.angle = f->kind == TO_ANGLE};
     domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
     if (f->two)
         q->value = f->two(a[0].value, a[1].value);
@@ -233,19 +233,18 @@ static bool factor(struct expression *e, struct quantity *q)
         good = primary(e, q);
         const char *op = skip_blanks(e->end);
         if (good && *op == '^') {
-            struct quantity power = {0, 0, 0, 0};
+            struct quantity power = {.value = 0};
             e->end = skip_blanks(op + 1);
             const char *at = e->end;
             good = factor(e, &power);
             bool whole = good && power.value == quad(floor)(power.value) && quad(fabs)(power.value) < 100;
-            if (good &&
-                (!quantity_plain(power) || power.angle || (!whole && (!quantity_plain(*q) || q->angle)))) {
+            if (good && (!quantity_bare(power) || (!whole && !quantity_bare(*q)))) {
                 e->end = at;
                 good = expression_fail(e, "the value before '^' cannot have this exponent");
             } else if (good) {
                 int n = whole ? (int)power.value : 0;
                 *q = (struct quantity){quad(pow)(q->value, power.value), n * q->length, n * q->time,
-                                       n * q->angle};
+                                       n * q->angle, n * q->mass};
                 good = finite_result(e, op, q);
             }
         }
@@ -289,11 +288,11 @@ static bool sum(struct expression *e, struct quantity *q)
         if (!good)
             return false;
         /* thetac - 1: the bare one is in the session's unit of angles. */
-        if (quantity_plain(*q) && q->angle == 0 && quantity_plain(by) && by.angle == 1)
+        if (quantity_bare(*q) && quantity_plain(by) && by.angle == 1)
             *q = (struct quantity){.value = q->value * e->angle, .angle = 1};
-        else if (quantity_plain(by) && by.angle == 0 && quantity_plain(*q) && q->angle == 1)
+        else if (quantity_bare(by) && quantity_plain(*q) && q->angle == 1)
             by = (struct quantity){.value = by.value * e->angle, .angle = 1};
-        if (q->length != by.length || q->time != by.time || q->angle != by.angle) {
+        if (!quantity_alike(*q, by)) {
             char a[48], b[48];
             e->end = op;
             return expression_fail(e, "%s and %s do not add up", expression_kind(*q, a, sizeof a),

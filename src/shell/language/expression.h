@@ -23,7 +23,7 @@ struct expression {
     bool (*lookup)(struct expression *expression, const char *name, const char *key,
                    const struct quantity *arguments, int count, struct quantity *result);
     void *context;       /* for lookup */
-    const char *no_unit; /* a word after a blank that is not the name of a unit; NULL: none */
+    const char *no_unit; /* letters that are no units after a blank, but names; NULL: none */
     domq_real angle;     /* what 1 is in radians where a bare number stands for an angle */
     int depth;
 };

@@ -19,17 +19,23 @@ struct unit {
 #define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
-    {"m", {1, 1, 0, 0}},
-    {"mm", {PART(1, 1000), 1, 0, 0}},
-    {"cm", {PART(1, 100), 1, 0, 0}},
-    {"km", {1000, 1, 0, 0}},
-    {"in", {PART(254, 10000), 1, 0, 0}},
-    {"ft", {PART(3048, 10000), 1, 0, 0}},
-    {"s", {1, 0, 1, 0}},
-    {"ms", {PART(1, 1000), 0, 1, 0}},
-    {"rad", {1, 0, 0, 1}},
-    {"deg", {DEGREE, 0, 0, 1}},
-    {NULL, {0, 0, 0, 0}},
+    {"m", {.value = 1, .length = 1}},
+    {"mm", {.value = PART(1, 1000), .length = 1}},
+    {"cm", {.value = PART(1, 100), .length = 1}},
+    {"km", {.value = 1000, .length = 1}},
+    {"in", {.value = PART(254, 10000), .length = 1}},
+    {"ft", {.value = PART(3048, 10000), .length = 1}},
+    {"yd", {.value = PART(9144, 10000), .length = 1}},
+    {"kg", {.value = 1, .mass = 1}},
+    {"g", {.value = PART(1, 1000), .mass = 1}},
+    {"t", {.value = 1000, .mass = 1}},
+    {"lb", {.value = PART(45359237, 100000000), .mass = 1}},
+    {"oz", {.value = PART(45359237, 1600000000), .mass = 1}},
+    {"s", {.value = 1, .time = 1}},
+    {"ms", {.value = PART(1, 1000), .time = 1}},
+    {"rad", {.value = 1, .angle = 1}},
+    {"deg", {.value = DEGREE, .angle = 1}},
+    {NULL, {.value = 0}},
 };
 
 const char *expression_units(const void *context, int k)
@@ -42,15 +48,25 @@ const char *expression_units(const void *context, int k)
 
 bool quantity_plain(struct quantity q)
 {
-    return q.length == 0 && q.time == 0;
+    return q.length == 0 && q.time == 0 && q.mass == 0;
+}
+
+bool quantity_bare(struct quantity q)
+{
+    return quantity_plain(q) && q.angle == 0;
+}
+
+bool quantity_alike(struct quantity a, struct quantity b)
+{
+    return a.length == b.length && a.time == b.time && a.angle == b.angle && a.mass == b.mass;
 }
 
 const char *expression_unit_text(struct quantity q, char *text, size_t size)
 {
-    static const char *const base[] = {"m", "s", "rad"};
-    const int power[] = {q.length, q.time, q.angle};
+    static const char *const base[] = {"kg", "m", "s", "rad"};
+    const int power[] = {q.mass, q.length, q.time, q.angle};
     text[0] = '\0';
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         size_t used = strlen(text);
         if (power[i] != 0)
             snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "", base[i],
@@ -59,17 +75,43 @@ const char *expression_unit_text(struct quantity q, char *text, size_t size)
     return text;
 }
 
+/* Names a quantity, NULL if its unit is the shorter name, and shows how people write one. */
+static const struct kind {
+    struct quantity is;
+    const char *name, *example;
+} kinds[] = {
+    {{.value = 1}, "a plain number", NULL},
+    {{.angle = 1}, "an angle", "10 deg"},
+    {{.length = 1}, "a length", "48 mm"},
+    {{.time = 1}, "a time", "2 s"},
+    {{.mass = 1}, "a mass", "10 g"},
+    {{.mass = 1, .length = -3}, "a density", "600 kg/m^3"},
+    {{.length = 1, .time = -1}, NULL, "2 m/s"},
+    {{.length = 1, .time = -2}, NULL, "9.81 m/s^2"},
+};
+
+static const struct kind *kind_of(struct quantity q)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (quantity_alike(kinds[i].is, q))
+            return &kinds[i];
+    return NULL;
+}
+
 const char *expression_kind(struct quantity q, char *text, size_t size)
 {
     char unit[48];
-    if (quantity_plain(q) && (q.angle == 0 || q.angle == 1))
-        return q.angle ? "an angle" : "a plain number";
-    if (q.time == 0 && q.length == 1)
-        return "a length";
-    if (q.length == 0 && q.time == 1 && q.angle == 0)
-        return "a time";
+    const struct kind *kind = kind_of(q);
+    if (kind && kind->name)
+        return kind->name;
     snprintf(text, size, "in %s", expression_unit_text(q, unit, sizeof unit));
     return text;
+}
+
+const char *expression_example(struct quantity q)
+{
+    const struct kind *kind = kind_of(q);
+    return kind ? kind->example : NULL;
 }
 
 /* ---- Scanning ---- */
@@ -87,8 +129,10 @@ size_t name_length(const char *c)
     return n;
 }
 
-static const struct unit *unit_at(const char *c, size_t length)
+static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
+    if (!first && length == 1 && (*c == 'g' || *c == 't')) /* g is gravity there */
+        return NULL;
     for (const struct unit *u = units; u->name; u++)
         if (strlen(u->name) == length && strncmp(u->name, c, length) == 0)
             return u;
@@ -103,14 +147,15 @@ void quantity_multiply(struct quantity *q, struct quantity by, int power)
     q->length += power * by.length;
     q->time += power * by.time;
     q->angle += power * by.angle;
+    q->mass += power * by.mass;
 }
 
 const char *unit_scan(const char *c, struct quantity *q)
 {
     int sign = 1;
-    for (;;) {
+    for (bool first = true;; first = false) {
         size_t length = name_length(c);
-        const struct unit *u = unit_at(c, length);
+        const struct unit *u = unit_at(c, length, first);
         if (!u)
             return NULL;
         c += length;
@@ -123,7 +168,7 @@ const char *unit_scan(const char *c, struct quantity *q)
             c = stop;
         }
         quantity_multiply(q, u->is, sign * (int)power);
-        if ((*c != '/' && *c != '*') || !unit_at(c + 1, name_length(c + 1)))
+        if ((*c != '/' && *c != '*') || !unit_at(c + 1, name_length(c + 1), false))
             return c;
         sign = *c == '/' ? -1 : 1;
         c++;
@@ -132,7 +177,7 @@ const char *unit_scan(const char *c, struct quantity *q)
 
 struct quantity expression_unit(const char *unit)
 {
-    struct quantity q = {1, 0, 0, 0};
+    struct quantity q = {.value = 1};
     const char *end = *unit ? unit_scan(unit, &q) : NULL;
-    return end && *end == '\0' ? q : (struct quantity){1, 0, 0, 0};
+    return end && *end == '\0' ? q : (struct quantity){.value = 1};
 }

@@ -10,14 +10,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* In SI units and radians; exponents of metre, second and radian. */
+/* In SI units and radians; exponents of metre, second, radian and kilogram. */
 struct quantity {
     domq_real value;
-    int length, time, angle;
+    int length, time, angle, mass;
 };
 
-/* Returns true for a number or a power of an angle: neither a length nor a time. */
+/* Returns true for a number or a power of an angle: neither a length, nor a time, nor a mass. */
 bool quantity_plain(struct quantity quantity);
+
+/* Return true for a number that has no unit, not even that of angles; and for two that have the same. */
+bool quantity_bare(struct quantity quantity);
+bool quantity_alike(struct quantity a, struct quantity b);
 
 /* Multiplies a quantity by a power of another one. */
 void quantity_multiply(struct quantity *quantity, struct quantity by, int power);
@@ -29,8 +33,11 @@ struct quantity expression_unit(const char *unit);
 /* Writes the unit, "m^2 s^-1", or "" for a plain number. */
 const char *expression_unit_text(struct quantity quantity, char *text, size_t size);
 
-/* Writes what a quantity is, for messages: "a length", "a time", "m^2 s^-1". */
+/* Writes what a quantity is, for messages: "a length", "a time", "in m^2 s^-1". */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
+
+/* Returns how people write such a quantity, "10 g"; NULL if it has no usual unit. */
+const char *expression_example(struct quantity quantity);
 
 /* Lists for names.h the units. */
 const char *expression_units(const void *context, int k);
@@ -41,8 +48,9 @@ size_t name_length(const char *text);
 
 /*
  * "cm", "m/s^2" at the beginning of text, multiplied into the quantity: units joined without blanks; the part
- * that begins with something else is not taken, so that 4.8 cm/h divides by the parameter h.  Where it ends,
- * or NULL.
+ * that begins with something else is not taken, so that 4.8 cm/h divides by the parameter h.  The gram and
+ * the tonne are units only at the beginning: 10 g is a mass, 4.8 cm/g divides by gravity.  Where it ends, or
+ * NULL.
  */
 const char *unit_scan(const char *text, struct quantity *quantity);
 

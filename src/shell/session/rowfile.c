@@ -15,31 +15,29 @@
 enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RELATIVE, DOMINO, KINDS };
 
 #define COLUMNS "height, thickness, gap, and, if known, mass or density, width"
-#define LENGTHS "m, mm, cm, km, in, ft"
+#define LENGTHS "m, mm, cm, km, in, ft, yd"
 #define LENGTH  "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
-#define WEIGHT  "write a plain number; its unit is in the first line, as in "
+#define WEIGHT  "write a number in the unit of the first line, as in "
 
 static const struct kind {
     const char *name, *unit;
     bool required, zero;               /* zero: 0 is in the range */
     double lowest, highest;            /* for masses: the range of single precision */
     const char *range, *write, *units; /* texts for messages: the range; what a cell may be; all units */
-    const char *more;                  /* a unit that expressions do not have */
-    int times, over;                   /* its value in SI: times / over */
     const char *usual;                 /* the unit that messages propose */
 } kinds[KINDS] = {
-    {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
-    {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
-    {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+    {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "mm"},
+    {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "mm"},
+    {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "mm"},
     {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "'mass (g)'", "kg, g, t, lb, oz",
-     "g", 1, 1000, "g"},
+     "g"},
     {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "'density (g/cm^3)'",
-     "kg/m^3, g/cm^3", "g/cm^3", 1000, 1, "g/cm^3"},
-    {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "m", 1, 1, "mm"},
+     "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3"},
+    {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "mm"},
     {"relative", "", false, false, 1e-40, 1e38, "1e-40 .. 1e38",
-     "write a plain number: the mass over that of the first domino", "none", "", 1, 1, ""},
+     "write a plain number: the mass over that of the first domino", "none", ""},
     {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "write a plain number; the program does not use it",
-     "none", "", 1, 1, ""},
+     "none", ""},
 };
 
 enum { CELLS = 64, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
@@ -93,18 +91,8 @@ static int kind_find(const char *name)
 /* Returns the value of a unit in SI; 0 if the kind does not have this unit. */
 static domq_real unit_value(const struct kind *k, const char *name)
 {
-    /* Other units of mass, as quotients of whole numbers: an ounce is a sixteenth of a pound. */
-    static const struct {
-        const char *name;
-        domq_real times, over;
-    } masses[] = {{"t", 1000, 1}, {"lb", 45359237, 100000000}, {"oz", 45359237, 1600000000}};
     struct quantity q = expression_unit(name);
-    for (size_t i = 0; k == &kinds[MASS] && i < sizeof masses / sizeof *masses; i++)
-        if (strcmp(name, masses[i].name) == 0)
-            return masses[i].times / masses[i].over;
-    if (strcmp(name, k->unit) == 0 || strcmp(name, k->more) == 0)
-        return strcmp(name, k->unit) == 0 ? 1 : (domq_real)k->times / k->over;
-    return *k->unit == 'm' && q.length == 1 && q.time == 0 && q.angle == 0 ? q.value : 0;
+    return *k->unit && quantity_alike(q, expression_unit(k->unit)) ? q.value : 0;
 }
 
 /* Reports an error at a place in the line; NULL is its beginning. */
@@ -311,7 +299,7 @@ static bool cell_value(const struct reader *r, int kind, const char *cell, domq_
 {
     const struct kind *k = &kinds[kind];
     char shown[NAMES_SHOWN], text[48];
-    struct quantity q = {0, 0, 0, 0};
+    struct quantity q = {.value = 0};
     struct expression e = {.text = cell, .lookup = no_names, .angle = 1};
     if (*cell == '\0')
         return wrong(r, cell, "%s is missing; only the gap of the first domino may be left out", k->name);
@@ -322,8 +310,8 @@ static bool cell_value(const struct reader *r, int kind, const char *cell, domq_
     if (*rest)
         return wrong(r, rest, "%s ends before '%s'; %s", k->name, names_shown(rest, shown),
                      *rest == ',' ? "write decimals with a point, not with a comma" : k->write);
-    bool bare = q.length == 0 && q.time == 0 && q.angle == 0;
-    if (!bare && (*k->unit != 'm' || q.length != 1 || q.time != 0 || q.angle != 0))
+    bool bare = quantity_bare(q);
+    if (!bare && !quantity_alike(q, expression_unit(k->unit)))
         return wrong(r, cell, "%s: this is %s; %s", k->name, expression_kind(q, text, sizeof text), k->write);
     if (bare && r->unit[kind] == 0 && q.value != 0)
         return no_unit(r, kind, cell);
