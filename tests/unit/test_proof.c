@@ -62,6 +62,16 @@ static int arithmetic_wrong(void)
         wrong += fma(ratio.lo, b, -a) > 0 || fma(ratio.hi, b, -a) < 0;
         wrong += fma(root.lo, root.lo, -a) > 0 || fma(root.hi, root.hi, -a) < 0;
         wrong += (sum.lo - a) - b * 0x1p-9 > 0 || (sum.hi - a) - b * 0x1p-9 < 0;
+        /* Differences and products of any sign. */
+        struct span less = span_sub(span_of(a), span_of(b * 0x1p-9)),
+                    wide = span_sub((struct span){a - 1, a}, (struct span){-b, b}),
+                    mixed = span_mul((struct span){-a, b}, (struct span){-b, a});
+        wrong += (less.lo - a) + b * 0x1p-9 > 0 || (less.hi - a) + b * 0x1p-9 < 0;
+        wrong += outside(wide, a + b, 0) + outside(wide, a - 1 - b, 0);
+        wrong += fma(-a, a, -mixed.lo) < 0 || fma(-b, b, -mixed.lo) < 0 || fma(a, b, -mixed.hi) > 0;
+        wrong += fma(a, -b, -span_mul(span_of(a), span_of(-b)).lo) < 0 ||
+                 fma(a, -b, -span_mul(span_of(-a), span_of(b)).hi) > 0;
+        wrong += fma(a, a, -span_square(span_of(a)).lo) < 0 || fma(a, a, -span_square(span_of(a)).hi) > 0;
         /* A tilt and its sine: x^2 = v (2 - v), exactly. */
         double v = ldexp(floor(ldexp(b - 1, 20)) + 1, -20), exact = v * (2 - v);
         struct span x = tilt_sine(span_of(v));
