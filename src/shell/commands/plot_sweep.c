@@ -133,8 +133,10 @@ static void points_free(struct points *p)
 
 static void axis_label(const struct sweep_axis *a, char label[128])
 {
-    snprintf(label, 128, "%s, %s%s%s", a->name, parameter_meaning(a->parameter), *a->unit ? ", in " : "",
-             a->unit);
+    /* Meanings say what is over the height; the unit h would say it again. */
+    bool unit = *a->unit && strcmp(a->unit, "h") != 0;
+    snprintf(label, 128, "%s, %s%s%s", a->name, parameter_meaning(a->parameter), unit ? ", in " : "",
+             unit ? a->unit : "");
 }
 
 static void value_label(const struct session *session, const struct points *p, char *label, size_t size)
