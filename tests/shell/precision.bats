@@ -230,7 +230,7 @@ plot cost launch > $dir/d.txt"
     dir=$BATS_TEST_TMPDIR
     run -1 "$DOMINO" -e "plot cost launch > $dir/a.jpg"
     same 'one line' 1 "${#lines[@]}"
-    [[ $output == *'its ending is .svg, .png, .pdf or .txt'* ]]
+    [[ $output == *'use .svg, .png, .pdf or .txt'* ]]
     run -1 "$DOMINO" -e "plot cost launch > $dir/none/a.svg"
     same 'one line' 1 "${#lines[@]}"
     mkdir "$dir/empty"
