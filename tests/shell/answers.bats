@@ -76,7 +76,7 @@ answers_at_a_terminal() { timeout 300 expect -f "$BATS_TEST_DIRNAME/answers.exp"
     same 'the end of the gif' '3b' "$(tail -c 1 a.gif | od -An -tx1 | tr -d ' \n')"
     same 'the same picture' "$("$DOMINO" -e 'animate b.gif 2' && cksum <b.gif)" "$(cksum <a.gif)"
     # Where people read the file, it has the note.
-    "$DOMINO" -e 'effect row 5; draw train > a.txt; barrier > b.txt'
+    "$DOMINO" -e 'effect row 5; duration > a.txt; barrier > b.txt'
     for what in a b; do grep -q '^(This is the endless train' $what.txt; done
 }
 
