@@ -109,8 +109,8 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     one_line "'draw 0.1 forces'" 'draw forces forces'
     one_line 'it stops at 0.02802163121 rad, below the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
-    one_line 'its ending is .svg, .png, .pdf or .txt' 'draw 0.1 > a.jpg'
-    one_line 'its ending is .gif' 'animate a.png'
+    one_line 'use .svg, .png, .pdf or .txt' 'draw 0.1 > a.jpg'
+    one_line 'use the ending .gif, .webm or .mp4' 'animate a.png'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
     one_line 'FILE is missing; usage: animate FILE [HOW]' animate
@@ -119,7 +119,7 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     done
     one_line 'N is an integer in 1 .. 30, ' 'set r 1; animate a.gif 31'
     one_line 'N is an integer in 1 .. 1, ' 'set s 0.1; set r 7; animate a.gif 2'
-    one_line 'its ending is .svg' 'plot growth > a.gif'
+    one_line 'use .svg, .png' 'plot growth > a.gif'
     for what in 'draw > a.svg' 'animate a.gif'; do
         one_line 'the fuel P is not positive' "set s 0.001; $what"
         one_line 'r s = 3.6 > 1' "set r 9; $what"

@@ -19,6 +19,11 @@ teardown() {
 
 terminal() { tmux -u -S "$socket" -f /dev/null "$@"; }
 
+# A server that ends still answers under its name for a moment, so that the next one gets a new name.
+close_terminal() {
+    terminal kill-server
+    socket+=x
+}
 open_terminal() { # WIDTH HEIGHT COMMAND...
     terminal start-server \; set -g history-limit 50000 \; new-session -d -x "$1" -y "$2" -- "${@:3}"
     terminal set -g window-size manual
@@ -105,7 +110,7 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
     'set errors on; thetac')
 @test "answers fit in 40 columns, and in 60, where no word is cut" {
     fits 40 "${narrow[@]}"
-    terminal kill-server
+    close_terminal
     fits 60 "${narrow[@]}"
 }
 @test "answers fit in 60 columns" { fits 60 "${answers[@]}"; }
@@ -117,7 +122,7 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
     for width in 60 40; do
         fits "$width" help 'help set' 'help tol' 'help friction' 'help plot' 'help placement' 'apropos row' 'apropos e'
         [[ $(screen) == *'set tol'* ]]
-        terminal kill-server
+        close_terminal
     done
 }
 
@@ -199,7 +204,7 @@ gone() { ! terminal has-session 2>/dev/null; }
     see '^-- more --'
     press q Enter
     see_last "$prompt"
-    terminal kill-server
+    close_terminal
     export PAGER='stty raw -echo </dev/tty; kill -9 $$'
     open_session 80 24
     ask help
@@ -290,7 +295,7 @@ twice() { [ "$(terminal capture-pane -p -S - | grep -c "^$1 *$")" -eq 2 ]; }
         see_last "$prompt"
         ask 'print 6*7'
         see '^42$'
-        terminal kill-server
+        close_terminal
     done
 }
 
@@ -437,7 +442,7 @@ $prompt" "$(screen | tail -n 2)"
     ask thetac
     screen -e | grep -q $'^\033\\[1mdomino❯'
     screen -e | grep -q $'\033\\[31mset: s = 9'
-    terminal kill-server
+    close_terminal
     for setting in NO_COLOR=1 TERM=dumb; do
         open_terminal 80 24 env "$setting" "$DOMINO"
         see_last "$prompt"
@@ -448,6 +453,6 @@ $prompt" "$(screen | tail -n 2)"
         press Enter
         see falls_off
         same "$setting" '(nothing)' "$(screen -e | grep $'\033')"
-        terminal kill-server
+        close_terminal
     done
 }
