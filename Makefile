@@ -257,7 +257,7 @@ sanitize: | $(FIRST)
 
 # Counts the lines of the model that run in the unit tests and in the sessions that use the model most. Threads that
 # count in one place wait for each other, so all have one processor.
-COVERED  := $(patsubst %,tests/shell/%.bats,examples precision scenes values)
+COVERED  := $(patsubst %,tests/shell/%.bats,examples precision scenes values prove tolerance pictures)
 ONE_CORE  = taskset -c $$(taskset -cp $$$$ | sed 's/.*: \([0-9]*\).*/\1/')
 coverage: | $(FIRST)
 	@find $(B)/coverage -name '*.gcda' -delete 2>/dev/null || :

@@ -256,10 +256,10 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         *named = parameter_find(put_name(m, effect_names, NULL));
         break;
     case ARGUMENT_GRID:
-        if (a->choices == grid_names)
-            put_grid(m);
-        else
+        if (a->choices && a->choices != grid_names)
             put_wishes(m, a);
+        else
+            put_grid(m);
         break;
     case ARGUMENT_COMMAND:
         if (a->choices && depth == 0) {

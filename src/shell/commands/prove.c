@@ -58,7 +58,7 @@ static struct cell cell_proved(double value, int digits)
 /* Returns how many digits a number has, with this many after its decimal point. */
 static int digits_of(double value, int decimals)
 {
-    return (value >= 1 ? (int)log10(value) + 1 : 0) + decimals;
+    return (value >= 1 && isfinite(value) ? (int)log10(value) + 1 : 0) + decimals;
 }
 
 /* Read back as the same double: a rounded bound would be none. */
