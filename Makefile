@@ -249,8 +249,8 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
 
-# Runs the tests, but for those of texts and packages; a leak is a failure, too.
-TEXTS := $(addprefix tests/shell/,header.bats package.bats plain.bats)
+# Runs the tests, but for those of texts and packages, and the examples, which run under valgrind. A leak is a failure.
+TEXTS := $(addprefix tests/shell/,examples.bats header.bats package.bats plain.bats)
 sanitize: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(filter-out $(TEXTS),$(BATS))' \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
