@@ -106,7 +106,7 @@ static bool head_read(struct reader *r, char *line)
                "the first line names the columns, 'gap (mm), speed (m/s)', and 'error (m/s)' if it is known");
 }
 
-/* A file knows no names: it means the same in every session. */
+/* Allows no names in the expressions of a file, so that the file means the same in every session. */
 static bool no_name(struct expression *e, const char *name, const char *key, const struct quantity *arguments,
                     int count, struct quantity *result)
 {

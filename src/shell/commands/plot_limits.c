@@ -49,7 +49,7 @@ static enum dom_status limit_point(struct domq_train train, const struct domq_co
     train.q = (domq_real)curve->q;
     train.fuel = curve->fuel;
     *r = DOMQ_NAN;
-    if (domq_dynamics(&train) && train.fuel == DOM_FUEL_PAPER) /* which knows none of them */
+    if (domq_dynamics(&train) && train.fuel == DOM_FUEL_PAPER) /* the closed form has no friction or slope */
         return DOM_OK;
     enum dom_status status =
         curve->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);
