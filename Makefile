@@ -39,7 +39,7 @@ COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/pro
 TYPED   := src/model/model.c src/model/train.c src/model/row/mend.c src/model/row/windows.c src/model/row/placement.c \
            src/model/growth/design.c $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
 MODEL   := $(COMMON) $(TYPED)
-SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c)
+SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c src/shell/*/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
 Q        = $(if $(V),,@)
@@ -314,9 +314,9 @@ guard: built_by_gcc
 
 # ---- Checks ----
 
-C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
+C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c src/*/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
 PAGES   := $(wildcard man/*.[1-9])
-H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h tests/*/*.h)
+H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h tests/*/*.h)
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 

@@ -4,7 +4,7 @@
  * argument by its kind, and expressions with any command as a function. Half of the sessions are safe; the
  * others have a scratch folder, in which every file name stays; see 'make fuzz'.
  */
-#include "commands/grid.h"
+#include "commands/sweeps/grid.h"
 #include "commands/tables.h"
 #include "interpreter/arguments.h"
 #include "interpreter/command.h"

@@ -60,7 +60,7 @@ of_help() {
 
 # The texts that the shell passes to the functions that report errors or print sentences, a literal on a line.
 source_messages() {
-    for source in "$root"/src/shell/*/*.c; do
+    for source in "$root"/src/shell/*/*.c "$root"/src/shell/*/*/*.c; do
         tr '\n' ' ' <"$source" | grep -oE '\b(session_(error|no_answer|report)|expression_fail|wrong|answer_say)\([^;]*;' |
             sed -E 's/" +"//g' | grep -oE '"([^"\\]|\\.)*[a-z]([^"\\]|\\.)*"' || true # a file without messages
     done

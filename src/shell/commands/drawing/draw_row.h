@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef SHELL_DRAW_ROW_H
+#define SHELL_DRAW_ROW_H
+
+#include "commands/drawing/draw_words.h"
+
+/* Draws the session's row. False: an error was reported. */
+bool draw_row(struct session *session, const struct call *call, const struct draw_what *what);
+
+#endif

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef SHELL_FILM_ROW_H
+#define SHELL_FILM_ROW_H
+
+#include "commands/drawing/draw_words.h"
+
+/* Makes the animation of the session's row, or its data. False: an error was reported. */
+bool animate_row(struct session *session, const struct call *call, const struct film_what *what);
+
+#endif

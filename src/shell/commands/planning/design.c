@@ -1,0 +1,374 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Planning: the row that a height, a safety and a hall ask for; and the table of the commands that plan. */
+#include "answer/format.h"
+#include "commands/planning/plan.h"
+#include "commands/planning/planning.h"
+#include "commands/rows/falling.h"
+#include "commands/tables.h"
+#include "interpreter/arguments.h"
+#include "language/quad.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- What the builder wishes ---- */
+
+struct wishes {
+    domq_real safety, hall;
+    enum dom_least least;
+};
+
+static const struct wishes usual = {.safety = 2, .hall = (domq_real)HUGE_VAL, .least = DOM_LEAST_DOMINOES};
+
+static const char *wish_names(const void *context, int k)
+{
+    static const char *const names[] = {"safety", "hall", "minimise", NULL};
+    (void)context;
+    return names[k];
+}
+
+static const char *least_names(const void *context, int k)
+{
+    static const char *const names[] = {
+        [DOM_LEAST_DOMINOES] = "dominoes", [DOM_LEAST_LENGTH] = "length", [DOM_LEAST_MASS] = "mass", NULL};
+    (void)context;
+    return names[k];
+}
+
+/* Reads a name of a list; -1 after an error, which says what would be right. */
+static int read_name(struct reader *r, names_list *list, const char *what, const char *right)
+{
+    char message[NAMES_MESSAGE] = "out of memory";
+    char *word = read_word(r, false);
+    int k = word ? names_find(list, NULL, what, word, message) : -1;
+    free(word);
+    if (k < 0)
+        session_error(r->session, "%s; %s", message, right);
+    return k;
+}
+
+static bool read_wish(struct reader *r, struct wishes *w)
+{
+    static const char form[] = "wishes are 'safety 2', 'hall 20 m' and 'minimise dominoes'";
+    struct quantity q;
+    struct session *session = r->session;
+    int k = read_name(r, wish_names, "wish", form);
+    if (k < 0)
+        return false;
+    r->at = skip_blanks(r->at);
+    session->column = reader_column(r, r->at);
+    if (command_ends(r->at) || *r->at == '>')
+        return session_error(session, "the value of '%s' is missing; %s", wish_names(NULL, k), form);
+    if (k == 2) {
+        int least = read_name(r, least_names, "thing to minimise",
+                              "'minimise dominoes', 'minimise length' or 'minimise mass'");
+        w->least = least < 0 ? w->least : (enum dom_least)least;
+        return least >= 0;
+    }
+    struct argument argument = {.name = wish_names(NULL, k), .kind = k == 0 ? ARGUMENT_ANY : ARGUMENT_HEIGHT};
+    if (!read_quantity(r, &argument, &q, k == 0 ? &w->safety : &w->hall))
+        return false;
+    if (k == 0 && !quantity_bare(q))
+        return session_error(session, "the safety is a number, such as 2: times the energy that is needed");
+    return true;
+}
+
+static bool read_wishes(struct reader *r, struct call *call)
+{
+    struct wishes *w = malloc(sizeof *w);
+    if (!w)
+        return session_status(r->session, DOM_NO_MEMORY);
+    *w = usual;
+    call->own = w;
+    call->own_free = free;
+    r->last = false;
+    for (r->at = skip_blanks(r->at); !command_ends(r->at) && *r->at != '>'; r->at = skip_blanks(r->at)) {
+        r->session->column = reader_column(r, r->at);
+        if (!read_wish(r, w))
+            return false;
+    }
+    return true;
+}
+
+/* ---- The answer ---- */
+
+static const struct column design_columns[] = {
+    {"s", "h", "gap over height", 0},
+    {"r", "", "growth from domino to domino", 0},
+    {"steps", "", "n, with h r^n = H: n + 1 dominoes", 0},
+    {"feet", "m", "length, from the first domino's back to the last one's front", 0},
+    {"length", "m", "length with the last one fallen", 0},
+    {"mass", "kg", "of all, where one is known", 0},
+    {"surface", "m^2", "of all; q = 3: their walls", 0},
+    {"volume", "m^3", "of all; other q: their blocks", 0},
+    {"safety", "", "least energy of a domino over what it needs", 0},
+    {"weakest", "", "the domino with that", 0},
+    {"train", "", "the same of the endless train", 0},
+    {"seconds", "s", "until the last lies, counted as in 'fall'", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static void plan_row(struct answer *a, const struct plan *p, const struct domq_design *d, const char *reason)
+{
+    domq_real mass = 0, of = 0;
+    for (size_t k = 0; p && k < p->count; k++) {
+        mass += p->domino[k].mass;
+        of += plan_material(p, &p->domino[k]);
+    }
+    struct cell none = cell_real(DOMQ_NAN);
+    answer_row(a,
+               ROW(cell_real(d->s), cell_bound(d->r, DOMQ_NAN), p ? cell_count((domq_real)d->steps) : none,
+                   cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
+                   p && p->mass > 0 ? cell_narrow(mass, 5) : none, p && p->hollow ? cell_narrow(of, 5) : none,
+                   p && !p->hollow ? cell_narrow(of, 5) : none, cell_narrow(d->row, 5),
+                   p ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),
+                   cell_narrow(d->seconds, 5)),
+               reason);
+}
+
+/* ---- What would make a wish possible ---- */
+
+/* Returns the largest kinetic energy over barrier that equal dominoes have at any separation. */
+static domq_real equal_ratio(const struct session *session, domq_real mu)
+{
+    struct domq_train train = session->train;
+    struct domq_barrier b;
+    domq_real most = 0;
+    train.mu = mu;
+    train.r = 1;
+    for (int k = 1; k <= 100; k++) {
+        train.s = (domq_real)k / 100;
+        enum dom_status status = domq_barrier_find(&train, &session->compute, &b);
+        if ((status == DOM_OK || status == DOM_STOPS) && b.kinetic / b.barrier > most)
+            most = b.kinetic / b.barrier;
+    }
+    return most;
+}
+
+/* Returns the largest friction, to three digits, with which equal dominoes have the safety; 0: none. */
+static domq_real friction_most(const struct session *session, domq_real safety)
+{
+    domq_real lo = 0, hi = session->train.mu;
+    if (!(hi > 0) || equal_ratio(session, 0) < safety)
+        return 0;
+    while (hi - lo > hi / 2000) {
+        domq_real middle = (lo + hi) / 2;
+        *(equal_ratio(session, middle) >= safety ? &lo : &hi) = middle;
+    }
+    return lo;
+}
+
+/* Rounds to so many digits, up or down. */
+static domq_real rounded(domq_real value, int digits, bool up)
+{
+    domq_real unit = quad(pow)(10, quad(floor)(quad(log10)(value)) - digits + 1);
+    return (up ? quad(ceil)(value / unit) : quad(floor)(value / unit)) * unit;
+}
+
+static void infeasible(const struct session *session, const struct domq_wish *wish,
+                       const struct domq_design *d, char *text, size_t size)
+{
+    char number[WIDE_TEXT], least[WIDE_TEXT], safety[WIDE_TEXT], more[96] = "";
+    domq_real needs = d->needs;
+    quad_text(wish->safety, 6, safety);
+    if (d->limit == DOM_DESIGN_HALL) {
+        snprintf(text, size,
+                 "infeasible: the shortest row with safety %s is %s m long with its last domino fallen; "
+                 "'hall %s m' would do",
+                 safety, quad_text(needs, 4, number), quad_text(rounded(needs, 4, true), 4, least));
+        return;
+    }
+    if (d->limit == DOM_DESIGN_START) {
+        if (isfinite(needs))
+            snprintf(text, size,
+                     "infeasible: the start is too weak for safety %s at the next domino; a push of %s rad/s "
+                     "would do: 'effect row 2; effect push %s' before",
+                     safety, quad_text(rounded(needs, 3, true), 3, number), number);
+        else
+            snprintf(text, size,
+                     "infeasible: the start is too weak for safety %s, and no push that was tried "
+                     "would do; a smaller safety may",
+                     safety);
+        return;
+    }
+    domq_real mu = friction_most(session, wish->safety);
+    if (mu > 0)
+        snprintf(more, sizeof more, "; with a friction up to %s safety %s is possible",
+                 quad_text(rounded(mu, 3, false), 3, least), safety);
+    if (needs > 1)
+        snprintf(text, size, "infeasible: no growth has safety %s here; a safety below %s has one%s", safety,
+                 quad_text(rounded(needs, 4, false), 4, number), more);
+    else
+        snprintf(text, size, "infeasible: not even equal dominoes keep falling here at any gap%s", more);
+}
+
+/* ---- design ---- */
+
+/* Reports an error for what no row can meet. */
+static bool wish_check(struct session *session, const struct domq_wish *w)
+{
+    if (!(w->height > w->first))
+        return session_no_answer(session,
+                                 "H = %s is not taller than the first domino, h = %s; a larger H, or 'set h'",
+                                 measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
+    if (!(w->safety > 1))
+        return session_no_answer(session,
+                                 "safety %s is not above 1: at 1 a domino just falls; 'safety 2' is usual",
+                                 quad_shown(w->safety).text);
+    return w->hall > w->height ||
+           session_no_answer(session,
+                             "a hall of %s has no room for the last domino, which is %s long when it has "
+                             "fallen; a longer hall, or a smaller H",
+                             measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
+}
+
+/* Makes the design the row of the session. */
+static bool design_keep(struct session *session, struct answer *a, const struct domq_design *d)
+{
+    const domq_real count = (domq_real)d->steps + 1;
+    if (!effect_turn(session, DOM_EFFECT_row, &count, 1, NULL))
+        return false;
+    parameter_put(session, parameter_find("s"), d->s);
+    parameter_put(session, parameter_find("r"), d->r);
+    answer_say(
+        a, "\nThis is the session's row now, with its s and r: 'fall' runs it, 'row > hall.csv' writes it, "
+           "'effect row off' ends it.");
+    return true;
+}
+
+static bool run_design(struct session *session, const struct call *call)
+{
+    const struct wishes *w = call->own ? call->own : &usual;
+    struct answer *a = call->answer;
+    const struct effect_state *push = &session->effect[DOM_EFFECT_push];
+    const struct domq_wish wish = {.first = session->scale.h,
+                                   .height = call->number[0],
+                                   .safety = w->safety,
+                                   .hall = w->hall,
+                                   .g = session->scale.g,
+                                   .push = push->on ? push->value[0] : DOMQ_NAN,
+                                   .least = w->least};
+    struct domq_design d;
+    struct plan plan;
+    char reason[256];
+    if (!wish_check(session, &wish))
+        return false;
+    enum dom_status status = domq_design_find(&session->train, &wish, &session->compute, &d);
+    if (status != DOM_OK)
+        return session_status(session, status);
+    answer_holds(a, d.limit == DOM_DESIGN_FITS);
+    if (d.limit != DOM_DESIGN_FITS) {
+        infeasible(session, &wish, &d, reason, sizeof reason);
+        if (session->redirected && !a->style.format->for_people)
+            return session_no_answer(session, "%s", reason);
+        if (answer_for_people(a))
+            answer_say(a, "%s.", reason);
+        else
+            plan_row(a, NULL, &d, reason);
+        return true;
+    }
+    if (!plan_make(session, &d, wish.height, &plan))
+        return false;
+    bool file = session->redirected && !a->style.format->for_people, done = true;
+    if (file)
+        plan_file(a, &plan);
+    else
+        plan_row(a, &plan, &d, NULL);
+    if (answer_for_people(a)) {
+        char least[CELL_TEXT] = "";
+        if (isfinite(d.row))
+            snprintf(least, sizeof least,
+                     " Every domino after the first has at least %.0f %% of the energy that it needs.",
+                     floor(100 * (double)d.row));
+        answer_say(a, "\n%zu dominoes, each %.4g times as large as the one before; the last is %s tall.%s\n",
+                   plan.count, (double)d.r, measured(wish.height, "m", 4).text, least);
+        plan_list(a, &plan);
+    }
+    if (a->out && !a->point)
+        done = design_keep(session, a, &d);
+    free(plan.domino);
+    return done;
+}
+
+const struct command design_commands[] = {
+    {.name = "design",
+     .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
+                  {.name = "WISHES",
+                   .kind = ARGUMENT_GRID,
+                   .optional = true,
+                   .read = read_wishes,
+                   .choices = wish_names}},
+     .summary = "a row whose last domino is H tall, with safety",
+     .help =
+         "Finds the gaps and the growth with which each cycle has at least 'safety' times the energy that it "
+         "needs, in the endless train and at each domino of the row after the first; with the scene's h, d, "
+         "q, "
+         "friction, slope and push. WISHES are 'safety 2' (if left out), 'hall 20 m', which the row with its "
+         "last domino fallen must not exceed, and 'minimise dominoes' (if left out), 'length' or 'mass', in "
+         "any order. The fewest dominoes weigh least. The row becomes the session's; 'design ... > hall.csv' "
+         "writes it, for 'effect row hall.csv'.",
+     .example = "set q hollow; effect friction 0.3; design 8 m",
+     .see = "verdict fall row assert solve",
+     .principal = "steps",
+     .holds = "a row fits the wishes",
+     ANSWER(design)},
+    {.name = "solve",
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .read = solve_read_parameter, .choices = solve_names},
+          {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = solve_read_answer}},
+     .summary = "where an answer takes a value, along a parameter",
+     .help =
+         "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. Finds the values of the "
+         "parameter NAME at which ANSWER has this VALUE, and whether it rises or falls there. ANSWER is a "
+         "command, or an expression with commands as names: 'solve s : rmax(s) - pair(s) = 0.1'. A range "
+         "may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= VALUE', and with a command that "
+         "'assert' takes, finds where its verdict changes: 'solve friction : verdict'. It looks at 241 "
+         "values, and between them; a dip that is narrower can be missed.",
+     .example = "solve d : rmax = 5/3; solve friction : barrier",
+     .see = "sensitivity sweep assert",
+     .unswept = "it varies a parameter itself",
+     .rows = true,
+     ANSWER(solve)},
+    {.name = "sensitivity",
+     .argument =
+         {{.name = "COMMAND", .kind = ARGUMENT_COMMAND, .read = sensitivity_read, .choices = command_names}},
+     .summary = "how much each parameter changes the number of COMMAND",
+     .help =
+         "Changes each parameter of the model down and up, by 1 %; friction by 0.01 and slope by 1 degree, "
+         "also where they are off. Answers the change of the number in percent, the largest first. COMMAND "
+         "may have arguments and a key, 'sensitivity rmax 0.3', 'sensitivity barrier.margin', or be an "
+         "expression, 'sensitivity h*r^10'.",
+     .example = "effect friction 0.2; sensitivity rmax",
+     .see = "solve sweep",
+     .unswept = "it varies the parameters itself",
+     .rows = true,
+     ANSWER(sensitivity)},
+    {.name = "fit",
+     .argument = {{.name = "friction", .kind = ARGUMENT_CHOICE, .of = "thing to fit", .choices = fit_names},
+                  {.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "the friction that explains measured speeds best",
+     .help =
+         "FILE is csv with the columns 'gap (mm)' and 'speed (m/s)', and 'error (m/s)' if it is known: one "
+         "row of equal dominoes a line, with the scene's h and d. Finds the friction with the least squares "
+         "of the residuals, each over its error, or if there are none, over the speed; its standard "
+         "deviation; and the residuals.",
+     .see = "solve duration",
+     .files = true,
+     .rows = true,
+     ANSWER(fit)},
+    {.name = "assert",
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_COMMAND,
+                   .of = "command with a verdict",
+                   .read = assert_read,
+                   .choices = assert_names}},
+     .summary = "an error unless what COMMAND decides is true",
+     .help = "Runs the command, and ends it with an error if its answer is no: the row does not fall, no row "
+             "fits. A script then ends with exit status 1, at once with --bail. COMMAND is verdict, fall, "
+             "design, barrier, count or prove.",
+     .example = "effect row 5; assert verdict",
+     .see = "verdict design barrier count",
+     .unswept = "it asks one scene",
+     .runs = true,
+     .run = run_assert},
+    {.name = NULL},
+};

@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* solve: the values of a parameter at which an answer takes a value, or at which a verdict changes. */
+#include "commands/planning/planning.h"
+#include "commands/planning/scan.h"
+#include "language/quad.h"
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- What is asked ---- */
+
+/* Where a parameter is looked for if no range is given: what builders have; its whole range is too wide. */
+static const struct usual_range {
+    const char *name;
+    double from, to;
+} usual_ranges[] = {{"s", 0.02, 1},     {"r", 1, 4},
+                    {"d", 0.01, 1},     {"q", 1, 6},
+                    {"h", 0.005, 10},   {"g", 0.1, 30},
+                    {"mass", 1e-3, 10}, {"density", 50, 10000},
+                    {"friction", 0, 2}, {"slope", -0.14, 0.14},
+                    {"push", 0, 30},    {"placement", 0, 0.1},
+                    {"floor", 0, 3}};
+
+const char *solve_names(const void *context, int k)
+{
+    (void)context;
+    return k < (int)(sizeof usual_ranges / sizeof *usual_ranges) ? usual_ranges[k].name : NULL;
+}
+
+static const char form[] = "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
+
+static bool read_bound(struct reader *r, const struct parameter *p, const char *name, domq_real *bound)
+{
+    r->at = skip_blanks(r->at);
+    r->session->column = reader_column(r, r->at);
+    if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
+        return session_error(r->session, "%s is missing; the form is %s", name, form);
+    r->stops = ":";
+    bool read = read_value(r, p, 0, p->value->name, bound);
+    r->stops = NULL;
+    return read &&
+           (isfinite(*bound) || session_error(r->session, "%s is a number; the form is %s", name, form));
+}
+
+/* Reads "NAME" or "NAME FROM TO", up to the ':'. */
+bool solve_read_parameter(struct reader *r, struct call *call)
+{
+    struct session *session = r->session;
+    char message[NAMES_MESSAGE] = "out of memory";
+    struct solve *s = calloc(1, sizeof *s);
+    if (!s)
+        return session_status(session, DOM_NO_MEMORY);
+    call->own = s;
+    call->own_free = free;
+    size_t length = strcspn(r->at, " \t:;>");
+    char *word = strndup(r->at, length);
+    int k = word ? names_find(solve_names, NULL, "parameter", word, message) : -1;
+    free(word);
+    if (k < 0)
+        return session_error(session, "%s; the form is %s", message, form);
+    r->at = skip_blanks(r->at + length);
+    s->parameter = parameter_find(usual_ranges[k].name);
+    s->from = (domq_real)usual_ranges[k].from;
+    s->to = (domq_real)usual_ranges[k].to;
+    if (*r->at != ':' && !command_ends(r->at)) {
+        if (!read_bound(r, s->parameter, "FROM", &s->from) || !read_bound(r, s->parameter, "TO", &s->to))
+            return false;
+        if (!(s->from < s->to))
+            return session_error(session, "the range begins at %s and ends at %s; FROM is less than TO",
+                                 quad_shown(s->from).text, quad_shown(s->to).text);
+    }
+    r->at = skip_blanks(r->at);
+    session->column = reader_column(r, r->at);
+    return *r->at == ':' || session_error(session, "':' and an answer are missing; the form is %s", form);
+}
+
+/* Reads ": ANSWER = VALUE", or ": COMMAND" with a verdict. */
+bool solve_read_answer(struct reader *r, struct call *call)
+{
+    struct session *session = r->session;
+    struct solve *s = call->own;
+    r->at = skip_blanks(r->at + 1);
+    session->column = reader_column(r, r->at);
+    if (command_ends(r->at) || *r->at == '>')
+        return session_error(session, "the answer is missing after ':'; the form is %s", form);
+    s->verdict = *text_end(r->at, "=;>") != '=';
+    if (s->verdict)
+        return inquiry_read(r, &s->inquiry) &&
+               ((s->inquiry.command && s->inquiry.command->holds) ||
+                session_error(session,
+                              "'= VALUE' is missing after '%s'; only a command with a verdict, such as "
+                              "'verdict', has no value; the form is %s",
+                              s->inquiry.name, form));
+    if (!inquiry_read_left(r, &s->inquiry))
+        return false;
+    r->at = skip_blanks(r->at + 1);
+    session->column = reader_column(r, r->at);
+    domq_real number;
+    r->last = true;
+    return read_quantity(r, &(struct argument){.name = "VALUE", .kind = ARGUMENT_ANY}, &s->value, &number);
+}
+
+/* ---- The answer ---- */
+
+const struct column solve_columns[] = {
+    {"value", "", "of the parameter", 0},
+    {"answer", "", "there; for a verdict 1 is true", 0},
+    {"branch", "", "whether the answer rises or falls with the parameter", 15},
+    {NULL, NULL, NULL, 0},
+};
+
+static int compare(const void *one, const void *other)
+{
+    domq_real a = ((const struct root *)one)->x, b = ((const struct root *)other)->x;
+    return a < b ? -1 : a > b;
+}
+
+/* Writes why no value was found. */
+static void none_say(const struct scan *s, char *text, size_t size)
+{
+    const struct solve *v = s->solve;
+    const char *name = v->parameter->name, *unit = v->parameter->value->unit;
+    char range[192], least[CELL_TEXT], most[CELL_TEXT];
+    snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_shown(v->from).text, quad_shown(v->to).text,
+             *unit && strcmp(unit, "h") != 0 ? " " : "", strcmp(unit, "h") != 0 ? unit : "");
+    if (s->answers == 0) {
+        snprintf(text, size, "%s has no answer for any %s: %s", v->inquiry.name, range, s->none);
+        return;
+    }
+    if (v->verdict) {
+        snprintf(text, size, "%s: %s for %s %s", v->inquiry.name, v->inquiry.command->holds,
+                 s->most.f > 0 ? "every" : "no", range);
+        return;
+    }
+    snprintf(least, sizeof least, "%s", quad_shown(s->least.f + v->value.value).text);
+    snprintf(most, sizeof most, "%s", quad_shown(s->most.f + v->value.value).text);
+    if (s->most.f < 0 || s->least.f > 0)
+        snprintf(text, size, "%s does not take the value %s for %s: the %s is %s, at %s = %s",
+                 v->inquiry.name, quad_shown(v->value.value).text, range,
+                 s->most.f < 0 ? "largest" : "smallest", s->most.f < 0 ? most : least, name,
+                 quad_shown(s->most.f < 0 ? s->most.x : s->least.x).text);
+    else
+        snprintf(text, size, "%s does not take the value %s for %s: it jumps over it at %s = %s",
+                 v->inquiry.name, quad_shown(v->value.value).text, range, name, quad_shown(s->jump).text);
+}
+
+/* Reports an error if the answer has another unit than the value. */
+static bool units_agree(struct session *session, const struct scan *s)
+{
+    char is[64], wanted[64];
+    struct quantity a = s->probe.unit, b = s->solve->value;
+    if (s->solve->verdict || s->answers == 0)
+        return true;
+    return quantity_bare(b) || quantity_alike(a, b) ||
+           session_error(session, "%s is %s, and VALUE is %s", s->solve->inquiry.name,
+                         expression_kind(a, is, sizeof is), expression_kind(b, wanted, sizeof wanted));
+}
+
+/* Reports an error if the answer is the same everywhere. */
+static bool depends(struct session *session, const struct scan *s)
+{
+    domq_real spread = s->most.f - s->least.f, value = s->most.f + s->solve->value.value;
+    if (s->solve->verdict || s->answers < 2 ||
+        spread > (domq_real)1e-12 * quad(fabs)(value) + 10 * session->compute.tol * quad(fabs)(value))
+        return true;
+    return session_no_answer(
+        session,
+        "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows on "
+        "what it depends",
+        s->solve->inquiry.name, s->solve->parameter->name, quad_shown(value).text,
+        quad_shown(s->solve->from).text, quad_shown(s->solve->to).text);
+}
+
+bool run_solve(struct session *session, const struct call *call)
+{
+    const struct solve *solve = call->own;
+    struct answer *a = call->answer;
+    char reason[1024];
+    struct scan *s = calloc(1, sizeof *s);
+    if (!s)
+        return session_status(session, DOM_NO_MEMORY);
+    s->solve = solve;
+    s->probe = (struct probe){.session = session,
+                              .inquiry = &solve->inquiry,
+                              .parameter = solve->parameter,
+                              .verdict = solve->verdict};
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    bool done = scan_run(s);
+    gsl_set_error_handler(handler);
+    if (!done)
+        probe_report(session, &s->probe);
+    done = done && units_agree(session, s) && depends(session, s);
+    if (done) {
+        struct column *columns = answer_columns(a, solve_columns);
+        columns[0].unit = solve->parameter->value->unit;
+        qsort(s->root, (size_t)s->roots, sizeof *s->root, compare);
+        if (s->roots > 0)
+            answer_largest(a, "value", s->root[s->roots - 1].x);
+    }
+    for (int i = 0; done && i < s->roots && !answer_lost(a); i++)
+        answer_cells(a, cell_bound(s->root[i].x, DOMQ_NAN), cell_bound(s->root[i].answer, DOMQ_NAN),
+                     cell_word(s->root[i].branch));
+    if (done && s->roots == 0) {
+        none_say(s, reason, sizeof reason);
+        if (answer_for_people(a))
+            answer_say(a, "%s.", reason);
+        else
+            answer_row(a, ROW(cell_real(DOMQ_NAN), cell_real(DOMQ_NAN), cell_word("none")), reason);
+    }
+    free(s);
+    return done;
+}

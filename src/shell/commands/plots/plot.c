@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot: curves, bars and maps. */
+#include "commands/costs.h"
+#include "commands/plots/plots.h"
+#include "commands/sweeps/grid.h"
+#include "commands/tables.h"
+#include <string.h>
+
+static const struct column plot_columns[] = {
+    {"theta", "rad", "energy, omega, inertia, chain: tilt of the head", 0},
+    {"dH", "mgh/2", "energy: potential energy of the train, H(theta) - H(0) (19; c1)", 0},
+    {"kinetic", "mgh/2", "energy: J tau^2 omega^2, up to a stop (21; c3); fall: in J where a mass is known",
+     0},
+    {"J", "", "energy, inertia: inertia of the train (20; c2)", 0},
+    {"omegasq", "", "omega: tau^2 omega(theta)^2 (21; c3)", 0},
+    {"omega", "rad/s", "omega: angular velocity of the head", 0},
+    {"i", "", "chain: number of the domino, 0 is the head", 5},
+    {"theta_i", "rad", "chain: its tilt (27; A2)", 0},
+    {"event", "", "energy, omega, inertia, chain: launch, top, fall, stop or hit", 6},
+    {"s", "h", "growth, marginal: separation", 0},
+    {"solid", "", "growth: r_max of solid dominoes, q = 4", 0},
+    {"hollow", "", "growth: r_max of hollow dominoes, q = 3", 0},
+    {"solid_paper", "", "growth paper: the same with the paper's fuel", 0},
+    {"hollow_paper", "", "growth paper: the same with the paper's fuel", 0},
+    {"solid_pair", "", "marginal: r_max of two solid dominoes", 0},
+    {"solid_train", "", "marginal: that of their train", 0},
+    {"hollow_pair", "", "marginal: r_max of two hollow dominoes", 0},
+    {"hollow_train", "", "marginal: that of their train", 0},
+    {"reach", "", "growth, marginal: 1/s", 0},
+    {"domino", "", "fall, speed, gaps: its number, from 1", 6},
+    {"barrier", "mgh/2", "fall: the energy that it needs to go on", 0},
+    {"margin", "mgh/2", "fall: kinetic - barrier", 0},
+    {"spare", "", "fall: margin over barrier; nothing where it needs no energy", 0},
+    {"place", "m", "speed: of its front foot, from that of the first", 0},
+    {"speed", "m/s", "speed: of the front, from its hit to the next hit", 0},
+    {"gap", "m", "gaps: before it, as planned", 0},
+    {"low", "m", "gaps: the narrowest with which all fall", 0},
+    {"high", "m", "gaps: the widest with which all fall", 0},
+    {"others", "", "gaps: whether all fall also with gaps outside these", 6},
+    {"sigma", "m", "placement: standard deviation of every gap", 0},
+    {"probability", "", "placement: that the whole row falls", 0},
+    {"low", "", "placement: lower end of its 95 % interval", 0},
+    {"high", "", "placement: upper end", 0},
+    {"rows", "", "placement: that were set up at each sigma", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static const struct plot {
+    const char *name;
+    plot_run *run;
+    const char *keys; /* of its data */
+    enum follows { NOTHING, ANSWER_NAME, PAPER, ROWS, GRID } follows;
+} plots[] = {
+    {"fall", plot_fall, "domino kinetic barrier margin spare", NOTHING},
+    {"speed", plot_speed, "domino place speed", NOTHING},
+    {"gaps", plot_gaps, "domino gap low high others", NOTHING},
+    {"placement", plot_placement, "sigma probability low high rows", ROWS},
+    {"growth", plot_growth, "s solid hollow solid_paper hollow_paper reach", PAPER},
+    {"marginal", plot_marginal, "s solid_pair solid_train hollow_pair hollow_train reach", NOTHING},
+    {"sweep", plot_sweep, "", GRID},
+    {"energy", plot_energy, "theta dH kinetic J event", NOTHING},
+    {"omega", plot_omega, "theta omegasq omega event", NOTHING},
+    {"inertia", plot_inertia, "theta J event", NOTHING},
+    {"chain", plot_chain, "i theta theta_i event", NOTHING},
+    {"cost", plot_cost, "", ANSWER_NAME},
+    {NULL, NULL, NULL, NOTHING},
+};
+
+static const char *plot_names(const void *context, int k)
+{
+    (void)context;
+    return plots[k].name;
+}
+
+/* ---- What follows the name ---- */
+
+static const char *paper_names(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "paper" : NULL;
+}
+
+/* Reads what the picture takes after its name. */
+static bool read_more(struct reader *r, struct call *call)
+{
+    const struct plot *plot = &plots[(int)call->number[0]];
+    static const struct argument answer = {
+        .name = "NAME", .kind = ARGUMENT_CHOICE, .of = "command with a tolerance", .choices = cost_names};
+    static const struct argument paper = {
+        .name = "paper", .kind = ARGUMENT_CHOICE, .of = "word after 'plot growth'", .choices = paper_names};
+    static const struct argument rows = {.name = "ROWS", .kind = ARGUMENT_COUNT};
+    switch (plot->follows) {
+    case ANSWER_NAME:
+        return read_choice(r, &answer, &call->word[1], &call->number[1]);
+    case PAPER:
+        return read_choice(r, &paper, &call->word[1], &call->number[1]);
+    case ROWS:
+        r->last = true;
+        return read_quantity(r, &rows, &call->quantity[1], &call->number[1]);
+    case GRID:
+        return sweep_read_grid(r, call) && sweep_read_command(r, call);
+    case NOTHING:
+        break;
+    }
+    return session_error(r->session, "'plot %s' takes nothing after it", plot->name);
+}
+
+/* Returns what completion offers as the n-th word after the name of a picture. */
+static names_list *offers(domq_real before, int n)
+{
+    enum follows follows = plots[(int)before].follows;
+    return follows == GRID                    ? grid_names
+           : follows == ANSWER_NAME && n == 1 ? cost_names
+           : follows == PAPER && n == 1       ? paper_names
+                                              : NULL;
+}
+
+/* Chooses the columns of one picture, whose meanings name it, in the order of its keys. */
+static void columns_choose(const struct plot *plot, struct column *chosen)
+{
+    int n = 0;
+    for (const char *key = plot->keys; *key && n + 1 < ANSWER_COLUMNS; key += strspn(key, " ")) {
+        size_t length = strcspn(key, " ");
+        for (const struct column *c = plot_columns; c->key; c++)
+            if (strlen(c->key) == length && strncmp(c->key, key, length) == 0 &&
+                strstr(c->meaning, plot->name))
+                chosen[n++] = *c;
+        key += length;
+    }
+    chosen[n] = (struct column){NULL, NULL, NULL, 0};
+}
+
+static bool run_plot(struct session *session, const struct call *call)
+{
+    const struct plot *plot = &plots[(int)call->number[0]];
+    columns_choose(plot, call->answer->own);
+    call->answer->columns = call->answer->own;
+    call->answer->style.errors = 0; /* a picture needs no bounds */
+    return plot->run(session, call);
+}
+
+const struct command plot_commands[] = {
+    {.name = "plot",
+     .synonyms = "picture image graph figure chart diagram svg png pdf",
+     .argument =
+         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
+          {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .read = read_more, .offers = offers}},
+     .summary = "a picture of the row, of limits, of a cycle, of any sweep",
+     .help =
+         "Of a row: 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
+         "front runs, 'plot gaps' how far each gap may be off, 'plot placement' how likely the whole row "
+         "falls. Of trains: 'plot growth' shows the largest growth, with 'plot growth paper' also for the "
+         "paper's fuel, 'plot marginal' that of two dominoes; 'plot energy', 'plot omega', 'plot inertia' "
+         "and "
+         "'plot chain' one cycle; 'plot cost rmax' what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' "
+         "shows any sweep over one or two parameters. In the terminal it is drawn at once; "
+         "'plot fall > fall.svg' makes a file, .svg, .png or .pdf, by gnuplot. Programs get the data: "
+         "'> FILE.csv', '> FILE.json'.",
+     .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
+     .example = "plot growth",
+     .see = "fall mend placement sweep curve draw",
+     .unswept = "it draws",
+     .draws = true,
+     .rows = true,
+     ANSWER(plot)},
+    {.name = NULL},
+};

@@ -1,0 +1,319 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot fall, speed, gaps: what happens along the row, and how far its gaps may be off. */
+#include "commands/plots/plots.h"
+#include "commands/rows/falling.h"
+#include "commands/walk.h"
+#include "io/terminal.h"
+#include <stdlib.h>
+
+/* A row that was run: what each domino had when it was hit. */
+struct ran {
+    struct scene_row scene;
+    struct domq_fall *fall;
+    size_t count; /* dominoes that were hit */
+    struct domq_verdict verdict;
+};
+
+static bool fall_keep(const struct domq_fall *f, void *context)
+{
+    struct ran *ran = context;
+    ran->fall[ran->count++] = *f;
+    return true;
+}
+
+static void ran_free(struct ran *ran)
+{
+    free(ran->scene.domino);
+    free(ran->fall);
+}
+
+static bool row_ran(struct session *session, bool times, struct ran *ran)
+{
+    *ran = (struct ran){.count = 0};
+    if (!scene_row_make(session, &ran->scene))
+        return false;
+    ran->scene.row.floor = false;
+    ran->fall = calloc(ran->scene.row.count, sizeof *ran->fall);
+    enum dom_status status =
+        ran->fall ? domq_row_run(&ran->scene.row, &ran->scene.compute, times, fall_keep, ran, &ran->verdict)
+                  : DOM_NO_MEMORY;
+    if (status == DOM_OK)
+        return true;
+    ran_free(ran);
+    row_status(session, status);
+    return false;
+}
+
+/* ---- Energy to spare ---- */
+
+/* Returns the share of its barrier that a domino has more than it needs; NaN where the question is idle: the
+ * first, tipped over its edge, has just what it needs. */
+static double spare_of(const struct ran *ran, size_t i)
+{
+    const struct domq_fall *f = &ran->fall[i];
+    bool tipped = f->domino == 1 && isnan(ran->scene.row.push);
+    return tipped || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
+}
+
+/* Says in percent what the picture shows. */
+static void fall_note(const struct ran *ran, char *note, size_t size)
+{
+    const struct domq_verdict *v = &ran->verdict;
+    const struct domq_fall *last = &ran->fall[ran->count - 1];
+    if (v->end == DOM_ROW_STOPS && last->barrier > 0 && isfinite(last->barrier))
+        snprintf(note, size, "Domino %zu stops: it has %.3g %% of the energy that it needs.", v->domino,
+                 100 * (double)(last->kinetic / last->barrier));
+    else if (v->end != DOM_ROW_FALLS)
+        snprintf(note, size, "The row ends at domino %zu: %s.", v->domino, dom_row_end_text(v->end));
+    else if (v->weakest && isfinite(v->spare))
+        snprintf(note, size, "All %zu fall. Domino %zu is the weakest: it has %.3g %% more than it needs.",
+                 ran->scene.row.count, v->weakest, 100 * (double)v->spare);
+    else
+        snprintf(note, size, "All %zu fall.", ran->scene.row.count);
+}
+
+static bool fall_chart(struct session *session, const struct ran *ran)
+{
+    struct chart chart = chart_make();
+    const struct domq_verdict *v = &ran->verdict;
+    double least = HUGE_VAL, most = 0;
+    for (size_t i = 0; i < ran->count; i++) {
+        double spare = 100 * spare_of(ran, i);
+        least = spare > 0 && spare < least ? spare : least;
+        most = isfinite(spare) && spare > most ? spare : most;
+    }
+    bool weak = v->weakest && v->weakest <= ran->count && v->spare >= 0 && isfinite(v->spare);
+    snprintf(chart.title, sizeof chart.title, "Energy to spare, domino by domino");
+    snprintf(chart.x.label, sizeof chart.x.label, "domino");
+    snprintf(chart.y.label, sizeof chart.y.label, "more than it needs, in %%");
+    fall_note(ran, chart.note, sizeof chart.note);
+    chart.x.whole = chart.y.logarithmic = true;
+    chart.x.low = 0.4;
+    chart.x.high = (double)ran->scene.row.count + 0.6;
+    chart.y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 1;
+    /* The axis ends at two hundred times as much: larger bars all say that there is plenty. */
+    chart.y.high = most > chart.y.low ? fmin(1.6 * most, fmax(2e4, 100 * chart.y.low)) : 100 * chart.y.low;
+    struct chart_curve *bars = chart_curve(&chart, CHART_BARS, INK_BLUE, 0, "%s", "");
+    for (size_t i = 0; i < ran->count; i++) {
+        double spare = 100 * spare_of(ran, i);
+        if (spare > 0 && !(weak && ran->fall[i].domino == v->weakest))
+            chart_point(&chart, bars, (double)ran->fall[i].domino, fmin(spare, chart.y.high));
+    }
+    struct chart_curve *idle = NULL;
+    for (size_t i = 0; i < ran->count; i++)
+        if (ran->fall[i].domino > 1 && !(ran->fall[i].barrier > 0)) {
+            idle = idle ? idle : chart_curve(&chart, CHART_BARS, INK_GREY, 0, "needs no energy");
+            chart_point(&chart, idle, (double)ran->fall[i].domino, chart.y.high);
+        }
+    if (weak) {
+        struct chart_curve *red =
+            chart_curve(&chart, CHART_BARS, INK_RED, 0, "the weakest, domino %zu", v->weakest);
+        chart_point(&chart, red, (double)v->weakest, fmax(100 * (double)v->spare, chart.y.low));
+    }
+    if (v->end != DOM_ROW_FALLS) {
+        struct chart_curve *end =
+            chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "here it ends, domino %zu", v->domino);
+        chart_point(&chart, end, (double)v->domino, chart.y.low);
+    }
+    return chart_show(session, &chart);
+}
+
+bool plot_fall(struct session *session, const struct call *call)
+{
+    struct ran ran;
+    bool people = answer_for_people(call->answer);
+    if ((people && !chart_ready(session)) || !row_ran(session, false, &ran))
+        return false;
+    if (scene_weighed(session) && !people)
+        columns_in_joules(call->answer);
+    for (size_t i = 0; i < ran.count && !people; i++) {
+        const struct domq_fall *f = &ran.fall[i];
+        bool known = isfinite(f->barrier);
+        answer_cells(call->answer, cell_count((domq_real)f->domino), cell_real(f->kinetic),
+                     cell_real(known ? f->barrier : DOMQ_NAN), cell_real(known ? f->margin : DOMQ_NAN),
+                     cell_real((domq_real)spare_of(&ran, i)));
+    }
+    bool idle = people && ran.scene.row.count == 1 && isnan(spare_of(&ran, 0));
+    if (idle)
+        session_no_answer(session,
+                          "the only domino is tipped over its edge, and needs no energy; 'effect row 5' "
+                          "sets up five");
+    bool shown = !people || (!idle && fall_chart(session, &ran));
+    ran_free(&ran);
+    return shown;
+}
+
+/* ---- Speed of the front ---- */
+
+/* Returns the speed from the hit of a domino to that of the next; NaN where there is none. */
+static double speed_of(const struct ran *ran, size_t i)
+{
+    size_t next = ran->fall[i].domino; /* as an index */
+    if (next >= ran->scene.row.count || i + 1 >= ran->count)
+        return (double)NAN;
+    const struct domq_domino *d = &ran->scene.domino[next];
+    return (double)((d->gap + d->thickness) / ran->fall[i].duration);
+}
+
+static double place_of(const struct ran *ran, size_t i)
+{
+    domq_real place = 0;
+    for (size_t k = 1; k < ran->fall[i].domino; k++)
+        place += ran->scene.domino[k].gap + ran->scene.domino[k].thickness;
+    return (double)place;
+}
+
+static bool speed_chart(struct session *session, const struct ran *ran)
+{
+    struct chart chart = chart_make();
+    double metres, last = (double)NAN;
+    const char *unit = plot_length(place_of(ran, ran->count - 1), &metres);
+    snprintf(chart.title, sizeof chart.title, "Speed of the front along the row");
+    snprintf(chart.x.label, sizeof chart.x.label, "distance from the first domino in %s", unit);
+    snprintf(chart.y.label, sizeof chart.y.label, "speed in m/s");
+    if (ran->verdict.end == DOM_ROW_FALLS && isfinite(ran->verdict.seconds))
+        snprintf(chart.note, sizeof chart.note, "All %zu fall; the last lies after %.4g s.",
+                 ran->scene.row.count, (double)ran->verdict.seconds);
+    else
+        snprintf(chart.note, sizeof chart.note, "The row ends at domino %zu: %s.", ran->verdict.domino,
+                 dom_row_end_text(ran->verdict.end));
+    enum { DOTS = 120 }; /* more of them would hide the curve */
+    chart.x.low = chart.y.low = 0;
+    struct chart_curve *front = chart_curve(&chart, CHART_STEPS, INK_BLUE, 0, "%s", "");
+    struct chart_curve *hits =
+        ran->count <= DOTS ? chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit") : NULL;
+    for (size_t i = 0; i < ran->count; i++) {
+        double speed = speed_of(ran, i), at = place_of(ran, i) / metres;
+        chart_point(&chart, front, at, isnan(speed) ? last : speed);
+        if (hits)
+            chart_point(&chart, hits, at, speed);
+        last = speed;
+    }
+    return chart_show(session, &chart);
+}
+
+bool plot_speed(struct session *session, const struct call *call)
+{
+    struct ran ran;
+    bool people = answer_for_people(call->answer);
+    if ((people && !chart_ready(session)) || !row_ran(session, true, &ran))
+        return false;
+    for (size_t i = 0; i < ran.count && !people; i++)
+        answer_cells(call->answer, cell_count((domq_real)ran.fall[i].domino),
+                     cell_real((domq_real)place_of(&ran, i)), cell_real((domq_real)speed_of(&ran, i)));
+    bool runs = false;
+    for (size_t i = 0; i < ran.count && !runs; i++)
+        runs = !isnan(speed_of(&ran, i));
+    if (people && !runs)
+        session_no_answer(session, ran.scene.row.count == 1
+                                       ? "a front needs two dominoes; 'effect row 5' sets up five"
+                                       : "the row ends before the front has a speed; 'fall' shows where, and "
+                                         "'mend' finds what saves it");
+    bool shown = !people || (runs && speed_chart(session, &ran));
+    ran_free(&ran);
+    return shown;
+}
+
+/* ---- Windows of the gaps ---- */
+
+static void gaps_progress(size_t done, size_t of, void *context)
+{
+    progress_show(context, (double)done / (double)of);
+}
+
+/* "4.04 cm", in the unit that suits the length. */
+static const char *length_text(domq_real length, char text[24])
+{
+    double metres;
+    const char *unit = plot_length((double)length, &metres);
+    snprintf(text, 24, "%.3g %s", (double)length / metres, unit);
+    return text;
+}
+
+/* Says which gap must be kept most precisely, or which change saves the row. */
+static void gaps_note(const struct domq_window *w, size_t count, bool falls, char *note, size_t size)
+{
+    size_t tight = count;
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < count; i++) {
+        double room =
+            (double)(falls ? fmin((double)(w[i].now - w[i].low), (double)(w[i].high - w[i].now))
+                           : fmin(fabs((double)(w[i].low - w[i].now)), fabs((double)(w[i].high - w[i].now))));
+        if (room < least) {
+            least = room;
+            tight = i;
+        }
+    }
+    if (tight == count) {
+        snprintf(note, size, "The row does not fall, and no change of a single gap saves it.");
+        return;
+    }
+    const struct domq_window *t = &w[tight];
+    char gap[24], less[24], more[24];
+    if (falls)
+        snprintf(note, size, "The tightest: the gap before domino %zu, %s, may be %s narrower or %s wider.",
+                 t->domino, length_text(t->now, gap), length_text(t->now - t->low, less),
+                 length_text(t->high - t->now, more));
+    else
+        snprintf(note, size, "The row does not fall as planned. It does with %s to %s before domino %zu.",
+                 length_text(t->low, less), length_text(t->high, more), t->domino);
+}
+
+static bool gaps_chart(struct session *session, const struct domq_window *w, size_t count)
+{
+    struct chart chart = chart_make();
+    double longest = 0, widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL, metres;
+    bool falls = false;
+    for (size_t i = 0; i < count; i++) {
+        double gap = (double)w[i].now;
+        longest = fmax(longest, fmax(gap, isnan((double)w[i].high) ? 0 : (double)w[i].high));
+        widest = fmax(widest, gap);
+        narrowest = gap > 0 ? fmin(narrowest, gap) : narrowest;
+        lowest = w[i].low > 0 ? fmin(lowest, (double)w[i].low) : lowest;
+        falls = falls || (w[i].low <= w[i].now && w[i].now <= w[i].high);
+    }
+    const char *unit = plot_length(longest, &metres);
+    snprintf(chart.title, sizeof chart.title, "How far each gap may be off, the others being as planned");
+    snprintf(chart.x.label, sizeof chart.x.label, "gap before domino");
+    snprintf(chart.y.label, sizeof chart.y.label, "gap in %s", unit);
+    gaps_note(w, count, falls, chart.note, sizeof chart.note);
+    chart.x.whole = true;
+    chart.y.logarithmic = widest > 3 * narrowest;
+    chart.y.low = chart.y.logarithmic ? fmin(lowest, narrowest) / metres / 1.5 : 0;
+    struct chart_curve *range = chart_curve(&chart, CHART_RANGES, INK_BLUE, 0, "all fall");
+    struct chart_curve *planned = chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "planned");
+    for (size_t i = 0; i < count; i++) {
+        double x = (double)w[i].domino;
+        chart_range(&chart, range, x, (double)NAN, fmax((double)w[i].low / metres, chart.y.low),
+                    (double)w[i].high / metres);
+        chart_point(&chart, planned, x, fmax((double)w[i].now / metres, chart.y.low));
+    }
+    return chart_show(session, &chart);
+}
+
+bool plot_gaps(struct session *session, const struct call *call)
+{
+    struct scene_row scene;
+    struct progress progress = {0, 0};
+    bool people = answer_for_people(call->answer), done = false;
+    if ((people && !chart_ready(session)) || !scene_row_make(session, &scene))
+        return false;
+    size_t count = scene.row.count - 1;
+    struct domq_window *w = calloc(count ? count : 1, sizeof *w);
+    enum dom_status status =
+        w ? domq_row_windows(&scene.row, &scene.compute, DOM_WINDOW_GAP, gaps_progress, &progress, w)
+          : DOM_NO_MEMORY;
+    progress_show(&progress, 1);
+    if (status != DOM_OK)
+        row_status(session, status);
+    else if (count == 0)
+        session_no_answer(session, "a row of one domino has no gap");
+    else
+        done = !people || gaps_chart(session, w, count);
+    for (size_t i = 0; i < count && done && !people; i++)
+        answer_cells(call->answer, cell_count((domq_real)w[i].domino), cell_real(w[i].now),
+                     cell_real(w[i].low), cell_real(w[i].high), cell_flag(w[i].others));
+    free(scene.domino);
+    free(w);
+    return done;
+}

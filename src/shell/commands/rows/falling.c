@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/rows/falling.h"
+#include "language/quad.h"
+
+const char locks_farther_on[] =
+    "its energy is too small, and farther on friction locks, so that no energy is enough";
+
+struct cell cell_narrow(domq_real value, int digits)
+{
+    struct cell cell = cell_bound(value, DOMQ_NAN);
+    cell.digits = digits;
+    return cell;
+}
+
+bool row_status(struct session *session, enum dom_status status)
+{
+    enum dom_precision precision = session->compute.precision;
+    if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
+        return session_status(session, status);
+    return session_no_answer(session,
+                             "the dominoes of this row become larger or smaller than %s precision can hold; "
+                             "use fewer dominoes or a smaller r%s",
+                             domq_arithmetic(precision)->name,
+                             precision == DOM_QUAD ? "" : ", or 'set precision quad'");
+}
+
+struct measured share_text(domq_real share)
+{
+    int digits = share < 1 ? 2 : 3, most = 12;
+    domq_real off = quad(fabs)(1 - share), unit = (domq_real)1 / 200; /* half of 1 % */
+    for (; off > 0 && off < unit && digits < most; digits++)
+        unit /= 10;
+    return measured(share, "share", digits);
+}
+
+domq_real fall_share(const struct domq_fall *f)
+{
+    return f->barrier > 0 && isfinite(f->barrier) ? f->kinetic / f->barrier : DOMQ_NAN;
+}
+
+/* Prints that all dominoes fall. */
+static void all_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v, bool timed)
+{
+    size_t count = scene->row.count;
+    const char *start = isnan(scene->row.push) ? "first hit" : "push";
+    if (!timed)
+        answer_say(a, "All %zu fall: no gap has to change.", count);
+    else if (count == 1)
+        answer_say(a, isnan(scene->row.push) ? "It falls." : "It falls, and lies %.4g s after the push.",
+                   (double)v->seconds);
+    else if (isfinite(v->seconds))
+        answer_say(a, "All %zu fall; the last lies %.4g s after the %s.", count, (double)v->seconds, start);
+    else
+        answer_say(a, "All %zu fall, but one almost stops, so that its time cannot be computed.", count);
+}
+
+/* Prints where the row ends, and why. */
+static void end_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v,
+                    const struct domq_fall *last)
+{
+    size_t count = scene->row.count;
+    if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
+        answer_say(a, "The row stops at domino %zu of %zu, which has %s of the energy that it needs.%s",
+                   v->domino, count, share_text(fall_share(last)).text,
+                   count > 1 ? " 'mend' looks for a change that saves the row." : "");
+    else
+        answer_say(a, "The row ends at domino %zu of %zu: %s.", v->domino, count,
+                   v->end == DOM_ROW_STOPS ? locks_farther_on : dom_row_end_text(v->end));
+}
+
+/* The share from which energy is shown as a multiple. */
+#define MANY 10
+
+void verdict_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v,
+                 const struct domq_fall *last, bool timed)
+{
+    bool falls = v->end == DOM_ROW_FALLS;
+    if (falls)
+        all_say(a, scene, v, timed);
+    else
+        end_say(a, scene, v, last);
+    if (v->weakest == 0 || !isfinite(v->spare))
+        return;
+    const char *which = falls ? "" : "Of the dominoes before it, ";
+    if (v->spare + 1 < MANY)
+        answer_say(a, "%s%comino %zu has the least to spare: it has %s of the energy that it needs.", which,
+                   falls ? 'D' : 'd', v->weakest, share_text(v->spare + 1).text);
+    else
+        answer_say(a, "%s%comino %zu has the least to spare: it has %.3g times the energy that it needs.",
+                   which, falls ? 'D' : 'd', v->weakest, (double)v->spare + 1);
+}

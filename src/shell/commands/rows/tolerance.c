@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* tolerance: how far each domino of a row may be off, so that all still fall. */
+#include "commands/rows/falling.h"
+#include "commands/tables.h"
+#include "io/terminal.h"
+#include "language/quad.h"
+#include <stdlib.h>
+
+const struct column tolerance_columns[] = {
+    {"domino", "", "its number, from 1", 6},
+    {"place", "m", "from the back of domino 1 to its own back", 8},
+    {"from", "m", "all fall with places from here ...", 8},
+    {"to", "m", "... to here, if it alone moves", 8},
+    {"gap", "m", "free distance to the domino before it", 8},
+    {"gap_low", "m", "all fall with gaps from here ...", 8},
+    {"gap_high", "m", "... to here, if all after it move along", 8},
+    {"height", "m", "its height", 8},
+    {"height_low", "m", "all fall with heights from here ...", 10},
+    {"height_high", "m", "... to here; its mass changes with it", 11},
+    {"friction_low", "", "all fall with a friction between dominoes from here ...", 8},
+    {"friction_high", "", "... to here; 2 or more is not tried", 8},
+    {"first", "", "what fails first at this domino, of all: place, height or both", 6},
+    {NULL, NULL, NULL, 0},
+};
+
+/* The windows of a row; friction has one. */
+struct windows {
+    struct domq_window *place, *gap, *height, friction; /* of domino k, from 0: [k]; place and gap from 1 */
+    size_t first_place, first_height;                   /* numbers of the dominoes; 0: none */
+    bool falls;
+};
+
+struct pass {
+    struct progress progress;
+    int number;
+};
+
+enum { PASSES = 4 };
+
+static void pass_progress(size_t done, size_t of, void *context)
+{
+    struct pass *p = context;
+    progress_show(&p->progress, (p->number + (double)done / (double)of) / PASSES);
+}
+
+/* Returns how far the value is from the closer end of its window. */
+static domq_real room(const struct domq_window *w)
+{
+    return quad_smaller(w->now - w->low, w->high - w->now);
+}
+
+/* Finds the dominoes whose place and whose height have the least room: lengths, and shares of the height. */
+static void first_find(struct windows *w, size_t count)
+{
+    domq_real place = DOMQ_NAN, height = DOMQ_NAN;
+    for (size_t k = 0; k < count && w->falls; k++) {
+        domq_real share = room(&w->height[k]) / w->height[k].now;
+        if (!(share >= height)) {
+            height = share;
+            w->first_height = k + 1;
+        }
+        if (k > 0 && !(room(&w->place[k]) >= place)) {
+            place = room(&w->place[k]);
+            w->first_place = k + 1;
+        }
+    }
+}
+
+/* Finds all windows of the row; w->place is to be freed. */
+static enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
+{
+    struct pass pass = {{0, 0}, 0};
+    const size_t count = scene->row.count;
+    struct domq_verdict v;
+    *w = (struct windows){.place = malloc(3 * count * sizeof *w->place)};
+    if (!w->place)
+        return DOM_NO_MEMORY;
+    w->gap = w->place + count;
+    w->height = w->gap + count;
+    enum dom_status status = domq_row_run(&scene->row, &scene->compute, false, NULL, NULL, &v);
+    w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
+    struct domq_window *const found[PASSES] = {w->place + 1, w->gap + 1, w->height, &w->friction};
+    static const enum dom_window_of of[PASSES] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
+                                                  DOM_WINDOW_FRICTION};
+    for (; pass.number < PASSES && status == DOM_OK; pass.number++)
+        status = domq_row_windows(&scene->row, &scene->compute, of[pass.number], pass_progress, &pass,
+                                  found[pass.number]);
+    progress_show(&pass.progress, 1);
+    const struct domq_window none = {
+        .now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN}; /* domino 1 has no gap */
+    w->place[0] = w->gap[0] = none;
+    if (status == DOM_OK)
+        first_find(w, count);
+    return status;
+}
+
+/* ---- For people: rounded inwards ---- */
+
+/* Returns the window with ends that a person can read, at most a hundredth of it inside. */
+static struct domq_window readable(const struct domq_window *w)
+{
+    struct domq_window r = *w;
+    domq_real wide = w->high - w->low;
+    if (!(wide > 0))
+        return r;
+    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(wide / 100)));
+    r.low = quad(ceil)(w->low / digit) * digit;
+    r.high = quad(floor)(w->high / digit) * digit;
+    return r;
+}
+
+enum { DIGITS = 6 };
+
+static struct measured length(domq_real value)
+{
+    return measured(value, "m", DIGITS);
+}
+
+static void friction_say(struct answer *a, const struct windows *w)
+{
+    const struct domq_window f = readable(&w->friction);
+    char low[WIDE_TEXT], high[WIDE_TEXT], now[WIDE_TEXT], from[WIDE_TEXT + 8] = "";
+    quad_text(f.now, 4, now);
+    quad_text(f.low, DIGITS, low);
+    quad_text(f.high, DIGITS, high);
+    if (f.low > 0)
+        snprintf(from, sizeof from, "from %s ", low);
+    if (isnan(f.low))
+        answer_say(a, "No other friction between the dominoes saves this row; it is %s now.", now);
+    else if (!w->falls)
+        answer_say(a, "With a friction between the dominoes %sup to %s all would fall; it is %s now.", from,
+                   high, now);
+    else
+        answer_say(a, "All fall with a friction between the dominoes %sup to %s%s; it is %s now.", from, high,
+                   f.above == DOM_ROW_FALLS ? " (more is not tried)" : "", now);
+}
+
+static void tolerance_say(struct answer *a, const struct windows *w, size_t count)
+{
+    answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each. A window is of one "
+                  "change, the rest of the row being as it is.");
+    if (!w->falls)
+        answer_say(a, "The row does not fall now: a change into one of these windows saves it.");
+    if (w->first_place) {
+        const struct domq_window p = readable(&w->place[w->first_place - 1]);
+        answer_say(a, "Place domino %zu between %s and %s: it has the least room of all, and is at %s now.",
+                   w->first_place, length(p.low).text, length(p.high).text, length(p.now).text);
+    }
+    if (w->first_height) {
+        const struct domq_window h = readable(&w->height[w->first_height - 1]);
+        answer_say(a,
+                   "Make domino %zu between %s and %s tall: its height has the least room%s; it is %s now.",
+                   w->first_height, length(h.low).text, length(h.high).text, count > 1 ? " of all" : "",
+                   length(h.now).text);
+    }
+    friction_say(a, w);
+}
+
+/* ---- The answer ---- */
+
+/* Chooses what a person reads, and the units by the largest of each column. */
+static void tolerance_columns_choose(struct answer *a, const struct windows *w, size_t count)
+{
+    domq_real place = 0, gap = 0, height = 0;
+    if (answer_for_people(a)) {
+        static const char *const left_out[] = {"place", "gap", "height", "friction_low", "friction_high"};
+        for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
+            answer_leave_out(a, left_out[i]);
+    }
+    for (size_t k = 0; k < count; k++) { /* a NaN is never larger */
+        place = w->place[k].high > place ? w->place[k].high : place;
+        gap = w->gap[k].high > gap ? w->gap[k].high : gap;
+        height = w->height[k].high > height ? w->height[k].high : height;
+    }
+    answer_largest(a, "from", place);
+    answer_largest(a, "to", place);
+    answer_largest(a, "gap_low", gap);
+    answer_largest(a, "gap_high", gap);
+    answer_largest(a, "height_low", height);
+    answer_largest(a, "height_high", height);
+}
+
+static struct cell value(domq_real value)
+{
+    return cell_narrow(value, DIGITS);
+}
+
+static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
+{
+    const struct domq_window p = w->place[k], g = w->gap[k], h = w->height[k], f = w->friction;
+    bool place = w->first_place == k + 1, height = w->first_height == k + 1;
+    struct cell first = cell_word(place && height ? "both" : place ? "place" : height ? "height" : "");
+    if (answer_for_people(a)) {
+        const struct domq_window q = readable(&p), i = readable(&g), j = readable(&h);
+        answer_row(a,
+                   ROW(cell_count((domq_real)k + 1), value(q.low), value(q.high), value(i.low), value(i.high),
+                       value(j.low), value(j.high), first),
+                   NULL);
+    } else
+        answer_row(a,
+                   ROW(cell_count((domq_real)k + 1), value(p.now), value(p.low), value(p.high), value(g.now),
+                       value(g.low), value(g.high), value(h.now), value(h.low), value(h.high), value(f.low),
+                       value(f.high), first),
+                   w->falls || !isnan(p.low) || !isnan(g.low) || !isnan(h.low)
+                       ? NULL
+                       : "no change of this domino alone saves the row");
+}
+
+bool run_tolerance(struct session *session, const struct call *call)
+{
+    struct scene_row scene;
+    struct windows w;
+    struct answer *a = call->answer;
+    if (!scene_row_make(session, &scene))
+        return false;
+    scene.row.floor = false;
+    enum dom_status status = windows_find(&scene, &w);
+    if (status == DOM_OK) {
+        tolerance_columns_choose(a, &w, scene.row.count);
+        for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++)
+            tolerance_row(a, &w, k);
+        tolerance_say(a, &w, scene.row.count);
+    }
+    free(w.place);
+    free(scene.domino);
+    return status == DOM_OK || row_status(session, status);
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep: its row of the table of commands, which knows its answer (sweep.c) and its picture (plot_sweep.c).
+ */
+#include "commands/plots/plots.h"
+#include "commands/sweeps/grid.h"
+#include "commands/tables.h"
+
+/* The columns follow from the arguments. */
+static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
+
+const struct command sweep_commands[] = {
+    {.name = "sweep",
+     .synonyms = "loop batch table scan grid",
+     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID, .read = sweep_read_grid, .choices = grid_names},
+                  {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = sweep_read_command}},
+     .summary = "the answers of a command over a grid of any parameters",
+     .help =
+         "GRID has a part for each parameter or effect: NAME FROM TO N is N values in equal steps, NAME FROM "
+         "TO N log is N values with equal ratios, and NAME VALUE, VALUE, ... is a list. The first parameter "
+         "changes slowest. ANSWER is a command; its arguments are evaluated at each point, as in 'sweep s "
+         "0.1 0.9 9 : count 112 0.9*rmax'. A row has the values of the point, then the answer, which may "
+         "take several rows. For a point without an answer, csv and json give the reason. The parameters "
+         "of the session do not change. Points are computed on all cores ('set threads'); the rows are the "
+         "same bytes on any number of cores. 'domino --shard 2/7' gives the second of seven parts.",
+     .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
+     .see = "curve set effect",
+     .columns = sweep_answers,
+     .unswept = "name all parameters in one grid",
+     .rows = true,
+     .run = run_sweep,
+     .picture = plot_sweep},
+    {.name = NULL},
+};
