@@ -66,3 +66,10 @@ struct measured measured_share(domq_real value, int digits)
         said = measured(value, "share", ++digits);
     return said;
 }
+
+struct axis_unit measure_axis(double longest)
+{
+    return longest >= 2     ? (struct axis_unit){"m", 1}
+           : longest >= 0.2 ? (struct axis_unit){"cm", 0.01}
+                            : (struct axis_unit){"mm", 0.001};
+}

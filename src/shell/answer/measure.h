@@ -43,4 +43,14 @@ struct measured measured(domq_real value, const char *unit, int digits);
 /* Returns the same with as many digits as keep the value apart from 1: "99.97 %" is not "100 %". */
 struct measured measured_share(domq_real value, int digits);
 
+/* The unit of an axis or a ruler, and its size in m. */
+struct axis_unit {
+    const char *name;
+    double size;
+};
+
+/* Returns the unit for lengths up to `longest` m: mm below 0.2 m, cm below 2 m, else m. A column of numbers
+ * changes to the next unit earlier, since a ruler has room for three digits before the point. */
+struct axis_unit measure_axis(double longest);
+
 #endif

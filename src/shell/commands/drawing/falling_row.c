@@ -105,13 +105,6 @@ bool row_weakest_is(const struct falling_row *row, size_t k)
     return row->count > 1 && k + 1 == row->verdict.weakest && isfinite(row->verdict.spare);
 }
 
-struct row_unit row_unit(double length)
-{
-    return length >= 2     ? (struct row_unit){"m", 1}
-           : length >= 0.2 ? (struct row_unit){"cm", 0.01}
-                           : (struct row_unit){"mm", 0.001};
-}
-
 double row_step(double least)
 {
     double ten = (double)quad(pow)(10, quad(floor)(quad(log10)((domq_real)least)));

@@ -40,13 +40,6 @@ struct drawn falling_row_domino(const struct falling_row *row, size_t k, double 
 bool row_ends_at(const struct falling_row *row, size_t k);
 bool row_weakest_is(const struct falling_row *row, size_t k);
 
-/* The unit of a tape measure, and its size in m. */
-struct row_unit {
-    const char *name;
-    double size;
-};
-struct row_unit row_unit(double length);
-
 /* Returns 1, 2 or 5 times a power of ten, the least that is not below this. */
 double row_step(double least);
 

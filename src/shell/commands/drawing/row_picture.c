@@ -69,7 +69,7 @@ static void script_tics(FILE *script, const char *axis, double from, double to, 
 void script_view(FILE *script, const struct view *v)
 {
     double across = v->right - v->left;
-    struct row_unit of = row_unit(across);
+    struct axis_unit of = measure_axis(across);
     double unit = of.size;
     const char *name = of.name;
     fprintf(script,

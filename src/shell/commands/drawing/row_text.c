@@ -73,7 +73,7 @@ static void line_write(FILE *out, const char *head, const char *line, int width)
 static void ground_write(const struct grid *g, const struct falling_row *row, FILE *out)
 {
     char line[WIDTH_MOST + 1], text[64];
-    struct row_unit unit = row_unit(g->unit * g->width);
+    struct axis_unit unit = measure_axis(g->unit * g->width);
     double step = row_step(9 * g->unit / unit.size) * unit.size;
     memset(line, '-', sizeof line);
     for (int k = 0; k * step < g->left + g->unit * g->width; k++)
@@ -141,7 +141,7 @@ static void canvas_domino(struct canvas *c, const struct grid *g, const struct f
 
 /* Draws the dominoes in as many lines as they need of the grid. */
 static bool braille_write(struct grid *g, const struct falling_row *row, const double *tilt, size_t head,
-                          struct look look, double step, struct row_unit unit, FILE *out)
+                          struct look look, double step, struct axis_unit unit, FILE *out)
 {
     struct canvas c;
     double top = 0;
@@ -175,7 +175,7 @@ bool row_text(const struct falling_row *row, const double *tilt, size_t head, do
 {
     struct grid g = {.width = (width < WIDTH_MOST ? width : WIDTH_MOST) - LEFT, .height = height - BELOW};
     double across = right / g.width, up = 1.02 * row->tallest / (2 * g.height);
-    struct row_unit unit = row_unit(right);
+    struct axis_unit unit = measure_axis(right);
     g.unit = across > up ? across : up;
     g.left = -g.unit;
     double step = row_step(6 * g.unit / unit.size) * unit.size;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot placement: the probability that the whole row falls, against the errors of its gaps. */
+#include "answer/measure.h"
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -60,10 +61,9 @@ static double share(const struct domq_study *s)
 static bool likely_chart(struct session *session, const struct likely *l)
 {
     struct chart chart = chart_make();
-    double metres;
-    const char *unit = plot_length((double)l->sigma[SIGMAS - 1], &metres);
+    const struct axis_unit unit = measure_axis((double)l->sigma[SIGMAS - 1]);
     snprintf(chart.title, sizeof chart.title, "How likely the whole row of %zu falls", l->scene.row.count);
-    snprintf(chart.x.label, sizeof chart.x.label, "standard deviation of every gap in %s", unit);
+    snprintf(chart.x.label, sizeof chart.x.label, "standard deviation of every gap in %s", unit.name);
     snprintf(chart.y.label, sizeof chart.y.label, "rows that fall, in %%");
     chart.x.low = chart.y.low = 0;
     chart.y.high = 104;
@@ -73,16 +73,16 @@ static bool likely_chart(struct session *session, const struct likely *l)
     for (int k = 0; k < SIGMAS; k++)
         unknown = unknown || l->study[k].unknown > 0;
     for (int k = 0; k < SIGMAS; k++)
-        chart_range(&chart, curve, (double)l->sigma[k] / metres, 100 * share(&l->study[k]),
+        chart_range(&chart, curve, (double)l->sigma[k] / unit.size, 100 * share(&l->study[k]),
                     100 * l->study[k].low, 100 * l->study[k].high);
     struct chart_curve *most = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "95 %%");
     chart_point(&chart, most, 0, 95);
-    chart_point(&chart, most, (double)l->sigma[SIGMAS - 1] / metres, 95);
+    chart_point(&chart, most, (double)l->sigma[SIGMAS - 1] / unit.size, 95);
     if (unknown)
         snprintf(chart.note, sizeof chart.note,
                  "Rows that the model cannot decide widen the intervals upwards.");
     if (l->now > 0)
-        chart_event(&chart, (double)l->now / metres, "now");
+        chart_event(&chart, (double)l->now / unit.size, "now");
     return chart_show(session, &chart);
 }
 

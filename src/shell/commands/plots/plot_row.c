@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot fall, speed, gaps: what happens along the row, and how far its gaps may be off. */
+#include "answer/measure.h"
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "commands/walk.h"
@@ -166,10 +167,10 @@ static double place_of(const struct ran *ran, size_t i)
 static bool speed_chart(struct session *session, const struct ran *ran)
 {
     struct chart chart = chart_make();
-    double metres, last = (double)NAN;
-    const char *unit = plot_length(place_of(ran, ran->count - 1), &metres);
+    double last = (double)NAN;
+    const struct axis_unit unit = measure_axis(place_of(ran, ran->count - 1));
     snprintf(chart.title, sizeof chart.title, "Speed of the front along the row");
-    snprintf(chart.x.label, sizeof chart.x.label, "distance from the first domino in %s", unit);
+    snprintf(chart.x.label, sizeof chart.x.label, "distance from the first domino in %s", unit.name);
     snprintf(chart.y.label, sizeof chart.y.label, "speed in m/s");
     if (ran->verdict.end == DOM_ROW_FALLS && isfinite(ran->verdict.seconds))
         snprintf(chart.note, sizeof chart.note, "All %zu fall; the last lies after %.4g s.",
@@ -183,7 +184,7 @@ static bool speed_chart(struct session *session, const struct ran *ran)
     struct chart_curve *hits =
         ran->count <= DOTS ? chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit") : NULL;
     for (size_t i = 0; i < ran->count; i++) {
-        double speed = speed_of(ran, i), at = place_of(ran, i) / metres;
+        double speed = speed_of(ran, i), at = place_of(ran, i) / unit.size;
         chart_point(&chart, front, at, isnan(speed) ? last : speed);
         if (hits)
             chart_point(&chart, hits, at, speed);
@@ -221,15 +222,6 @@ static void gaps_progress(size_t done, size_t of, void *context)
     progress_show(context, (double)done / (double)of);
 }
 
-/* "4.04 cm", in the unit that suits the length. */
-static const char *length_text(domq_real length, char text[24])
-{
-    double metres;
-    const char *unit = plot_length((double)length, &metres);
-    snprintf(text, 24, "%.3g %s", (double)length / metres, unit);
-    return text;
-}
-
 /* Says which gap must be kept most precisely, or which change saves the row. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, char *note, size_t size)
 {
@@ -249,20 +241,21 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, cha
         return;
     }
     const struct domq_window *t = &w[tight];
-    char gap[24], less[24], more[24];
     if (falls)
-        snprintf(note, size, "The tightest: the gap before domino %zu, %s, may be %s narrower or %s wider.",
-                 t->domino, length_text(t->now, gap), length_text(t->now - t->low, less),
-                 length_text(t->high - t->now, more));
+        snprintf(note, size,
+                 "The tightest: the gap before domino %zu, %.30s, may be %.30s narrower or %.30s wider.",
+                 t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
+                 measured(t->high - t->now, "m", 3).text);
     else
-        snprintf(note, size, "The row does not fall as planned. It does with %s to %s before domino %zu.",
-                 length_text(t->low, less), length_text(t->high, more), t->domino);
+        snprintf(note, size,
+                 "The row does not fall as planned. It does with %.30s to %.30s before domino %zu.",
+                 measured(t->low, "m", 3).text, measured(t->high, "m", 3).text, t->domino);
 }
 
 static bool gaps_chart(struct session *session, const struct domq_window *w, size_t count)
 {
     struct chart chart = chart_make();
-    double longest = 0, widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL, metres;
+    double longest = 0, widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL;
     bool falls = false;
     for (size_t i = 0; i < count; i++) {
         double gap = (double)w[i].now;
@@ -272,21 +265,21 @@ static bool gaps_chart(struct session *session, const struct domq_window *w, siz
         lowest = w[i].low > 0 ? fmin(lowest, (double)w[i].low) : lowest;
         falls = falls || (w[i].low <= w[i].now && w[i].now <= w[i].high);
     }
-    const char *unit = plot_length(longest, &metres);
+    const struct axis_unit unit = measure_axis(longest);
     snprintf(chart.title, sizeof chart.title, "How far each gap may be off, the others being as planned");
     snprintf(chart.x.label, sizeof chart.x.label, "gap before domino");
-    snprintf(chart.y.label, sizeof chart.y.label, "gap in %s", unit);
+    snprintf(chart.y.label, sizeof chart.y.label, "gap in %s", unit.name);
     gaps_note(w, count, falls, chart.note, sizeof chart.note);
     chart.x.whole = true;
     chart.y.logarithmic = widest > 3 * narrowest;
-    chart.y.low = chart.y.logarithmic ? fmin(lowest, narrowest) / metres / 1.5 : 0;
+    chart.y.low = chart.y.logarithmic ? fmin(lowest, narrowest) / unit.size / 1.5 : 0;
     struct chart_curve *range = chart_curve(&chart, CHART_RANGES, INK_BLUE, 0, "all fall");
     struct chart_curve *planned = chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "planned");
     for (size_t i = 0; i < count; i++) {
         double x = (double)w[i].domino;
-        chart_range(&chart, range, x, (double)NAN, fmax((double)w[i].low / metres, chart.y.low),
-                    (double)w[i].high / metres);
-        chart_point(&chart, planned, x, fmax((double)w[i].now / metres, chart.y.low));
+        chart_range(&chart, range, x, (double)NAN, fmax((double)w[i].low / unit.size, chart.y.low),
+                    (double)w[i].high / unit.size);
+        chart_point(&chart, planned, x, fmax((double)w[i].now / unit.size, chart.y.low));
     }
     return chart_show(session, &chart);
 }

@@ -36,9 +36,6 @@ struct sweep_shape {
 struct sweep_shape sweep_shape(const struct call *call);
 bool run_sweep(struct session *session, const struct call *call);
 
-/* Returns a unit for lengths up to this one, and what one of it is in m. */
-const char *plot_length(double longest, double *metres);
-
 /* Returns the angle unit of the session's answers, and a tilt in it. */
 double plot_angle(const struct session *session, domq_real theta);
 
