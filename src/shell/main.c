@@ -7,7 +7,6 @@
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>
-#include <locale.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -160,7 +159,6 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    setlocale(LC_CTYPE, ""); /* never LC_NUMERIC: the decimal point is a point */
     /* A closed pipe and a file at its limit of size are write errors, which are reported. */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);

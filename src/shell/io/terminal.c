@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/terminal.h"
 #include <langinfo.h>
+#include <locale.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -51,6 +52,10 @@ int terminal_width(FILE *stream)
 
 bool terminal_utf8(void)
 {
+    static bool begun; /* the files of the locale are read where letters matter, not at every start */
+    if (!begun)
+        setlocale(LC_CTYPE, ""); /* never LC_NUMERIC: the decimal point is a point */
+    begun = true;
     return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
