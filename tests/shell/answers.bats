@@ -19,10 +19,10 @@ load common
     done
     same 'the principal columns' ' thetac.theta_c theta1.theta_1 energy.dH fuel.fuel launch.omega0sq omega.omega'`
         `' barrier.barrier duration.duration where.theta why.margin rmax.r_max pair.r_max best.s count.dominoes'`
-        `' verdict.seconds rowmax.r_max design.steps placement.probability budget.sigma slip.needs' "$list"
+        `' verdict.seconds rowmax.r_max design.steps placement.probability budget.sigma slip.motion' "$list"
     for name in thetac.theta_c 'theta1(0.1).theta_1' 'energy(0.1).dH' fuel.fuel launch.omega0sq 'omega(0.1).omega' \
         barrier.barrier duration.duration where.theta why.margin rmax.r_max pair.r_max best.s 'count(112).dominoes' \
-        verdict.seconds rowmax.r_max 'placement(50).probability' 'budget(0.9, 50).sigma' slip.needs; do
+        verdict.seconds rowmax.r_max 'placement(50).probability' 'budget(0.9, 50).sigma' slip.motion; do
         same "$name" 0 "$("$DOMINO" -e "effect row 4; effect placement 5 mm; print $name - ${name%.*}" | cut -d ' ' -f 1)"
     done
 }

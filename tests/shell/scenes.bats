@@ -268,8 +268,21 @@ END
     close struck "$(awk 'BEGIN { d = 7 / 48; a = sqrt(1 - 0.16); x = 0.5 - (1 + d * d) / (3 * a); printf "%.17g", (x < 0 ? -x : x) / (d / 2) }')" \
         "$(json 'set r 1; slip' | values hit)"
     same slips true "$(json 'set r 1; effect floor 0.5; slip' | values slips)"
-    same holds false "$(json 'set s 0.2; set r 1.3; effect floor 3; slip' | values slips)"
-    "$DOMINO" -e 'effect row 5; effect floor 0.4; fall' | grep -q 'is the first to slip'
+    local train='set s 0.2; set r 1.3; effect floor'
+    same 'slips in motion' false "$(json "$train 0.4; slip" | values slips)"
+    same 'slips in a hit' true "$(json "$train 0.4; slip" | values slips_hit)"
+    same holds false "$(json "$train 3; slip" | values slips_hit)"
+    local scene='set s 0.2; set r 1.3; effect row 6; effect floor'
+    run "$DOMINO" -e "$scene 0.4; fall"
+    [[ $output == *'None slips then on a floor with a friction of 0.4.'* ]]
+    [[ $output == *'the foot of domino 1, when domino 2 is hit, is the first to slip then; it needs 2.504.'*'is no verdict'* ]]
+    run "$DOMINO" -e "$scene 0.1; verdict"
+    [[ $output == *'the foot of domino 2, while it falls, is the first to slip then; it needs 0.1041.'*'can stop sooner'* ]]
+    run "$DOMINO" -e "$scene 3; verdict"
+    [[ $output == *'None slips then on a floor with a friction of 3.'* && $output != *'feet that hold'* ]]
+    # The two columns are the motion and the hit of the library.
+    close floor 0.1041 "$(json "$scene 1; fall" | values floor | tail -1)" 1e-3
+    close floor_hit 2.504 "$(json "$scene 1; fall" | values floor_hit | tail -1)" 1e-3
 }
 
 @test "save keeps the scene, and source brings it back" {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about a finite row: its dominoes, how they fall, and how to save the row. */
 #include "commands/rows/falling.h"
+#include "commands/rows/feet.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -67,47 +68,23 @@ static const struct column fall_columns[] = {
     {"barrier", "mgh/2", "the energy that it needs to go on", 9},
     {"margin", "mgh/2", "kinetic - barrier", 9},
     {"energy", "share", "kinetic / barrier: at 100 % it just goes on", 6},
-    {"floor", "", "friction that the floor needs; with 'effect floor'", 5},
+    {"floor", "", "friction that feet need while it falls; with 'effect floor'", 5},
+    {"floor_hit", "", "the same in the instant when it is hit; no foot has to hold for longer", 9},
     {NULL, NULL, NULL, 0},
 };
 
-/* The friction that a foot needs: when the domino `head` is hit, or while it falls. */
-struct slip {
-    domq_real needs;
-    size_t domino, head;
-    bool hit;
-};
-
 struct falling {
-    struct session *session;
     struct answer *answer;
     const struct scene_row *scene;
-    struct slip most, first; /* the largest, and the first above the friction of the floor; head = 0: none */
-    struct domq_fall last;   /* the last domino that was hit */
+    struct feet feet;
+    struct domq_fall last; /* the last domino that was hit */
 };
 
-static struct slip slip_of(const struct domq_fall *f, bool hit)
-{
-    return hit ? (struct slip){f->floor_hit, f->floor_hit_domino, f->domino, true}
-               : (struct slip){f->floor_motion, f->floor_domino, f->domino, false};
-}
-
-/* Returns the larger of what motion and collision of a domino need of the floor. */
-static struct slip slip_most(const struct domq_fall *f)
-{
-    return slip_of(f, f->floor_hit > f->floor_motion);
-}
-
-/* Keeps the domino, and what it needs of the floor. */
+/* Keeps the domino, and what feet need of the floor. */
 static void fall_seen(struct falling *c, const struct domq_fall *f)
 {
     c->last = *f;
-    domq_real floor = c->session->effect[DOM_EFFECT_floor].value[0];
-    struct slip most = slip_most(f);
-    if (most.needs > c->most.needs)
-        c->most = most;
-    if (c->first.head == 0 && most.needs > floor)
-        c->first = slip_of(f, f->floor_hit > floor); /* the collision is first */
+    feet_add(&c->feet, f);
 }
 
 static bool fall_visit(const struct domq_fall *f, void *context)
@@ -136,8 +113,7 @@ static void cells_leave_out(const struct answer *a, const struct column *all, st
 static bool fall_row(const struct domq_fall *f, void *context)
 {
     struct falling *c = context;
-    domq_real floor = c->scene->row.floor ? slip_most(f).needs : DOMQ_NAN;
-    bool lifts = floor > 0 && !isfinite(floor);
+    bool lifts = isinf(f->floor_motion) || isinf(f->floor_hit);
     struct cell cells[] = {cell_count((domq_real)f->domino),
                            cell_narrow(c->scene->domino[f->domino - 1].height, 4),
                            cell_narrow(f->time, 4),
@@ -147,45 +123,12 @@ static bool fall_row(const struct domq_fall *f, void *context)
                            cell_narrow(enough(f->barrier), 4),
                            cell_narrow(enough(f->margin), 4),
                            cell_narrow(fall_share(f), 4),
-                           cell_narrow(floor, 3)};
+                           cell_narrow(f->floor_motion, 3),
+                           cell_narrow(f->floor_hit, 3)};
     fall_seen(c, f);
     cells_leave_out(c->answer, fall_columns, cells);
     answer_row(c->answer, cells, lifts && !answer_for_people(c->answer) ? lifted : NULL);
     return !answer_lost(c->answer);
-}
-
-/* Writes when a foot slips: "when domino 3 is hit". */
-static const char *slip_when(const struct slip *slip, char text[64])
-{
-    if (slip->head == slip->domino)
-        return slip->hit ? "when it is hit" : "while it falls";
-    snprintf(text, 64, slip->hit ? "when domino %zu is hit" : "while domino %zu falls", slip->head);
-    return text;
-}
-
-/* Writes "it needs 0.43", or that no friction is enough. */
-static const char *needs_text(domq_real needs, char text[64])
-{
-    char number[WIDE_TEXT];
-    snprintf(text, 64, "it needs %s", isfinite(needs) ? quad_text(needs, 4, number) : "");
-    return isfinite(needs) ? text : "it is lifted off, which no friction prevents";
-}
-
-/* Prints which domino slips first on the floor, and which one needs the most friction. */
-static void floor_say(const struct session *session, struct answer *a, const struct falling *c)
-{
-    char when[64], needs[64];
-    double floor = (double)session->effect[DOM_EFFECT_floor].value[0];
-    if (c->first.head == 0)
-        answer_say(a, "On a floor with a friction of %.4g no foot slips, as far as the row falls.", floor);
-    else
-        answer_say(a,
-                   "On a floor with a friction of %.4g the foot of domino %zu is the first to slip, %s: %s. "
-                   "From there on feet slip, which this answer does not include.",
-                   floor, c->first.domino, slip_when(&c->first, when), needs_text(c->first.needs, needs));
-    if (c->most.head > 0)
-        answer_say(a, "Domino %zu needs the most friction, %s: %s.", c->most.domino,
-                   slip_when(&c->most, when), needs_text(c->most.needs, needs));
 }
 
 /* Reports an error if the model cannot follow the row to its end. */
@@ -210,6 +153,8 @@ static void fall_choose(const struct session *session, struct answer *a, bool fl
         answer_leave_out(a, "margin");
     if (!floor)
         answer_leave_out(a, "floor");
+    if (!floor)
+        answer_leave_out(a, "floor_hit");
 }
 
 static bool run_fall(struct session *session, const struct call *call)
@@ -219,7 +164,7 @@ static bool run_fall(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
-    struct falling c = {.session = session, .answer = a, .scene = &scene};
+    struct falling c = {.answer = a, .scene = &scene, .feet = feet_begin(session)};
     fall_choose(session, a, scene.row.floor);
     row_largest(a, &scene);
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
@@ -227,7 +172,7 @@ static bool run_fall(struct session *session, const struct call *call)
     if (status == DOM_OK) {
         verdict_say(a, &scene, &verdict, &c.last, true);
         if (scene.row.floor)
-            floor_say(session, a, &c);
+            feet_say(a, &c.feet, scene.row.count);
     }
     free(scene.domino);
     return status == DOM_OK ? verdict_known(session, &verdict) : row_status(session, status);
@@ -262,7 +207,7 @@ static bool run_verdict(struct session *session, const struct call *call)
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
-    struct falling c = {.session = session};
+    struct falling c = {.feet = feet_begin(session)};
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_visit, &c, &v);
     free(scene.domino);
     if (status != DOM_OK)
@@ -286,7 +231,7 @@ static bool run_verdict(struct session *session, const struct call *call)
     } else
         answer_row(a, cells, v.end == DOM_ROW_FALLS ? NULL : reason);
     if (session->effect[DOM_EFFECT_floor].on)
-        floor_say(session, a, &c);
+        feet_say(a, &c.feet, scene.row.count);
     return true;
 }
 

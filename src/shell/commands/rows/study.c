@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about rows with random errors, and about the friction of the floor. */
 #include "commands/rows/falling.h"
+#include "commands/rows/feet.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
@@ -171,13 +172,13 @@ static bool run_budget(struct session *session, const struct call *call)
 /* ---- slip ---- */
 
 static const struct column slip_columns[] = {
-    {"needs", "", "friction that the floor needs: the larger of motion and hit", 0},
-    {"motion", "", "friction needed in motion: the largest |R_x| / R_z", 0},
+    {"motion", "", "friction that feet need while dominoes fall: the largest |R_x| / R_z", 0},
     {"theta", "rad", "tilt of the head at that moment", 0},
     {"domino", "", "the domino that needs it: 0 = head, 1, 2, ... its followers", 0},
-    {"hit", "", "friction needed in the collision: the largest ratio of impulses", 0},
+    {"hit", "", "friction that they need in the instant of a hit: the largest ratio of impulses", 0},
     {"hit_domino", "", "the domino that needs it", 0},
-    {"slips", "", "yes if a foot slips on the floor of 'effect floor'", 0},
+    {"slips", "", "yes if a foot slips while dominoes fall, on the floor of 'effect floor'", 0},
+    {"slips_hit", "", "yes if a foot slips in the instant of a hit on that floor", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -188,26 +189,24 @@ static bool run_slip(struct session *session, const struct call *call)
     enum dom_status status = domq_cycle_floor(&session->train, &session->compute, &f);
     if (status != DOM_OK)
         return session_status(session, status);
-    bool slips = f.motion > floor->value[0] || f.hit > floor->value[0];
-    struct cell motion = cell_narrow(f.motion, 6);
-    answer_row(call->answer,
-               ROW(f.hit > f.motion ? cell_bound(f.hit, DOMQ_NAN) : motion, motion,
-                   cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),
+    bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
+    struct answer *a = call->answer;
+    answer_row(a,
+               ROW(cell_narrow(f.motion, 6), cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),
                    cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
-                   floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN)),
+                   floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN),
+                   floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
                !isfinite(f.motion) || !isfinite(f.hit)
                    ? "a domino is lifted off the floor, which no friction prevents"
                    : NULL);
-    if (floor->on && !slips)
-        answer_say(call->answer, "On a floor with a friction of %.4g no foot slips.",
-                   (double)floor->value[0]);
-    else if (floor->on)
-        answer_say(call->answer, "On a floor with a friction of %.4g the foot of domino %zu slips first, %s.",
-                   (double)floor->value[0], f.hit > floor->value[0] ? f.hit_domino : f.domino,
-                   f.hit > floor->value[0] ? "in the collision" : "in motion");
-    else
-        answer_say(call->answer,
-                   "'effect floor 0.5' sets the friction of the floor; 'fall' then checks a row.");
+    if (floor->on)
+        answer_say(a, "On a floor with a friction of %.4g %s while dominoes fall, and %s in a collision.",
+                   (double)floor->value[0], slips ? "feet slip" : "no foot slips",
+                   slips_hit ? "feet slip" : "no foot slips");
+    if (floor->on && (slips || slips_hit))
+        feet_matter(a, slips);
+    if (!floor->on)
+        answer_say(a, "'effect floor 0.5' sets the friction of the floor; 'fall' then checks a row.");
     return true;
 }
 
@@ -256,11 +255,11 @@ const struct command study_commands[] = {
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the friction of the floor with which no foot slips",
-     .help = "Finds the largest friction that a foot needs in motion, over the whole cycle and all dominoes "
-             "that move, and in the collision.",
+     .help = "Finds the largest friction that a foot needs while dominoes fall, over the whole cycle and all "
+             "dominoes that move; and, apart, in the instant of a hit.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
-     .principal = "needs",
+     .principal = "motion",
      ANSWER(slip)},
     {.name = NULL},
 };
