@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <getopt.h>
 #include <limits.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,18 +17,19 @@
 enum { EXIT_USAGE = 2 };
 
 static const char usage[] =
-    "usage: domino [-n] [--bail] [--safe] [--shard I/N] [-e COMMANDS | -f FILE | FILE] ...\n";
+    "usage: domino [-n] [--bail | --keep-going] [--safe] [--shard I/N] [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
     "\n"
     "Calculates how far a row of dominoes, each r times larger than the one before, can grow.\n"
     "Without -e, -f or FILE it reads commands from standard input: at a prompt on a terminal,\n"
-    "else one command a line.\n"
+    "else one command a line.  -e, -f and FILE stop at the first error; standard input goes on.\n"
     "\n"
     "  -e, --execute COMMANDS  run these commands, ';' between them\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
     "  -n, --no-init           do not run the start-up file, $XDG_CONFIG_HOME/domino/init.dom\n"
-    "      --bail              stop at the first error\n"
+    "      --bail              stop at the first error, also on standard input\n"
+    "      --keep-going        go on after errors, also in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
     "      --shard I/N         of a curve, sweep or placement compute the part I of N\n"
     "  -h, --help              print this help\n"
@@ -37,15 +39,11 @@ static const char help[] =
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
-    {"execute", required_argument, NULL, 'e'},
-    {"file", required_argument, NULL, 'f'},
-    {"no-init", no_argument, NULL, 'n'},
-    {"bail", no_argument, NULL, 'b'},
-    {"safe", no_argument, NULL, 's'},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},
-    {"shard", required_argument, NULL, 'p'},
-    {NULL, 0, NULL, 0},
+    {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
+    {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
+    {"keep-going", no_argument, NULL, 'k'},    {"safe", no_argument, NULL, 's'},
+    {"help", no_argument, NULL, 'h'},          {"version", no_argument, NULL, 'V'},
+    {"shard", required_argument, NULL, 'p'},   {NULL, 0, NULL, 0},
 };
 
 /* '-': a FILE counts in its place among the options. */
@@ -54,6 +52,7 @@ static const char short_options[] = "-e:f:nhV";
 /* What the options say about the whole run. */
 struct plan {
     bool init, prompt, sources;
+    bool keep_going; /* -e, -f and FILE go on after an error */
 };
 
 /* "2/7"; false, with a message, for anything else. */
@@ -106,7 +105,10 @@ static bool options_check(int argc, char **argv, struct session *session, struct
 {
     int option;
     while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
-        session->bail = session->bail || option == 'b';
+        if (option == 'b' || option == 'k') { /* the last one counts */
+            session->bail = option == 'b';
+            plan->keep_going = option == 'k';
+        }
         session->safe = session->safe || option == 's';
         plan->init = plan->init && option != 'n';
         plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
@@ -154,13 +156,22 @@ static void run_init(struct session *session)
         run_file(session, path);
 }
 
+/* Returns true if standard output is a pipe whose reader has gone. */
+static bool reader_gone(void)
+{
+    struct pollfd out = {.fd = STDOUT_FILENO};
+    struct stat status;
+    return fstat(STDOUT_FILENO, &status) == 0 && S_ISFIFO(status.st_mode) && poll(&out, 1, 0) == 1 &&
+           (out.revents & POLLERR) != 0;
+}
+
 int main(int argc, char **argv)
 {
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
     /* A closed pipe and a file at its limit of size are write errors, which are reported. */
-    signal(SIGPIPE, SIG_IGN);
+    bool dies = signal(SIGPIPE, SIG_IGN) == SIG_DFL; /* where the caller does not ignore it */
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
     session_init(&session, stdout);
@@ -169,9 +180,10 @@ int main(int argc, char **argv)
     plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
     if (plan.prompt && plan.init)
         run_init(&session);
-    if (plan.sources)
+    if (plan.sources) {
+        session.bail = !plan.keep_going; /* what comes after an error would answer for another scene */
         run_sources(argc, argv, &session);
-    else if (plan.prompt && !stopped(&session)) {
+    } else if (plan.prompt && !stopped(&session)) {
         line_prompt(&session);
         session.errors = 0; /* the person has seen them */
     } else if (!stopped(&session))
@@ -181,8 +193,15 @@ int main(int argc, char **argv)
     session_close(&session);
     /* Buffered output may fail as late as here. */
     errno = 0;
-    bool lost = ferror(stdout) != 0;
+    bool gone = reader_gone(), lost = ferror(stdout) != 0;
     if (fclose(stdout) != 0 || lost) {
+        if (dies &&
+            (gone ||
+             errno ==
+                 EPIPE)) { /* 'domino | head' has what it asked for: no message, and the status of SIGPIPE */
+            signal(SIGPIPE, SIG_DFL);
+            raise(SIGPIPE);
+        }
         int reason = session.write_error ? session.write_error : errno;
         fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
                 reason ? strerror(reason) : "");

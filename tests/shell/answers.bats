@@ -13,7 +13,7 @@ load common
         if [ -n "$key" ]; then
             list+=" $name.$key"
         else
-            run -1 --separate-stderr "$DOMINO" -e "print $name"
+            run -1 --separate-stderr "$DOMINO" --keep-going -e "print $name"
             [[ $stderr == *"'$name"*"' has no value"* ]] || same "print $name" "'$name' has no value" "$stderr"
         fi
     done
@@ -332,7 +332,7 @@ END
 
 @test "an unknown name: what was meant, which there are, or where they are listed, never two of these" {
     while IFS='|' read -r line message; do
-        run -1 "$DOMINO" -e "$line"
+        run -1 "$DOMINO" --keep-going -e "$line"
         same "$line" "$message" "${output#-e:*: }"
     done <<'END'
 foo|unknown command 'foo'; 'help' lists the commands

@@ -59,7 +59,7 @@ session() { # WAY COMMANDS
     esac
 }
 
-json() { "$DOMINO" -e "set output json; $1"; }
+json() { "$DOMINO" --keep-going -e "set output json; $1"; }
 
 # Print, of json answers on stdin, the keys of the first answer; and the value of a key in each answer that has it.
 keys() { head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
@@ -121,7 +121,7 @@ within() { # WHAT EXPECTED OBTAINED CONDITION
 # Checks that a command fails with this message, in one line, and that the session goes on; 'run' sets its variables.
 # shellcheck disable=SC2154
 wrong() { # COMMANDS PATTERN
-    run --separate-stderr "$DOMINO" -e "$1; print 41 + 1"
+    run --separate-stderr "$DOMINO" --keep-going -e "$1; print 41 + 1"
     [ "$status" -eq 1 ] || same "$1: status" 1 "$status"
     [ "$(wc -l <<<"$stderr")" -eq 1 ] || same "$1: one line" 1 "$stderr"
     expects "$1" "$2" || return

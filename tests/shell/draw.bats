@@ -6,7 +6,7 @@ load common
 
 csv() { "$DOMINO" -e "set output csv; $1"; }
 one_line() { # PART COMMANDS: fails with one line, that has the part
-    run -1 "$DOMINO" -e "$2"
+    run -1 "$DOMINO" --keep-going -e "$2"
     same "$2: one line" 1 "${#lines[@]}"
     [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
 }
@@ -129,7 +129,7 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     same 'nothing is left' '(nothing)' "$(ls)"
     # What was there stays.
     echo old >a.gif
-    run -1 "$DOMINO" -e 'set s 0.001; animate a.gif'
+    run -1 "$DOMINO" --keep-going -e 'set s 0.001; animate a.gif'
     same 'an old file' old "$(cat a.gif)"
     mkdir full
     chmod 555 full
@@ -140,16 +140,16 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     dir=$BATS_TEST_TMPDIR
     mkdir "$dir/empty"
     for what in 'plot chain > a.svg' 'draw > a.png' "animate $dir/a.gif"; do
-        run -1 env PATH="$dir/empty" "$DOMINO" -e "$what; print 1"
+        run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "$what; print 1"
         [[ ${lines[0]} == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
         same "$what: the session goes on" 1 "${lines[1]}"
         rows=$(env PATH="$dir/empty" "$DOMINO" -e "set output csv; ${what%% >*}")
         same "$what: data" "$(csv "${what%% >*}")" "$rows"
     done
     same 'nothing is left' empty "$(ls "$dir" | grep -v '\.bats')"
-    run -1 "$DOMINO" --safe -e "animate $dir/a.gif"
+    run -1 "$DOMINO" --keep-going --safe -e "animate $dir/a.gif"
     [[ $output == *'a safe session cannot read or write files'* ]]
-    run -1 "$DOMINO" --safe -e "draw > $dir/a.svg"
+    run -1 "$DOMINO" --keep-going --safe -e "draw > $dir/a.svg"
     [[ $output == *'a safe session cannot read or write files'* ]]
 }
 

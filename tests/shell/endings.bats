@@ -9,12 +9,12 @@ setup() {
     cd "$BATS_TEST_TMPDIR" || false
 }
 
-@test ".csv and .json are written as such; .txt, other endings and none as 'set output' has it" {
+@test ".csv and .json are written as such; .txt, and no ending as 'set output' has it" {
     for output in table csv json; do
-        "$DOMINO" -e "set output $output; effect row 5; fall > fall.csv; rmax > r.JSON; verdict > v.txt; verdict > v; verdict > v.dat"
+        "$DOMINO" -e "set output $output; effect row 5; fall > fall.csv; rmax > r.JSON; verdict > v.txt; verdict > v"
         same "$output: csv" "$("$DOMINO" -e 'set output csv; effect row 5; fall')" "$(cat fall.csv)"
         same "$output: json" "$("$DOMINO" -e 'set output json; rmax')" "$(cat r.JSON)"
-        for name in v.txt v v.dat; do
+        for name in v.txt v; do
             same "$output: $name" "$("$DOMINO" -e "set output $output; effect row 5; verdict")" "$(cat $name)"
         done
     done
@@ -53,11 +53,11 @@ setup() {
 }
 
 @test "an ending that does not fit is one line, before anything is computed, and no file is left" {
-    for name in a.jpg a.gif a.xlsx; do
-        wrong "rmax > $name" "'$name' ends in .${name#*.}, which is not written here; endings are .csv, .json and .txt"
-        wrong "draw > $name" "'$name' has no ending of a picture: use .svg, .png, .pdf or .txt"
+    for name in a.jpg a.gif a.xlsx a.foo v.dat; do
+        wrong "rmax > $name" "no format has the ending of '$name'; use .csv, .json or .txt"
+        wrong "draw > $name" "no format has the ending of '$name'; use .svg, .png, .pdf or .txt"
     done
-    wrong 'draw > a.b' "'a.b' has no ending of a picture"
+    wrong 'plot growth > a.b' "no format has the ending of 'a.b'; use .svg, .png, .pdf or .txt, or .csv or .json for its data"
     for what in help 'set s 0.3' 'apropos barrier'; do
         wrong "$what > a.csv" "'a.csv' is the name of data, and '${what%% *}' answers with none"
     done

@@ -16,11 +16,11 @@ bad() { # COMMAND COLUMN MESSAGE
         place=$way:2:
         case $way in
         -e)
-            run -1 --separate-stderr "$DOMINO" -e "$(head -n 1 "$script")" -e "$1" -e "$(tail -n 1 "$script")"
+            run -1 --separate-stderr "$DOMINO" --keep-going -e "$(head -n 1 "$script")" -e "$1" -e "$(tail -n 1 "$script")"
             place=-e:1:
             ;;
         stdin) run -1 --separate-stderr "$DOMINO" <"$script" ;;
-        *) run -1 --separate-stderr "$DOMINO" -f "$script" ;;
+        *) run -1 --separate-stderr "$DOMINO" --keep-going -f "$script" ;;
         esac
         if [ "$2" -gt 0 ]; then place=$place$2:; fi
         same "$1 ($way): stdout" "$shown" "$output"
@@ -206,7 +206,7 @@ END
 
 @test "r s > 1 where a command needs both: r s, and how large r may be" {
     for command in thetac 'theta1 0' 'chain 0' 'energy 0' fuel launch 'omega 0' barrier duration; do
-        run -1 --separate-stderr "$DOMINO" -e 'set s 0.8' -e "$command" -e 'set output json; rmax'
+        run -1 --separate-stderr "$DOMINO" --keep-going -e 'set s 0.8' -e "$command" -e 'set output json; rmax'
         same "$command: the session goes on" 1.25 "$(values r_max <<<"$output")"
         same "$command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
         [[ $stderr =~ ^-e:1:\ ${command% *}:\ 'r s = 1.2 > 1: '.*1/s\ =\ 1.25$ ]] || same "$command" 'r s = 1.2 > 1: ... 1/s = 1.25' "$stderr"
@@ -221,7 +221,7 @@ END
     while IFS='|' read -r state calls message; do
         IFS=, read -ra calls <<<"$calls"
         for command in "${calls[@]}"; do
-            run -1 --separate-stderr "$DOMINO" -e "$state; $command" -e 'reset; set output json; fuel'
+            run -1 --separate-stderr "$DOMINO" --keep-going -e "$state; $command" -e 'reset; set output json; fuel'
             same "$state; $command: the session goes on" "$(json fuel)" "$(tail -n 1 <<<"$output")"
             same "$state; $command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
             [[ $stderr =~ $message ]] || same "$state; $command" "$message" "$stderr"
@@ -238,7 +238,7 @@ END
     cd "$BATS_TEST_TMPDIR"
     printf '# a comment\n\nfuel; foo; fuel\n  qux # baz' >one
     printf 'fuel\r\nfoo\r\n\r\nqux\r\n' >two
-    run -1 --separate-stderr "$DOMINO" -f one two -e 'foo' -
+    run -1 --separate-stderr "$DOMINO" --keep-going -f one two -e 'foo' -
     same messages "one:3:7: unknown command 'foo'
 one:4:3: unknown command 'qux'
 two:2:1: unknown command 'foo'
@@ -247,12 +247,12 @@ two:4:1: unknown command 'qux'
 } </dev/null
 
 @test "lines in the text of -e are counted, too" {
-    run -1 --separate-stderr "$DOMINO" -e $'set s 0.3\n\nfoo'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e $'set s 0.3\n\nfoo'
     [[ $stderr == -e:3:1:* ]] || same place -e:3:1: "$stderr"
 }
 
 @test "every error has its line, and a line of several errors several" {
-    run -1 --separate-stderr "$DOMINO" -e 'foo; set s 9; theta1; qux'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'foo; set s 9; theta1; qux'
     same places '-e:1:1: -e:1:12: -e:1:21: -e:1:23:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
     same stdout '(nothing)' "$output"
 }
@@ -262,7 +262,7 @@ two:4:1: unknown command 'qux'
 # What a stream says, with a last line that shows that the session goes on.
 junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
     printf '\nset output json; show s\n' >>"$BATS_TEST_TMPDIR/junk"
-    run -1 --separate-stderr "$DOMINO" "$BATS_TEST_TMPDIR/junk"
+    run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/junk"
     same 'the session goes on' 0.4 "$(tail -n 1 <<<"$output" | values value)"
     same stdout 1 "${#lines[@]}"
     same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
@@ -315,7 +315,7 @@ junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
     for junk in "$DOMINO" /dev/zero; do
         head -c 200000 "$junk" >"$BATS_TEST_TMPDIR/junk"
         printf '\nset output json; show tol\n' >>"$BATS_TEST_TMPDIR/junk"
-        run -1 --separate-stderr "$DOMINO" "$BATS_TEST_TMPDIR/junk"
+        run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/junk"
         same 'the session goes on' tol "$(tail -n 1 <<<"$output" | values name)"
         grep -aq '^[^ ]*/junk:[0-9]*:[0-9:]* ' <<<"$stderr"
         same 'all lines say where' '(nothing)' "$(grep -av '^[^ ]*/junk:[0-9]*:[0-9:]* ' <<<"$stderr" || true)"
@@ -330,7 +330,7 @@ junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
     while IFS='|' read -r file why; do
         if [ "$file" = closed ] && [ -r closed ]; then continue; fi # the superuser reads everything
         for option in -f --; do
-            run -1 --separate-stderr "$DOMINO" "$option" "$file" good
+            run -1 --separate-stderr "$DOMINO" --keep-going "$option" "$file" good
             same "$file: the other" s "$(values name <<<"$output")"
             same "$file: lines on stderr" 1 "$(wc -l <<<"$stderr")"
             [[ $stderr =~ $file.*$why ]] || same "$file" "$why" "$stderr"
@@ -348,6 +348,6 @@ END
 }
 
 @test "a directory as FILE is an error that says so, without a line number" {
-    run -1 --separate-stderr "$DOMINO" -f /
+    run -1 --separate-stderr "$DOMINO" --keep-going -f /
     [[ $stderr =~ ^domino:\ cannot\ [a-z]+\ .?/.?:\ Is\ a\ directory$ ]] || same message 'cannot read /: Is a directory' "$stderr"
 }

@@ -119,10 +119,10 @@ soon() { timeout 30 "$@"; }
         same "$name" "$("$DOMINO" -e fuel)" "$(cat "$name")"
         rm -f folder/target three
     done
-    run -1 "$DOMINO" -e 'theta1 9 > two'
+    run -1 "$DOMINO" --keep-going -e 'theta1 9 > two'
     same 'nothing is made for an error' "folder one two folder/three" "$(echo ./* folder/* | sed 's|\./||g')"
     ln -s nowhere/target lost
-    run -1 --separate-stderr "$DOMINO" -e 'fuel > lost'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'fuel > lost'
     same 'no folder' "-e:1:8: fuel: cannot write 'lost': No such file or directory" "$stderr"
     [ -L lost ]
 }

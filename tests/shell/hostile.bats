@@ -31,7 +31,7 @@ harmless() { # FILE
         done
         echo 'print 41 + 1' >>calls.dom
         for way in --no-init --safe; do
-            run --separate-stderr timeout 60 "$DOMINO" "$way" calls.dom
+            run --separate-stderr timeout 60 "$DOMINO" --keep-going "$way" calls.dom
             [ "$status" -le 1 ] || same "$way $name" '0 or 1' "$status"
             same "$way $name: goes on" 42 "${lines[-1]}"
             same "$way $name: one line each" '(nothing)' "$(grep -v '^calls.dom:[0-9:]* ' <<<"$stderr" || true)"
@@ -47,7 +47,7 @@ harmless() { # FILE
     same help '(nothing)' "$("$DOMINO" -e 'help pool' | grep 'In an expression' || true)"
     for line in 'set s pool(1)' 'sweep s 0.1 0.2 2 : pool x' 'pool x' 'save x' 'source x' 'show > x' 'effect row x.csv' \
         'animate x.gif'; do
-        run -1 --separate-stderr "$DOMINO" --safe -e "$line"
+        run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "$line"
         same "$line: nothing is written" '(nothing)' "$(ls)"
     done
 }
@@ -80,7 +80,7 @@ harmless() { # FILE
     printf '%s\n' "source \"s $name\"" "source \"no$name\"" "effect row \"no$name\"" "pool \"$name\"" "foo$name" \
         "save \"/no/$name\"" "verdict > \"/no/$name\"" "apropos $name" "set $name 1" "print 1 $name" \
         "sweep $name 1" >messages.dom
-    run -1 --separate-stderr "$DOMINO" messages.dom "s no$name"
+    run -1 --separate-stderr "$DOMINO" --keep-going messages.dom "s no$name"
     printf '%s\n' "$stderr" >messages
     harmless messages
     same 'a line each' 11 "$(wc -l <messages)"
@@ -107,10 +107,10 @@ harmless() { # FILE
     name=$(printf '\x01%.0s' {1..200})
     printf 'foo\n' >"$name"
     for line in "pool $name" "effect row \"$name\"" "source $name"; do
-        run -1 --separate-stderr "$DOMINO" -e "$line"
+        run -1 --separate-stderr "$DOMINO" --keep-going -e "$line"
         [[ $stderr =~ (not a block|no block|other fields|one column|unknown command) ]] || same "$line" 'what is wrong' "$stderr"
     done
-    run -1 --separate-stderr "$DOMINO" --safe -e "effect row ${name}.csv"
+    run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "effect row ${name}.csv"
     [[ $stderr == *'a safe session cannot do'* ]]
 }
 
@@ -123,7 +123,7 @@ harmless() { # FILE
     local name
     for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
         for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate "NAME.gif" 1'; do
-            run -1 --separate-stderr "$DOMINO" -e 'effect row 2' -e "${line/NAME/$name}"
+            run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row 2' -e "${line/NAME/$name}"
             [[ $stderr == *'the name has control characters'* ]] || same "$line" refused "$stderr"
             same "$line: nothing is written" '(nothing)' "$(ls)"
         done
@@ -149,7 +149,7 @@ harmless() { # FILE
 @test "a new line in the name of a csv file saves no command" {
     local folder=$'x"\nprint 41 + 1\n"'
     mkdir "$folder" && printf '%s\n' "$csv" >"$folder/row.csv" && ln -s "$folder/row.csv" link.csv
-    run -1 --separate-stderr "$DOMINO" -e 'effect row link.csv; save s.dom'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row link.csv; save s.dom'
     [[ $stderr == *'has a control character'* ]] || same message 'control character' "$stderr"
     [ ! -e s.dom ]
     (cd "$folder" && "$DOMINO" -e 'effect row row.csv' -e 'save ../s.dom' || true)
@@ -160,7 +160,7 @@ harmless() { # FILE
     printf '%s\n' "$csv" >'a"b.csv'
     same 'the next command' 42 "$("$DOMINO" -e 'effect row a"b.csv; print 41 + 1')"
     for line in 'save "a; print 1' 'save "a""; print 1'; do
-        run -1 --separate-stderr "$DOMINO" -e "$line"
+        run -1 --separate-stderr "$DOMINO" --keep-going -e "$line"
         [[ $stderr == *"this '\"' is never closed"* ]] || same "$line" 'never closed' "$stderr"
     done
 }
@@ -178,12 +178,12 @@ harmless() { # FILE
     line() { head -c 100000000 /dev/zero | tr '\0' 7 && printf '\nprint 41 + 1\n'; }
     endless() { ulimit -v 200000 && "$@"; }
     (endless "$DOMINO" -V) >/dev/null 2>&1 || endless() { "$@"; }
-    run -1 --separate-stderr endless "$DOMINO" -n < <(line)
+    run -1 --separate-stderr endless "$DOMINO" --keep-going -n < <(line)
     same 'stdin' 'stdin:1: the line is longer than 4 MB; put its commands on lines of their own' "$stderr"
     same 'goes on' 42 "$output"
     line >long
     for command in 'source long' 'effect row long' 'pool long'; do
-        run -1 --separate-stderr endless "$DOMINO" -e "$command; print 41 + 1"
+        run -1 --separate-stderr endless "$DOMINO" --keep-going -e "$command; print 41 + 1"
         [[ $stderr =~ the\ line\ is\ (longer|too\ long) ]] || same "$command" 'too long' "$stderr"
         same "$command" 42 "${lines[-1]}"
     done

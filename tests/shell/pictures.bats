@@ -8,7 +8,7 @@ dir=$BATS_TEST_DIRNAME
 root=$(cd "$dir/../.." && pwd)
 csv() { "$DOMINO" -e "set output csv; $1"; }
 one_line() { # PART COMMANDS: fails with one line, that has the part
-    run -1 "$DOMINO" -e "$2"
+    run -1 "$DOMINO" --keep-going -e "$2"
     same "$2: one line" 1 "${#lines[@]}"
     [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
 }
@@ -215,11 +215,11 @@ END
         same 'a png each frame' "$(csv 'set r 1; effect row 5; effect push 6; animate a.gif rate 20' | sed 1d | wc -l)" \
             "$(($(grep -ao 'IEND' frames | wc -l) - 20))"
         rm a.$ending
-        run -1 env PATH="$PWD/none" "$DOMINO" -e "effect row 5; animate a.$ending"
+        run -1 env PATH="$PWD/none" "$DOMINO" --keep-going -e "effect row 5; animate a.$ending"
         [[ $output == *".$ending needs ffmpeg, which is not installed: 'apt install ffmpeg', or a name that ends in .gif"* ]]
     done
     printf '#!/bin/sh\ncat >/dev/null\necho "Unknown encoder" >&2\nexit 1\n' >bin/ffmpeg
-    run -1 env PATH="$PWD/bin:$PATH" "$DOMINO" -e 'effect row 5; animate a.mp4 speed 10'
+    run -1 env PATH="$PWD/bin:$PATH" "$DOMINO" --keep-going -e 'effect row 5; animate a.mp4 speed 10'
     [[ $output == *"ffmpeg did not make 'a.mp4': Unknown encoder"* ]]
     [ ! -e a.mp4 ]
 }

@@ -79,7 +79,7 @@ END
     push=$(sed -n "s/.*'effect row 2; effect push \([0-9.]*\)' before.*/\1/p" <<<"$output")
     same "push $push" 10 "$(json "$wood; effect row 2; effect push $push; design 8 m" | values steps)"
     # No file takes the place of a row.
-    run -1 "$DOMINO" -e "$wood; design 8 m hall 18 m > hall.csv"
+    run -1 "$DOMINO" --keep-going -e "$wood; design 8 m hall 18 m > hall.csv"
     [ ! -e hall.csv ]
 }
 
@@ -97,20 +97,20 @@ END
 @test "assert: a script fails where a row does not fall" {
     run -0 "$DOMINO" -e 'effect row 5; assert verdict; assert fall; assert barrier; assert count 1 1.2; assert design 1 m'
     same answers "$("$DOMINO" -e 'effect row 5; verdict')" "$("$DOMINO" -e 'effect row 5; assert verdict')"
-    run -1 --separate-stderr "$DOMINO" -e 'effect row 5; effect friction 2; assert verdict; print 7'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row 5; effect friction 2; assert verdict; print 7'
     same message '-e:1: assert: not true: all dominoes fall' "$stderr"
     same 'goes on' 7 "${lines[-1]}"
     run -1 --separate-stderr "$DOMINO" --bail -e 'set r 2.2; assert barrier; print 77'
     same bail '-e:1: assert: not true: the train goes on' "$stderr"
     [[ $output != *77* ]]
-    run -1 --separate-stderr "$DOMINO" -e 'assert design 8 m hall 9 m'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'assert design 8 m hall 9 m'
     same design '-e:1: assert: not true: a row fits the wishes' "$stderr"
-    run -1 "$DOMINO" -e 'assert count 8 2.2'
+    run -1 "$DOMINO" --keep-going -e 'assert count 8 2.2'
     same csv 'verdict,domino' "$("$DOMINO" -e 'set output csv; effect row 5; assert verdict' | head -n 1 | cut -d , -f 1,2)"
     "$DOMINO" -e 'effect row 5; assert verdict > verdict.csv'
     same file 'all fall' "$(tail -n 1 verdict.csv | cut -d , -f 1)"
     "$DOMINO" -e 'assert prove verdict; assert prove rmax 0.4; assert prove count 1' >proved
-    run -1 --separate-stderr "$DOMINO" -e 'set r 2; assert prove verdict'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'set r 2; assert prove verdict'
     same proof '-e:1: assert: not true: there is a proof that the train goes on' "$stderr"
     wrong 'assert rmax' "'rmax' decides nothing; commands that do: barrier, .*fall, verdict, design"
     wrong 'assert' 'COMMAND is missing; usage: assert COMMAND'

@@ -220,7 +220,7 @@ END
         [[ $stderr == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
     done
     "$DOMINO" --safe -e 'plot growth' >/dev/null
-    run -1 "$DOMINO" --safe -e 'plot growth > a.svg'
+    run -1 "$DOMINO" --keep-going --safe -e 'plot growth > a.svg'
     [[ $output == *'a safe session cannot read or write files'* ]]
     same 'nothing is left' '(nothing)' "$(ls -I 'separate-stderr-*')"
 }

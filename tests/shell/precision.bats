@@ -194,18 +194,18 @@ quad() { # COMMANDS KEY DIGITS
 }
 
 @test "cost: what has no tolerance, or no answer, is an error in one line" {
-    run -1 "$DOMINO" -e 'cost thetac'
+    run -1 "$DOMINO" --keep-going -e 'cost thetac'
     same thetac "-e:1:6: cost: unknown command with a tolerance 'thetac'; use one of: fuel, launch, barrier, duration, rmax, pair" "$output"
-    run -1 "$DOMINO" -e 'cost brier'
+    run -1 "$DOMINO" --keep-going -e 'cost brier'
     [[ $output == *"did you mean 'barrier'?"* ]]
-    run -1 "$DOMINO" -e 'cost'
+    run -1 "$DOMINO" --keep-going -e 'cost'
     [[ $output == *'COMMAND is missing; usage: cost COMMAND'* ]]
     for state in 'set s 0.001; cost duration' 'set s 0.001; cost rmax' 'set r 1.7; cost duration'; do
-        run -1 "$DOMINO" -e "$state"
+        run -1 "$DOMINO" --keep-going -e "$state"
         same "$state" 1 "${#lines[@]}"
         [[ $output == *'there is no answer to measure here'* ]]
     done
-    run -1 "$DOMINO" -e 'set r 9; cost launch'
+    run -1 "$DOMINO" --keep-going -e 'set r 9; cost launch'
     [[ $output == *'r s = 3.6 > 1'* ]]
 }
 
@@ -228,19 +228,19 @@ plot cost launch > $dir/d.txt"
 
 @test "plot: endings, folders and a missing gnuplot are one line, and no file is left" {
     dir=$BATS_TEST_TMPDIR
-    run -1 "$DOMINO" -e "plot cost launch > $dir/a.jpg"
+    run -1 "$DOMINO" --keep-going -e "plot cost launch > $dir/a.jpg"
     same 'one line' 1 "${#lines[@]}"
     [[ $output == *'use .svg, .png, .pdf or .txt'* ]]
-    run -1 "$DOMINO" -e "plot cost launch > $dir/none/a.svg"
+    run -1 "$DOMINO" --keep-going -e "plot cost launch > $dir/none/a.svg"
     same 'one line' 1 "${#lines[@]}"
     mkdir "$dir/empty"
-    run -1 env PATH="$dir/empty" "$DOMINO" -e "plot cost launch > $dir/a.svg; print 1"
+    run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "plot cost launch > $dir/a.svg; print 1"
     [[ ${lines[0]} == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
     same 'the session goes on' 1 "${lines[1]}"
     same 'nothing is left' '(nothing)' "$(find "$dir" -maxdepth 1 -type f -name 'a.*')"
-    run -1 "$DOMINO" -e 'plot cst launch'
+    run -1 "$DOMINO" --keep-going -e 'plot cst launch'
     [[ $output == *"did you mean 'cost'?"* ]]
-    run -1 "$DOMINO" --safe -e "plot cost launch > $dir/a.svg"
+    run -1 "$DOMINO" --keep-going --safe -e "plot cost launch > $dir/a.svg"
     [[ $output == *'a safe session cannot read or write files'* ]]
 }
 

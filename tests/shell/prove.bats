@@ -68,7 +68,7 @@ root=$BATS_TEST_DIRNAME/../..
     # A verdict within rounding of r_max.
     same result 'not proved' "$(json 'set d 7/48; set r 1.6442290395351491; prove verdict' | values result)"
     for line in 'prove rmax 2' 'prove nothing' 'prove' 'prove count' 'prove verdict 3' 'prove rmax 0.2 m'; do
-        run -1 --separate-stderr "$DOMINO" -e "$line"
+        run -1 --separate-stderr "$DOMINO" --keep-going -e "$line"
         same "lines of $line" 1 "${#stderr_lines[@]}"
         same "answer of $line" '(nothing)' "$output"
     done

@@ -77,7 +77,7 @@ END
     wrong 'effect row good.csv; effect push 3; effect placement 1 mm; effect row typo.csv' \
         '\(good\.csv\) is now off, with push and placement$'
     for before in 'effect row 5' 'effect row good.csv; effect push 3'; do
-        run --separate-stderr "$DOMINO" -e "$before; effect row typo.csv; verdict; save"
+        run --separate-stderr "$DOMINO" --keep-going -e "$before; effect row typo.csv; verdict; save"
         grep -q 'verdict: there is no row;' <<<"$stderr" || same "$before" 'no row' "$stderr"
     done
     same 'the next one is fine' 'all fall' \

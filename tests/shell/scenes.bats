@@ -138,7 +138,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 
 @test "a wrong value leaves the scene as it was" {
     before=$("$DOMINO" -e 'effect friction 0.2; effect row 4; scene')
-    after=$("$DOMINO" -e 'effect friction 0.2; effect row 4; effect friction x; effect row 0; effect push -1; effect foo; scene' 2>/dev/null || true)
+    after=$("$DOMINO" --keep-going -e 'effect friction 0.2; effect row 4; effect friction x; effect row 0; effect push -1; effect foo; scene' 2>/dev/null || true)
     same scene "$before" "$after"
 }
 
@@ -183,7 +183,7 @@ END
         printf '%b' "$text" | file "$name.csv"
         wrong "effect row $BATS_TEST_TMPDIR/$name.csv" "$name\\.csv:$pattern"
         same "$name: nothing is loaded" 'there is no row' \
-            "$("$DOMINO" -e "effect row $BATS_TEST_TMPDIR/$name.csv; fall" 2>&1 | grep -o 'there is no row')"
+            "$("$DOMINO" --keep-going -e "effect row $BATS_TEST_TMPDIR/$name.csv; fall" 2>&1 | grep -o 'there is no row')"
     done <<'END'
 hight|hight,thickness,gap\n1,1,1\n|1:1: unknown column 'hight'; did you mean 'height'\?
 missing|height (m),thickness (m)\n1,1\n|1:[0-9]+: the column 'gap' is missing

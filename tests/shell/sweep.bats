@@ -205,7 +205,7 @@ curve 0.02 0.9 100'
     [ ! -e "$BATS_TEST_TMPDIR/out" ]
     { csv 'sweep s 0.1 0.9 200000 : print s' 2>/dev/null || true; } | head -n 2 | tail -n 1 >"$BATS_TEST_TMPDIR/first"
     same 'a closed pipe' 0.1,0.1,, "$(cat "$BATS_TEST_TMPDIR/first")"
-    run -1 --separate-stderr "$DOMINO" -e 'set output csv; set threads 4; sweep s 0.1 0.9 20000 : print s > /dev/full'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'set output csv; set threads 4; sweep s 0.1 0.9 20000 : print s > /dev/full'
     grep -q 'No space left on device' <<<"$stderr"
 }
 

@@ -19,7 +19,7 @@ all_worth() {
 
 # One error at this column of -e, nothing else on stderr, nothing more on stdout than without it.
 wrong() { # COLUMN COMMANDS MESSAGE; COLUMN 0: the error is about the whole
-    run --separate-stderr "$DOMINO" -e "$2" -e 'set output json; show s'
+    run --separate-stderr "$DOMINO" --keep-going -e "$2" -e 'set output json; show s'
     same "$2: status" 1 "$status"
     same "$2: lines on stderr" 1 "$(wc -l <<<"$stderr")"
     local place=-e:1:
@@ -443,7 +443,7 @@ END
         printf '%s' "$1" >"$BATS_TEST_TMPDIR/deep"
         repeat "$2" "$3" >>"$BATS_TEST_TMPDIR/deep"
         printf '%s\nset output json; show s\n' "$4" >>"$BATS_TEST_TMPDIR/deep"
-        run --separate-stderr "$DOMINO" "$BATS_TEST_TMPDIR/deep"
+        run --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/deep"
         same "$1$2...: status" "${5:-1}" "$status"
         same "$1$2...: the session goes on" 0.4 "$(tail -n 1 <<<"$output" | values value)"
         [ "${5:-1}" -eq 0 ] || same "$1$2...: lines on stderr" 1 "$(wc -l <<<"$stderr")"
@@ -475,7 +475,7 @@ END
 
 @test "a NUL byte in an expression" {
     printf 'set output json\nprint 1\0002\nprint 3\n' >"$BATS_TEST_TMPDIR/nul"
-    run -1 --separate-stderr "$DOMINO" "$BATS_TEST_TMPDIR/nul"
+    run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/nul"
     same 'the other line' 3 "$(values value <<<"$output")"
     same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
     [[ $stderr =~ nul:2:.*NUL ]] || same message NUL "$stderr"
@@ -693,7 +693,7 @@ mode() { find "$1" -prune -perm "$2"; }
         'set s 1e-6; set r 1e6; set q 100; fuel' 'apropos zzzz' 'source nonexistent'; do
         for to in '>' '>>'; do
             echo old >file
-            run -1 "$DOMINO" -e "$call $to file; reset; $call $to new"
+            run -1 "$DOMINO" --keep-going -e "$call $to file; reset; $call $to new"
             expects "$call $to file: a reason" "$output"
             same "$call $to file" old "$(cat file)"
             same "$call $to: what is left" file "$(inside)"
@@ -735,7 +735,7 @@ mode() { find "$1" -prune -perm "$2"; }
 END
     all_wrong_somewhere() {
         while IFS='|' read -r command message; do
-            run -1 --separate-stderr "$DOMINO" -e "$command" -e 'print 7'
+            run -1 --separate-stderr "$DOMINO" --keep-going -e "$command" -e 'print 7'
             same "$command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
             [[ $stderr =~ ^-e:1:.*$message ]] || same "$command" "$message" "$stderr"
             same "$command: the session goes on" 7 "$(tail -n 1 <<<"$output")"
@@ -812,14 +812,14 @@ END
     enter
     printf 'set s 0.3\nfoo\n\n  show s; qux 1\n' >inner
     printf 'set output json\nsource inner\nshow s' >outer
-    run -1 --separate-stderr "$DOMINO" outer
+    run -1 --separate-stderr "$DOMINO" --keep-going outer
     same 'answers' '0.3 0.3' "$(values value <<<"$output" | paste -sd ' ' -)"
     same 'places' 'inner:2:1: inner:4:11:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
     run -1 --separate-stderr "$DOMINO" --bail outer
     same '--bail: answers' '(nothing)' "$output"
     same '--bail: places' 'inner:2:1:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
     # After an error in a file the line goes on where it was.
-    run -1 --separate-stderr "$DOMINO" -e 'source inner; foo; print 7'
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'source inner; foo; print 7'
     same 'the place is back' '-e:1:15:' "$(tail -n 1 <<<"$stderr" | cut -d' ' -f1)"
     echo 'quit' >leave
     same 'quit in a file' '(nothing)' "$("$DOMINO" -e 'source leave; fuel' -e fuel)"
@@ -828,7 +828,7 @@ END
     printf 'source two\n' >one
     printf 'source one\n' >two
     for file in itself one; do
-        run -1 --separate-stderr "$DOMINO" -e "source $file; print 7"
+        run -1 --separate-stderr "$DOMINO" --keep-going -e "source $file; print 7"
         same "$file: lines on stderr" 1 "$(wc -l <<<"$stderr")"
         [[ $stderr =~ nested.*itself ]] || same "$file" 'nested ... itself' "$stderr"
         same "$file: the session goes on" 7 "$output"
@@ -837,7 +837,7 @@ END
     echo 'set s 0.3' >plain
     same 'forty in a row' 0.3 \
         "$(json "$(for _ in $(seq 40); do echo 'source plain'; done); show s" | values value)"
-    run -1 --separate-stderr "$DOMINO" -f itself
+    run -1 --separate-stderr "$DOMINO" --keep-going -f itself
     same '-f: lines on stderr' 1 "$(wc -l <<<"$stderr")"
 }
 
@@ -845,7 +845,7 @@ END
     enter
     echo 'set s 0.3' >plain
     while IFS='|' read -r command place; do
-        run -1 --separate-stderr "$DOMINO" --safe -e "$command; print 7"
+        run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "$command; print 7"
         same "$command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
         [[ $stderr =~ ^-e:1:$place:?.*'safe' ]] || same "$command" "safe" "$stderr"
         same "$command: the session goes on" 7 "$output"
@@ -872,7 +872,7 @@ END
     echo 'set s 0.3' >config/domino/init.dom
     close fuel 0.177287017324780688790030782681 "$(json fuel | values fuel)"
     differ 'what the file would change' "$(json fuel)" "$(json 'set s 0.3; fuel')"
-    for option in -n --no-init --safe --bail; do
+    for option in -n --no-init --safe --bail --keep-going; do
         same "$option" "$(json fuel)" "$(XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option" -e 'set output json; fuel')"
         same "$option, stdin" "$(json fuel)" \
             "$(echo 'set output json; fuel' | XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option")"

@@ -89,13 +89,13 @@ evenly() { # COUNT
 }
 
 @test "step where the train stops: up to there, says where and why, and no further" {
-    run -1 "$DOMINO" -e 'set r 1.7; step; step; step; print 1'
+    run -1 "$DOMINO" --keep-going -e 'set r 1.7; step; step; step; print 1'
     [[ $output == *'The train stops at theta = 0.0280216 rad'* ]]
     [[ $output == *"step: the train has stopped; 'why' says more"* ]]
     same 'the session goes on' 1 "${lines[-1]}"
-    run -1 "$DOMINO" -e 'set r 1.7; step 9'
+    run -1 "$DOMINO" --keep-going -e 'set r 1.7; step 9'
     [[ $output == *'The train stops at theta'* ]]
-    run -1 "$DOMINO" -e 'back'
+    run -1 "$DOMINO" --keep-going -e 'back'
     [[ $output == *'this is the launch of the first cycle'* ]]
     run -0 "$DOMINO" -e 'set s 0.001; step'
     [[ $output == *'no cycle begins'* ]]
@@ -105,11 +105,11 @@ evenly() { # COUNT
     same 'tilt' '0.3 top' "$(json 'goto 0.3' | values theta) $(json 'goto 0.3' | values event)"
     same 'event' "$(json barrier | values theta_m)" "$(json 'goto top' | values theta)"
     same 'degrees' 0.17453292519943295 "$(json 'goto 10 deg' | values theta)"
-    run -1 "$DOMINO" -e 'goto 2'
+    run -1 "$DOMINO" --keep-going -e 'goto 2'
     [[ $output == *'goto: PLACE = 2 rad is outside the cycle; PLACE is an angle in [0, theta_c]'* ]]
-    run -1 "$DOMINO" -e 'goto fall'
+    run -1 "$DOMINO" --keep-going -e 'goto fall'
     [[ $output == *"there is no 'fall' in this cycle"* ]]
-    run -1 "$DOMINO" -e 'set r 1.7; goto 0.3'
+    run -1 "$DOMINO" --keep-going -e 'set r 1.7; goto 0.3'
     [[ $output == *'the train stops before that, at theta = 0.02802163121 rad'* ]]
     same completion 'launch' "$("$DOMINO" -e 'complete goto l' | head -n 1)"
 }

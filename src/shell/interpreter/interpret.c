@@ -101,19 +101,11 @@ static bool ending_fits(struct session *session, const struct command *c, const 
                              "writes what it says",
                              names_shown(path, shown), c->name, c->name);
     case ENDING_OTHER:
-    case ENDING_FOREIGN:
-        if (c->draws)
-            return session_error(
-                session,
-                "'%s' has no ending of a picture: use .svg, .png, .pdf or .txt, or .csv or .json for "
-                "its data",
-                names_shown(path, shown));
-        return ending->kind == ENDING_OTHER ||
-               session_error(session,
-                             "'%s' ends in %s, which is not written here; endings are .csv, .json "
-                             "and .txt%s",
-                             names_shown(path, shown), ending->text,
-                             draws ? ", and for a picture .svg, .png and .pdf" : "");
+        return session_error(session, "no format has the ending of '%s'; use %s", names_shown(path, shown),
+                             c->draws     ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
+                             : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png or .pdf"
+                             : c->columns || c->runs ? ".csv, .json or .txt"
+                                                     : ".txt");
     case ENDING_NONE:
     case ENDING_TEXT:
         break;

@@ -10,31 +10,11 @@
 #define PDF "pdfcairo size 16cm,12cm font 'sans,11'"
 
 #define ENDING_OF_FORMAT(name) {"." #name, ENDING_DATA, &format_##name, NULL},
-#define FOREIGN(text)                                                                                        \
-    {                                                                                                        \
-        text, ENDING_FOREIGN, NULL, NULL                                                                     \
-    }
-
 static const struct ending endings[] = {
     FORMATS(ENDING_OF_FORMAT){".txt", ENDING_TEXT, NULL, NULL},
     {".svg", ENDING_PICTURE, NULL, SVG},
     {".png", ENDING_PICTURE, NULL, PNG},
     {".pdf", ENDING_PICTURE, NULL, PDF},
-    FOREIGN(".bmp"),
-    FOREIGN(".eps"),
-    FOREIGN(".gif"),
-    FOREIGN(".html"),
-    FOREIGN(".jpeg"),
-    FOREIGN(".jpg"),
-    FOREIGN(".mp4"),
-    FOREIGN(".ods"),
-    FOREIGN(".ps"),
-    FOREIGN(".tif"),
-    FOREIGN(".tiff"),
-    FOREIGN(".webm"),
-    FOREIGN(".webp"),
-    FOREIGN(".xls"),
-    FOREIGN(".xlsx"),
 };
 
 const struct ending *ending_of(const char *path)

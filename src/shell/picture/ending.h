@@ -7,11 +7,10 @@
 
 enum ending_kind {
     ENDING_NONE,    /* the name has no ending: the session's settings decide */
-    ENDING_OTHER,   /* the name has one that says nothing here */
+    ENDING_OTHER,   /* no format has this ending: an error */
     ENDING_TEXT,    /* .txt: as without an ending */
     ENDING_DATA,    /* .csv, .json and every other format of answers */
     ENDING_PICTURE, /* .svg, .png, .pdf */
-    ENDING_FOREIGN, /* other programs read it, and this one does not write it */
 };
 
 struct ending {

@@ -363,8 +363,8 @@ const struct command design_commands[] = {
                    .choices = assert_names}},
      .summary = "an error unless what COMMAND decides is true",
      .help = "Runs the command, and ends it with an error if its answer is no: the row does not fall, no row "
-             "fits. A script then ends with exit status 1, at once with --bail. COMMAND is verdict, fall, "
-             "design, barrier, count or prove.",
+             "fits. A script then ends at once with exit status 1; standard input goes on. COMMAND is "
+             "verdict, fall, design, barrier, count or prove.",
      .example = "effect row 5; assert verdict",
      .see = "verdict design barrier count",
      .unswept = "it asks one scene",
