@@ -8,12 +8,15 @@ load common
 
 # Rows of VALUE|UNIT|EXPRESSION on stdin, where '-' is no unit: what print makes of them.
 all_worth() {
-    local value unit expression answer
-    while IFS='|' read -r value unit expression; do
-        answer=$(json "print $expression")
-        close "$expression" "$value" "$(values value <<<"$answer" | tail -n 1)"
+    local value unit expression rows answers
+    mapfile -t rows
+    mapfile -t answers < <({ echo 'set output json'; printf 'print %s\n' "${rows[@]#*|*|}"; } | "$DOMINO")
+    same 'one answer each' "${#rows[@]}" "${#answers[@]}"
+    for i in "${!rows[@]}"; do
+        IFS='|' read -r value unit expression <<<"${rows[i]}"
+        close "$expression" "$value" "$(values value <<<"${answers[i]}")"
         [ "$unit" != - ] || unit='(nothing)'
-        same "$expression: unit" "$unit" "$(values unit <<<"$answer" | tail -n 1)"
+        same "$expression: unit" "$unit" "$(values unit <<<"${answers[i]}")"
     done
 }
 
@@ -31,13 +34,36 @@ wrong() { # COLUMN COMMANDS MESSAGE; COLUMN 0: the error is about the whole
     same "$2: stdout" 1 "${#lines[@]}"
 }
 
-# Rows of COLUMN|COMMAND|MESSAGE on stdin.
+# Rows of COLUMN|COMMAND|MESSAGE on stdin, all in one session: one error each, in their order, and no answer.
 all_wrong() {
-    local column command message
-    while IFS='|' read -r column command message; do wrong "$column" "$command" "$message"; done
+    local column command message place rows errors i
+    mapfile -t rows
+    for i in "${rows[@]}"; do
+        command=${i#*|}
+        printf '%s\nreset\nset output json; show s\n' "${command%|*}"
+    done >"$BATS_TEST_TMPDIR/rows"
+    run --separate-stderr "$DOMINO" <"$BATS_TEST_TMPDIR/rows"
+    same 'status' 1 "$status"
+    same 'the session goes on, and nothing else is on stdout' "${#rows[@]} 0.4" \
+        "$(values value <<<"$output" | uniq -c | sed 's/^ *//')"
+    same 'lines on stdout' "${#rows[@]}" "${#lines[@]}"
+    mapfile -t errors <<<"$stderr"
+    same 'lines on stderr' "${#rows[@]}" "${#errors[@]}"
+    for i in "${!rows[@]}"; do
+        IFS='|' read -r column command message <<<"${rows[i]}"
+        place=stdin:$((3 * i + 1)):
+        if [ "$column" -gt 0 ]; then place=$place$column:; fi
+        same "$command: place" "$place" "${errors[i]%% *}"
+        expects "$command" "$message"
+        [[ ${errors[i]#* } =~ $message ]] || same "$command" "$message" "${errors[i]}"
+    done
 }
 
-repeat() { awk -v text="$1" -v n="$2" 'BEGIN { while (n-- > 0) printf "%s", text }'; } # TEXT COUNT
+# Prints TEXT COUNT times: twice as much in each step, since a million of printf take their time.
+repeat() { # TEXT COUNT
+    awk -v text="$1" -v n="$2" 'BEGIN {
+        for (many = text; n > 0; many = many many) { if (n % 2) printf "%s", many; n = int(n / 2) } }'
+}
 
 # ---- Expressions ----
 
@@ -414,13 +440,13 @@ END
 7|print inf|^print:.*'inf' has no value
 7|print 0x10|^print:.*decimal number
 7|print "1"|^print:.*'"1"'
-7|print ans|^print:.*no earlier answer
-7|print ans.r_max|^print:.*no earlier answer
 7|print rmax.foo|^print:.*unknown key of rmax 'foo'
 7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
 7|print pair(0.1)|^print:.*does not exist here: 'pair' says why
 11|print 2 + thetac.theta_leave|^print:.*does not exist here: 'thetac' says why
 END
+    wrong 7 'print ans' '^print:.*no earlier answer'
+    wrong 7 'print ans.r_max' '^print:.*no earlier answer'
 }
 
 @test "a ',' with no value after it" {
@@ -647,11 +673,17 @@ mode() { find "$1" -prune -perm "$2"; }
     enter
     while IFS='|' read -r call _; do
         case $call in design*) continue ;; esac # a file gets its row, see plan.bats
+        plain='' asked=''
         for format in table csv json; do
-            expected=$("$DOMINO" -e "set output $format; $call")
-            run -0 --separate-stderr "$DOMINO" -e "set output $format; $call > out; $call >> out; $call"
-            same "$call > out: stdout" "$expected" "$output"
-            same "$call > out" "$expected"$'\n'"$expected" "$(cat out)"
+            plain+="set output $format; $call; "
+            asked+="set output $format; $call > $format; $call >> $format; $call; "
+        done
+        expected=$("$DOMINO" -e "$plain" | grep .)
+        run -0 --separate-stderr "$DOMINO" -e "$asked"
+        same "$call > FILE: stdout" "$expected" "$(grep . <<<"$output")"
+        for part in head tail; do # the one that '>' wrote, and the one that '>>' added
+            same "$call > FILE: the $part" "$expected" \
+                "$(for file in table csv json; do $part -n $(($(wc -l <$file) / 2)) $file; done | grep .)"
         done
     done <<<"$commands"
     for call in help 'help fuel' show 'print 1' 'source nested'; do
@@ -667,7 +699,7 @@ mode() { find "$1" -prune -perm "$2"; }
     same "';' and '#'" "$("$DOMINO" -e fuel)" "$(cat 'x;y #z')"
     "$DOMINO" -e 'rmax 0.3>close; fuel>/dev/null'  2>/dev/null || true
     same 'no blank before it' "$("$DOMINO" -e 'rmax 0.3')" "$(cat close)"
-    same 'nothing else' 'close,nested,out,with  blanks,x;y #z' "$(inside)"
+    same 'nothing else' 'close,csv,json,nested,out,table,with  blanks,x;y #z' "$(inside)"
 }
 
 @test "'apropos WORD' ends where every command does" {
@@ -1005,32 +1037,34 @@ END
 }
 
 @test "help NAME for every command and parameter; its example is what the program prints" {
+    enter
     "$DOMINO" -e help | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' >"$BATS_TEST_TMPDIR/names"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/names")" -ge 22 ]
+    cp "$BATS_TEST_TMPDIR/names" names
+    [ "$(wc -l <names)" -ge 22 ]
     examples=0
     names=$(paste -sd ' ' "$BATS_TEST_TMPDIR/names")
+    help=$("$DOMINO" -e help)
+    # Whatever the session has been set to, the example is that of a fresh one, and changes nothing.
+    changed='set s 0.3; set digits 4; set output json; set angle deg'
+    "$DOMINO" -e "$changed; show" -e "$(sed 's/.*/help & > "&.elsewhere"/' names | paste -sd ';' -)" -e show >shows
+    same 'help changes nothing' "$(head -n "$(($(wc -l <shows) / 2))" shows)" "$(tail -n "$(($(wc -l <shows) / 2))" shows)"
+    shown() { awk '/^Example: / { on = 1; getline; next } /^See also: / { on = 0 } on' "$@"; }
     while read -r name; do
         run -0 --separate-stderr "$DOMINO" -e "help $name"
         same "help $name: stderr" '(nothing)' "$stderr"
-        usage=$("$DOMINO" -e help | awk -v name="$name" '$1 == name { sub(/^  /, ""); sub(/  +.*/, ""); print; exit }')
+        usage=$(awk -v name="$name" '$1 == name { sub(/^  /, ""); sub(/  +.*/, ""); print; exit }' <<<"$help")
         [[ ${lines[0]} == "$usage"* ]] || same "help $name: its usage" "$usage" "${lines[0]}"
         example=$(sed -n 's/^Example: //p' <<<"$output")
         [ -n "$example" ] || continue
         examples=$((examples + 1))
-        shown=$(awk '/^Example: / { on = 1; getline; next } /^See also: / { on = 0 } on' <<<"$output")
-        same "help $name: $example" "$("$DOMINO" -e "$example")" "$shown"
-        # Whatever the session has been set to, it is that of a fresh one, and changes nothing.
-        changed='set s 0.3; set digits 4; set output json; set angle deg'
-        same "help $name elsewhere" "$shown" "$("$DOMINO" -e "$changed; help $name" |
-            awk '/^Example: / { on = 1; getline; next } /^See also: / { on = 0 } on')"
-        same "help $name changes nothing" "$("$DOMINO" -e "$changed; show")" \
-            "$("$DOMINO" -e "$changed; help $name > /dev/null; show")"
+        same "help $name: $example" "$("$DOMINO" -e "$example")" "$(shown <<<"$output")"
+        same "help $name elsewhere" "$(shown <<<"$output")" "$(shown "$name.elsewhere")"
         # Each that it sends to is there.
         while read -r other; do
             [[ " $names " == *" $other "* ]] || same "help $name: see also" "a command" "$other"
         done < <(sed -n 's/^See also: //p' <<<"$output" | tr ' ' '\n')
     done <"$BATS_TEST_TMPDIR/names"
-    [ "$examples" -ge 14 ]
+    [ "$examples" -ge 25 ]
     seen=0
     json show | values name >"$BATS_TEST_TMPDIR/parameters"
     while read -r name; do
