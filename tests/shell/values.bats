@@ -40,7 +40,7 @@ all_wrong() {
     mapfile -t rows
     for i in "${rows[@]}"; do
         command=${i#*|}
-        printf '%s\nreset\nset output json; show s\n' "${command%|*}"
+        printf '%s\nreset\nset output json; show s\n' "${command%%|*}"
     done >"$BATS_TEST_TMPDIR/rows"
     run --separate-stderr "$DOMINO" <"$BATS_TEST_TMPDIR/rows"
     same 'status' 1 "$status"
