@@ -322,7 +322,7 @@ static void print_candidate(const char *candidate, void *out)
 
 static bool run_complete(struct session *session, const struct call *call)
 {
-    complete_line(call->count ? call->word[0] : "", !session->safe, print_candidate, session->out);
+    complete_line(session, call->count ? call->word[0] : "", !session->safe, print_candidate, session->out);
     return true;
 }
 

@@ -263,7 +263,7 @@ const struct command prove_commands[] = {
      .train = true,
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "answer with a proof", .choices = prove_names},
-          {.name = "VALUE", .kind = ARGUMENT_ANY, .optional = true}},
+          {.name = "VALUE", .kind = ARGUMENT_ANY, .of = "value", .optional = true}},
      .summary = "an answer with a proof: rmax, pair, barrier, verdict or count",
      .help = "'prove rmax S' and 'prove pair S' enclose the largest growth between two decimals, 'tol' "
              "apart: for "

@@ -40,8 +40,9 @@ struct call;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    const char *of; /* the parameter of ARGUMENT_OF; else what the choices are */
-    int which;      /* of the parameter's values, from 0 */
+    const char
+        *of;   /* the parameter of ARGUMENT_OF; what the choices are; what not any value of ARGUMENT_ANY is */
+    int which; /* of the parameter's values, from 0 */
     bool optional;
     names_list *choices; /* the names that it takes, or that completion offers for it */
     /* Reads ARGUMENT_GRID, ARGUMENT_COMMAND and ARGUMENT_WORDS; the context of choices of the last is the

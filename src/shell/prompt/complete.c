@@ -1,42 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/command.h"
+#include "interpreter/arguments.h"
 #include "io/escape.h"
-#include "language/text.h"
 #include "prompt/input.h"
+#include "prompt/typed.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <readline/readline.h>
 
-/* The candidates at the cursor: up to three lists of names, or files. */
+#define UNIT_LETTERS "abcdefghijklmnopqrstuvwxyz"
+
+/* The candidates at the cursor: lists of names, the values of an argument, files. */
 struct offer {
-    names_list *list[3];
-    const void *context[3];
+    names_list *list[2];
+    const void *context[2];
     int lists;
+    struct argument value; /* the argument that takes an expression; else of kind ARGUMENT_NONE */
     bool files;
 };
-
-/* Lists for names.h the commands that have a value, and ans. */
-static const char *answer_names(const void *context, int k)
-{
-    const char *name;
-    int fewest;
-    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
-        if (command_values(command_find(name), &fewest) >= 0 && k-- == 0)
-            return name;
-    return k == 0 ? "ans" : NULL;
-}
-
-/* Lists for names.h the parameters that are numbers. */
-static const char *number_names(const void *context, int k)
-{
-    (void)context;
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (parameter_is_number(p) && k-- == 0)
-            return p->name;
-    return NULL;
-}
 
 static void offer_list(struct offer *offer, names_list *list, const void *context)
 {
@@ -44,22 +26,18 @@ static void offer_list(struct offer *offer, names_list *list, const void *contex
     offer->context[offer->lists++] = context;
 }
 
-static struct offer offer_for(const struct argument *a, const struct parameter *p, bool first)
+/* Returns the candidates for an argument; p: the parameter that it gives a value to, or NULL. */
+static struct offer offer_for(const struct argument *a, const struct parameter *p)
 {
     struct offer offer = {.files = a->kind == ARGUMENT_FILE || (p && p->value->or_file)};
-    bool expression = a->kind == ARGUMENT_GRID && !first;
     if (a->choices)
         offer_list(&offer, a->choices, NULL);
     else if (p && p->words)
         offer_list(&offer, parameter_offered, p);
-    else if (a->kind != ARGUMENT_FILE && a->kind != ARGUMENT_REST && a->kind != ARGUMENT_NONE) {
-        offer_list(&offer, number_names, NULL);
-        expression = true;
-    }
-    if (expression) {
-        offer_list(&offer, answer_names, NULL);
-        offer_list(&offer, expression_names, NULL);
-    }
+    else if (a->kind != ARGUMENT_FILE && a->kind != ARGUMENT_REST)
+        offer.value = *a;
+    if (a->kind == ARGUMENT_PLACE || a->kind == ARGUMENT_GRID || (p && p->words && !p->words_only))
+        offer.value = *a;
     return offer;
 }
 
@@ -96,6 +74,15 @@ static const char *swept_names(const void *context, int k)
     return NULL;
 }
 
+/* Returns the list of the commands that may come after the ':' of this one. */
+static names_list *names_after_colon(const struct command *sweep)
+{
+    const struct argument *a = sweep->argument;
+    while (a->kind && a->kind != ARGUMENT_COMMAND)
+        a++;
+    return a->kind && a->choices ? a->choices : swept_names;
+}
+
 /* Returns the candidates for the n-th word after a choice that decides them. */
 static struct offer offer_behind(const struct command *c, const char *choice, int n)
 {
@@ -103,55 +90,32 @@ static struct offer offer_behind(const struct command *c, const char *choice, in
     struct argument a = c->argument[1];
     int k = names_find(c->argument[0].choices, NULL, c->argument[0].of, choice, message);
     a.choices = k < 0 ? NULL : a.offers(k, n);
-    return a.choices ? offer_for(&a, NULL, n == 1) : (struct offer){.lists = 0};
+    return a.choices ? offer_for(&a, NULL) : (struct offer){.lists = 0};
 }
 
-/* Returns the candidates that the words before the last one ask for. swept: the line is the part after the
- * ':' of a sweep. */
-static struct offer offer_at(const char *line, size_t length, bool swept)
+/* Returns the candidates for the last word. */
+static struct offer offer_at(const struct typed *t)
 {
-    struct offer offer = {.lists = 0};
-    const struct command *c = NULL;
-    const struct parameter *p = NULL;
-    static char last[64]; /* the offer refers to it */
-    char word[64], choice[64] = "", message[NAMES_MESSAGE];
-    int words = 0;
-    last[0] = '\0';
-    for (size_t i = 0; i < length;) {
-        size_t n = strcspn(line + i, " \t");
-        n = i + n > length ? length - i : n;
-        snprintf(word, sizeof word, "%.*s", (int)n, line + i);
-        i += n + strspn(line + i + n, " \t");
-        if (*word == '\0')
-            continue;
-        if (*word == '>')
-            return (struct offer){.files = true};
-        if (words == 0) {
-            int k = names_find(command_names, NULL, "command", word, message);
-            c = k < 0 ? NULL : command_find(command_names(NULL, k));
-        } else if (words == 1 && c && c->argument[1].kind == ARGUMENT_VALUE) {
-            int k = names_find(c->argument[0].choices, NULL, "parameter", word, message);
-            p = k < 0 ? NULL : parameter_find(c->argument[0].choices(NULL, k));
-        }
-        if (words == 1)
-            memcpy(choice, word, sizeof choice);
-        memcpy(last, word, sizeof last);
-        words++;
-    }
-    const struct argument *own = c && words > 0 ? words_argument(c, words - 1) : NULL;
+    const struct command *c = t->command;
+    int k = typed_argument(t);
+    const struct argument *own = c && k >= 0 ? words_argument(c, k) : NULL;
+    struct offer offer = {.files = t->file};
+    if (t->file)
+        return offer;
     if (own)
-        offer_list(&offer, own->choices, last);
-    else if (words == 0)
-        offer_list(&offer, swept ? swept_names : command_names, NULL);
-    else if (c && words > 1 && c->argument[1].offers)
-        offer = offer_behind(c, choice, words - 1);
+        offer_list(&offer, own->choices, t->before);
+    else if (k < 0)
+        offer_list(&offer, t->sweep ? names_after_colon(t->sweep) : command_names, NULL);
+    else if (c && k > 0 && c->argument[1].offers)
+        offer = offer_behind(c, t->choice, k);
     else if (c && c->argument[0].kind == ARGUMENT_GRID)
-        offer = offer_for(&c->argument[0], NULL, words == 1); /* as long as it may be */
-    else if (c && words <= ARGUMENTS_MAX && c->argument[words - 1].kind == ARGUMENT_VALUE && words > 2)
-        return offer; /* a second value, which only few effects have */
-    else if (c && words <= ARGUMENTS_MAX && (words == 1 || may_follow(&c->argument[words - 1], last)))
-        offer = offer_for(&c->argument[words - 1], c->argument[words - 1].kind == ARGUMENT_VALUE ? p : NULL,
-                          words == 1);
+        offer = offer_for(&c->argument[0], NULL); /* as long as it may be */
+    else if (c && k < ARGUMENTS_MAX && c->argument[k].kind == ARGUMENT_VALUE && t->parameter) {
+        const struct parameter *p = t->parameter;
+        if (parameter_value(p, k - 1)) /* only few effects have a second value */
+            offer = offer_for(&(struct argument){.kind = ARGUMENT_OF, .of = p->name, .which = k - 1}, p);
+    } else if (c && k < ARGUMENTS_MAX && (k == 0 || may_follow(&c->argument[k], t->before)))
+        offer = offer_for(&c->argument[k], NULL);
     return offer;
 }
 
@@ -173,64 +137,202 @@ static const struct command *command_before_dot(const char *text, const char *do
     return c && command_values(c, &fewest) >= 0 ? c : NULL;
 }
 
-/* Returns the place after the ':' of a sweep, where a command begins; else the line itself. */
-static const char *swept_command(const char *line)
+/* ---- Values ---- */
+
+/* Where candidates go. */
+struct completion {
+    struct session *session;
+    const struct typed *typed;
+    const char *name; /* what is completed: the last word, or a name at the end of its expression */
+    bool alone;       /* the name is all of the argument */
+    bool listed;      /* a ',' may have to follow */
+    void (*emit)(const char *candidate, void *context);
+    void *context;
+};
+
+/*
+ * Returns true if the parser takes the line with this last word: as a whole, or up to its end, where only
+ * something after it is missing.
+ */
+static bool accepted(const struct completion *c, const char *word)
 {
-    char name[32], message[NAMES_MESSAGE];
-    const char *colon = strchr(line, ':');
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(line, " \t:"), line);
-    int k = colon && *name ? names_find(command_names, NULL, "command", name, message) : -1;
-    const struct command *c = k < 0 ? NULL : command_find(command_names(NULL, k));
-    if (!c || (c->argument[0].kind != ARGUMENT_GRID && c->argument[1].kind != ARGUMENT_GRID))
-        return line;
-    return colon + 1 + strspn(colon + 1, " \t");
+    struct session session = *c->session;
+    struct captured_error error = {.column = 0};
+    struct text text;
+    char *line = NULL;
+    int length = asprintf(&line, "%.*s%s", (int)(c->typed->last - c->typed->line), c->typed->line, word);
+    if (length < 0 || !text_make(&text, line, (size_t)length)) {
+        free(length < 0 ? NULL : line);
+        return false;
+    }
+    session.captured_error = &error;
+    session.out = NULL;
+    struct reader r = {.session = &session, .text = &text, .at = text.line};
+    struct call call = {.count = 0};
+    const struct command *command = read_command(&r);
+    bool whole = command && read_arguments(&r, command, &call);
+    bool missing = !whole && *error.text && error.column >= text_column(&text, text.line + strlen(text.line));
+    call_free(&call);
+    text_free(&text);
+    free(line);
+    return whole || missing;
 }
 
-void complete_line(const char *line, bool files, void (*emit)(const char *, void *), void *context)
+/* Emits the last word with this name at its end. checked: the parser is asked whether it takes the word. */
+static void emit_name(const struct completion *c, const char *name, const char *more, bool checked)
 {
-    const char *begin = line, *last;
-    for (const char *end; *(end = text_end(begin, ";")) == ';';)
-        begin = end + 1;
-    begin += strspn(begin, " \t");
-    const char *line_begin = begin;
-    begin = swept_command(begin);
-    last = begin + strlen(begin);
-    while (last > begin && !strchr(" \t", last[-1]))
-        last--;
-    /* A file name in quotes begins after its '"'. */
-    const char *quote = strchr(begin, '"');
-    for (const char *behind; quote && (behind = text_quote(quote)) != NULL;)
-        quote = strchr(behind, '"');
-    last = quote ? quote + 1 : last;
-    struct offer offer = offer_at(begin, (size_t)(last - (quote != NULL) - begin), begin > line_begin);
-    /* In an expression the name begins after the operator. */
-    const char *name = last;
-    for (const char *c = last; *c && offer.lists == 3; c++)
-        if (!isalnum((unsigned char)*c) && *c != '_')
-            name = c + 1;
-    if (name > last && name[-1] == '.') {
-        const struct command *c = command_before_dot(last, name - 1);
-        offer = (struct offer){.lists = 0};
-        if (c)
-            offer_list(&offer, command_keys, c);
+    char whole[128], list[sizeof whole + 1];
+    snprintf(whole, sizeof whole, "%.*s%s%s", (int)(c->name - c->typed->last), c->typed->last, name, more);
+    if (strncmp(name, c->name, strlen(c->name)) == 0 && !escape_needed(whole) && /* it is written as it is */
+        (!checked || accepted(c, whole) || (c->listed && accepted(c, strcat(strcpy(list, whole), ",")))))
+        c->emit(whole, c->context);
+}
+
+/* Returns the unit of the values of an argument. */
+static struct quantity argument_unit(const struct argument *a)
+{
+    const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
+    bool length = a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH;
+    bool tilt = a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
+    return p ? expression_unit(p->value[a->which].unit) : expression_unit(length ? "m" : tilt ? "rad" : "");
+}
+
+/*
+ * Returns true if a name with this unit may be the value of the argument by itself.  Of the numbers without a
+ * unit only those of the argument's parameter may: what is called r or r_max, for r.
+ */
+static bool of_kind(const struct argument *a, const char *name, const char *unit)
+{
+    struct quantity own = argument_unit(a);
+    size_t length = a->of ? strlen(a->of) : 0;
+    if (a->kind == ARGUMENT_COUNT || a->kind == ARGUMENT_GRID)
+        return false;
+    if (!quantity_bare(own))
+        return quantity_alike(expression_unit(unit), own);
+    return length > 0 && strncmp(name, a->of, length) == 0 && (name[length] == '\0' || name[length] == '_');
+}
+
+/* Emits what has a value: parameters, answers, functions. */
+static void emit_values(const struct completion *c, const struct argument *a)
+{
+    bool any = !c->alone || (a->kind == ARGUMENT_ANY && !a->of);
+    bool row = c->session->effect[DOM_EFFECT_row].on;
+    const char *name;
+    int fewest;
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (parameter_is_number(p) && p != c->typed->parameter &&
+            (any || of_kind(a, p->name, p->value->unit)))
+            emit_name(c, p->name, "", !any);
+    for (int i = 0; (name = command_names(NULL, i)) != NULL; i++) {
+        const struct command *command = command_find(name);
+        if (command_values(command, &fewest) < 0 || (!command->train && !fewest && !row))
+            continue;
+        const struct column *column = &command->columns[command_principal(command)];
+        /* Answers about the endless train come at once: the parser asks for them. */
+        if (any || (!fewest && command->train && of_kind(a, column->key, column->unit)))
+            emit_name(c, name, fewest ? "(" : "", !any);
     }
-    for (int l = 0; l < offer.lists; l++) {
-        const char *candidate;
-        for (int k = 0; (candidate = offer.list[l](offer.context[l], k)) != NULL; k++) {
-            char whole[128];
-            snprintf(whole, sizeof whole, "%.*s%s", (int)(name - last), last, candidate);
-            if (strncmp(candidate, name, strlen(name)) == 0 && !escape_needed(whole)) /* as typed before it */
-                emit(whole, context);
-        }
-    }
+    emit_name(c, "ans", "", !any);
+    for (int i = 0;
+         (any || (*c->name && a->kind != ARGUMENT_COUNT)) && (name = expression_names(NULL, i)) != NULL; i++)
+        emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !any);
+}
+
+/* Returns the argument before the last word, if that is a number that may have a unit; or NULL. */
+static const struct argument *argument_of_number(const struct typed *t, struct argument *value)
+{
+    int k = t->words - 2;
+    const struct argument *a =
+        t->command && t->number && !t->file && k >= 0 && k < ARGUMENTS_MAX ? &t->command->argument[k] : NULL;
+    if (!a || a->kind == ARGUMENT_GRID || a->kind == ARGUMENT_COMMAND)
+        return NULL;
+    if (a->kind != ARGUMENT_VALUE)
+        return a;
+    *value = (struct argument){.kind = ARGUMENT_OF, .which = k - 1};
+    value->of = t->parameter && parameter_value(t->parameter, k - 1) ? t->parameter->name : NULL;
+    return value->of ? value : NULL;
+}
+
+/* Emits the units that a number may have: in the last word "48m", or the number in the word before. */
+static void emit_units(struct completion c)
+{
+    const char *unit;
+    for (int k = 0; (unit = expression_units(NULL, k)) != NULL; k++)
+        emit_name(&c, unit, "", true);
+}
+
+/* ---- All candidates ---- */
+
+/* Returns true if a grid has a value here, and not a name. */
+static bool takes_value(const struct completion *c)
+{
+    return parameter_find(c->typed->before) || accepted(c, "0.5") || accepted(c, "2");
+}
+
+/* Returns the place after the number that the word begins with, where a unit may be; NULL without one. */
+static const char *after_number(const char *word)
+{
+    char *end = NULL;
+    if (isdigit((unsigned char)*word) || *word == '.')
+        strtod(word, &end);
+    return end && end > word && end[strspn(end, UNIT_LETTERS)] == '\0' ? end : NULL;
+}
+
+static void emit_files(const struct completion *c)
+{
     char *file;
-    for (int state = 0; offer.files && files && (file = rl_filename_completion_function(last, state)) != NULL;
-         state = 1) {
+    for (int state = 0; (file = rl_filename_completion_function(c->typed->last, state)) != NULL; state = 1) {
         rl_filename_completion_desired = 1; /* a '/' after folders, '"' around blanks */
         if (!escape_needed(file))           /* it is written on the terminal */
-            emit(file, context);
+            c->emit(file, c->context);
         free(file);
     }
+}
+
+void complete_line(struct session *session, const char *line, bool files, void (*emit)(const char *, void *),
+                   void *context)
+{
+    struct typed t;
+    struct argument of;
+    typed_read(line, &t);
+    struct offer offer = offer_at(&t);
+    struct completion c = {.session = session, .typed = &t, .name = t.last, .emit = emit, .context = context};
+    const char *unit = after_number(t.last);
+    bool value = offer.value.kind != ARGUMENT_NONE;
+    bool words = offer.value.kind == ARGUMENT_OF && offer.lists > 0; /* these are what people look for */
+    /* In a grid names and values take turns: only the parser knows which is next. */
+    if (value && offer.value.kind == ARGUMENT_GRID && typed_argument(&t) > 0 && takes_value(&c)) {
+        const struct parameter *p = parameter_find(t.before);
+        offer.lists = 0;
+        if (p && p->words)
+            offer_list(&offer, parameter_offered, p);
+    }
+    /* In an expression the name begins after the operator. */
+    for (const char *at = t.last; *at && value; at++)
+        if (!isalnum((unsigned char)*at) && *at != '_')
+            c.name = at + 1;
+    c.alone = c.name == t.last && !t.joins;
+    if (value && c.name > t.last && c.name[-1] == '.' && !unit) {
+        const struct command *before = command_before_dot(t.last, c.name - 1);
+        for (int k = 0; before && command_keys(before, k); k++)
+            emit_name(&c, command_keys(before, k), "", false);
+        return;
+    }
+    c.listed = offer.value.kind == ARGUMENT_GRID;
+    for (int l = 0; l < offer.lists; l++) {
+        const char *candidate;
+        for (int k = 0; (candidate = offer.list[l](offer.context[l], k)) != NULL; k++)
+            emit_name(&c, candidate, "", typed_argument(&t) >= 0);
+    }
+    if (value && unit) {
+        c.name = unit;
+        emit_units(c);
+    } else if (value && (!words || !c.alone))
+        emit_values(&c, &offer.value);
+    if (!unit && c.name == t.last && argument_of_number(&t, &of))
+        emit_units(c);
+    if (offer.files && files)
+        emit_files(&c);
 }
 
 /* ---- Readline asks for one candidate after the other ---- */
@@ -261,6 +363,8 @@ static char *next_match(const char *text, int state)
     return k < collected.count ? collected.word[k] : NULL; /* Readline frees it */
 }
 
+struct session *complete_session;
+
 char **complete_word(const char *text, int start, int end)
 {
     char *line = strndup(rl_line_buffer, (size_t)end);
@@ -268,8 +372,10 @@ char **complete_word(const char *text, int start, int end)
     rl_attempted_completion_over = 1; /* never fall back to file names */
     collected = (struct collected){NULL, 0};
     if (line)
-        complete_line(line, true, collect, &collected);
+        complete_line(complete_session, line, true, collect, &collected);
     free(line);
+    const char *first = collected.count ? collected.word[0] : "";
+    rl_completion_suppress_append = *first && first[strlen(first) - 1] == '('; /* no blank in a function */
     char **matches = rl_completion_matches(text, next_match);
     free(collected.word);
     return matches;

@@ -9,13 +9,15 @@
 void line_prompt(struct session *session);
 
 /*
- * Emits every candidate for the last word of a line: commands, then what the arguments of the command can be,
- * and files where they belong.
+ * Emits every candidate for the last word of a line: commands, then what the argument of the command can be,
+ * units after a number, and files where they belong.  What the parser does not take in this session is left
+ * out.
  */
-void complete_line(const char *line, bool files, void (*emit)(const char *candidate, void *context),
-                   void *context);
+void complete_line(struct session *session, const char *line, bool files,
+                   void (*emit)(const char *candidate, void *context), void *context);
 
-/* Completes a word, as Readline's completion function. */
+/* Completes a word, as Readline's completion function, which takes no context: the session is set before. */
+extern struct session *complete_session;
 char **complete_word(const char *text, int start, int end);
 
 /*

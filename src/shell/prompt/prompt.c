@@ -128,7 +128,7 @@ void line_prompt(struct session *session)
         sigaction(watched[i], &action, &before[i]);
     }
     sigaction(SIGTTOU, &ignore, &ttou);
-    prompt_session = session;
+    prompt_session = complete_session = session;
     session->source = NULL;
     session->compute.interrupt = &interrupted;
     history_load(session);

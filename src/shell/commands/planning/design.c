@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planning: the row that a height, a safety and a hall ask for; and the table of the commands that plan. */
 #include "answer/format.h"
+#include "commands/planning/inquiry.h"
 #include "commands/planning/plan.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
@@ -314,7 +315,10 @@ const struct command design_commands[] = {
     {.name = "solve",
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_GRID, .read = solve_read_parameter, .choices = solve_names},
-          {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = solve_read_answer}},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .read = solve_read_answer,
+           .choices = inquiry_names}},
      .summary = "where an answer takes a value, along a parameter",
      .help =
          "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. Finds the values of the "
@@ -330,7 +334,7 @@ const struct command design_commands[] = {
      ANSWER(solve)},
     {.name = "sensitivity",
      .argument =
-         {{.name = "COMMAND", .kind = ARGUMENT_COMMAND, .read = sensitivity_read, .choices = command_names}},
+         {{.name = "COMMAND", .kind = ARGUMENT_COMMAND, .read = sensitivity_read, .choices = inquiry_names}},
      .summary = "how much each parameter changes the number of COMMAND",
      .help =
          "Changes each parameter of the model down and up, by 1 %; friction by 0.01 and slope by 1 degree, "

@@ -69,6 +69,17 @@ bool inquiry_read(struct reader *r, struct inquiry *q)
     return true;
 }
 
+const char *inquiry_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++) {
+        const struct command *c = command_find(name);
+        if ((c->principal || c->holds) && !c->unswept && k-- == 0)
+            return name;
+    }
+    return NULL;
+}
+
 bool inquiry_read_left(struct reader *r, struct inquiry *q)
 {
     const char *end = text_end(r->at, "=;>");

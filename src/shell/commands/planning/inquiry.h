@@ -15,6 +15,9 @@ struct inquiry {
     char name[NAMES_SHOWN]; /* as it was typed */
 };
 
+/* Lists for names.h the commands that an inquiry may be about. */
+const char *inquiry_names(const void *context, int k);
+
 /* Reads "COMMAND ARGUMENTS", "COMMAND.KEY ARGUMENTS" or an expression, up to the end of the command. */
 bool inquiry_read(struct reader *reader, struct inquiry *inquiry);
 

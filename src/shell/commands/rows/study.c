@@ -240,7 +240,7 @@ const struct command study_commands[] = {
      .run = run_pool},
     {.name = "budget",
      .synonyms = "probability chance random precision spacing tolerance",
-     .argument = {{.name = "P", .kind = ARGUMENT_ANY},
+     .argument = {{.name = "P", .kind = ARGUMENT_ANY, .of = "share"},
                   {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "how precise gaps must be to fall with probability P",
      .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "

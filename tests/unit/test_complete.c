@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Completion offers only what the parser then takes: at every argument of every command. */
+#include "support.h"
+
+#include "commands/tables.h"
+#include "interpreter/arguments.h"
+#include "prompt/input.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINE = 200, OFFERS = 200, DEPTH = 5 };
+
+struct offers {
+    int count;
+    char word[OFFERS][LINE];
+};
+
+static struct session session;
+static int checked;
+
+static void keep(const char *word, void *context)
+{
+    struct offers *o = context;
+    assert_true(o->count < OFFERS);
+    snprintf(o->word[o->count++], LINE, "%s", word);
+}
+
+/* Returns true if the parser takes the line, without running it. */
+static bool parses(const char *line)
+{
+    struct session copy = session;
+    struct captured_error error = {.column = 0};
+    struct text text;
+    assert_true(text_make(&text, line, strlen(line)));
+    copy.captured_error = &error;
+    struct reader r = {.session = &copy, .text = &text, .at = text.line};
+    struct call call = {.count = 0};
+    const struct command *c = read_command(&r);
+    bool whole = c && read_arguments(&r, c, &call);
+    call_free(&call);
+    text_free(&text);
+    return whole;
+}
+
+/* Returns true if the parser takes the line with something after it. */
+static bool goes_on(const char *line)
+{
+    static const char *const more[] = {"",
+                                       " 0.3",
+                                       " 2",
+                                       " 0.3 2",
+                                       " 0.1 0.9 9",
+                                       " 1 2 3",
+                                       " : rmax",
+                                       " 0.1 0.9 9 : rmax",
+                                       " 1 2 2 : rmax",
+                                       ", 2 : rmax",
+                                       ", on : rmax",
+                                       " off",
+                                       " exact",
+                                       " double",
+                                       " json",
+                                       " deg",
+                                       " s 0.3",
+                                       " friction 0.2",
+                                       " barrier",
+                                       " friction a.csv",
+                                       " a",
+                                       " a b",
+                                       ", paper : rmax",
+                                       ", exact : rmax",
+                                       ", double : rmax",
+                                       ", float : rmax",
+                                       " 5 : rmax = 1",
+                                       " mass",
+                                       " row.csv",
+                                       " 2 0.3",
+                                       " 0.3 0.4 2 : rmax",
+                                       " s 0.1 0.9 9 : rmax",
+                                       " d : rmax = 1",
+                                       " 1 mm",
+                                       " exact, paper : rmax",
+                                       " float, double : rmax",
+                                       " 9 : rmax",
+                                       " 1 : rmax",
+                                       ": rmax",
+                                       " : rmax = 1",
+                                       " : verdict",
+                                       " = 1",
+                                       " name",
+                                       " 2 s",
+                                       "0)",
+                                       "1)",
+                                       "0.1)",
+                                       "5)",
+                                       "1,0.1)",
+                                       "1,2)",
+                                       " 4 m",
+                                       " friction",
+                                       " 0.01 0.1 2 : rmax",
+                                       "0.5) 9",
+                                       "2) 9",
+                                       "0.1,0.1) 9",
+                                       " rmax",
+                                       " cost rmax",
+                                       " examples/measured/friction.csv"};
+    char whole[2 * LINE];
+    for (size_t i = 0; i < sizeof more / sizeof *more; i++) {
+        snprintf(whole, sizeof whole, "%s%s", line, more[i]);
+        if (parses(whole))
+            return true;
+    }
+    return false;
+}
+
+/* Checks all that is offered after a line, and after that. */
+static void explore(const char *line, int depth)
+{
+    static const char *const numbers[] = {"0.3 ", "2 "};
+    struct offers *o = calloc(1, sizeof *o);
+    char longer[2 * LINE];
+    assert_non_null(o);
+    complete_line(&session, line, false, keep, o);
+    size_t word = strlen(line);
+    while (word > 0 && line[word - 1] != ' ')
+        word--;
+    for (int i = 0; i < o->count; i++) {
+        snprintf(longer, sizeof longer, "%.*s%s", (int)word, line, o->word[i]);
+        if (!goes_on(longer))
+            fail_msg("'%s' offers '%s', which is refused", line, o->word[i]);
+        checked++;
+        strcat(longer, " ");
+        if (depth > 1 && !strchr(o->word[i], '(') && strcmp(line, "print ") != 0)
+            explore(longer, depth - (strlen(line) > 0));
+    }
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers && depth > 1 && word > 0; i++) {
+        snprintf(longer, sizeof longer, "%s%s", line, numbers[i]);
+        if (goes_on(longer))
+            explore(longer, depth - 1);
+    }
+    free(o);
+}
+
+static void offers_are_taken(void **state)
+{
+    (void)state;
+    explore("", 2);
+    assert_in_range(checked, 1000, 100000);
+}
+
+static void begun_words_are_taken(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {"curve 0.1 0.9 ",
+                                        "effect placement 1 mm ",
+                                        "sweep s 0.1 0.9 9 ",
+                                        "place 2 3 ",
+                                        "count r",
+                                        "count 112 r",
+                                        "count 48m",
+                                        "set h 48m",
+                                        "set r r",
+                                        "theta1 t",
+                                        "curve 0.1 s",
+                                        "set d s",
+                                        "set s b",
+                                        "effect slope 2d"};
+    checked = 0;
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        explore(lines[i], 1);
+    assert_in_range(checked, 15, 100);
+}
+
+static int begin(void **state)
+{
+    (void)state;
+    command_registry(all_commands);
+    session_init(&session, fopen("/dev/null", "w"));
+    assert_non_null(session.out);
+    /* Every answer has a value here, and 'ans' too. */
+    command_run_text(&session, "effect row 4; effect push 6; effect placement 1 mm; rmax");
+    return (int)session.errors;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(offers_are_taken),
+                                       cmocka_unit_test(begun_words_are_taken)};
+    return cmocka_run_group_tests(tests, begin, NULL);
+}
