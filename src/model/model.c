@@ -2,6 +2,7 @@
 /* Public entry points: check the arguments, then call the kernel of the requested precision or method. */
 #include "dynamics/list.h"
 #include "precision/kernel.h"
+#include "row/course.h"
 
 /* Holds a question and the kernel that answers it. The status says why no kernel answers. */
 struct question {
@@ -295,6 +296,33 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
     return status == DOM_OK
                ? kernels[compute.precision]->row_watch(&request, times, count, visit, context, verdict)
                : status;
+}
+
+enum dom_status dom_course_begin(const struct dom_row *row, const struct dom_compute *asked,
+                                 struct dom_course *course, struct dom_verdict *verdict)
+{
+    struct dom_compute compute = compute_or_default(asked);
+    struct row_request request = row_request(row, &compute);
+    enum dom_status status = precision_check(compute.precision);
+    *course = (struct dom_course){NULL, NULL};
+    if (status != DOM_OK)
+        return status;
+    request.floor = false;
+    course->kernel = kernels[compute.precision];
+    return course->kernel->row_course(&request, &course->course, verdict);
+}
+
+enum dom_status dom_course_again(const struct dom_course *course, const struct dom_domino *domino,
+                                 size_t first, size_t last, struct dom_verdict *verdict)
+{
+    return course->kernel->row_again(course->course, domino, first, last, verdict);
+}
+
+void dom_course_end(struct dom_course *course)
+{
+    if (course->kernel)
+        (void)course->kernel->row_course_end(course->course);
+    *course = (struct dom_course){NULL, NULL};
 }
 
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *asked,

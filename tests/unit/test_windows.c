@@ -3,7 +3,7 @@
 #include "run.h"
 #include "support.h"
 
-enum { MOST = 16 };
+enum { MOST = ROW_MOST };
 static struct domq_window windows[MOST];
 
 static bool falls_with(const struct run *run, size_t domino, double gap)
@@ -192,6 +192,58 @@ static void the_reach_ends_it(void **state)
     assert_int_equal(windows[0].above, DOM_ROW_MISSES);
 }
 
+/* Returns the number of passes for the gaps of a row of so many dominoes. */
+static double work_of(size_t count)
+{
+    static struct run run;
+    struct dom_work work = {0};
+    make_row(&run, count, 0.5, 1, 0);
+    run.row.domino = run.domino;
+    run.row.work = &work;
+    assert_status(ask_row_windows(&run.row, DOM_WINDOW_GAP, NULL, NULL, windows), DOM_OK);
+    return (double)work.passes;
+}
+
+/* Checks that a trial runs only the part of the row that can notice the change: a row twice as long takes
+ * little more than twice as many passes, where whole rows take four times as many and more. */
+static void work_grows_with_the_row(void **state)
+{
+    (void)state;
+    double part = work_of(20), whole = work_of(40);
+    print_message("# %.0f passes for 20 dominoes, %.0f for 40\n", part, whole);
+    assert_true(whole < 2.6 * part && part > 1e4);
+}
+
+/* Checks windows in the middle of a long row, where trials end early: whole rows say the same at their ends,
+ * also with one weak domino, or one that ends the row, far from the change. */
+static void trials_end_early(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 9;
+    int fall = 0, stop = 0;
+    for (int i = 0; i < 3; i++) {
+        make_row(&run, 24, 0.45, 1, i == 1 ? 0.15 : 0);
+        for (size_t k = 0; k < 24; k++)
+            run.domino[k].gap *= 0.9 + 0.2 * random_unit(&seed);
+        double heavier[] = {1.5, 1.4, 8};
+        for (size_t k = 18; k < 24; k++) {
+            run.domino[k].height *= heavier[i];
+            run.domino[k].mass *= heavier[i] * heavier[i];
+        }
+        bool falls = row_end(&run) == DOM_ROW_FALLS;
+        *(falls ? &fall : &stop) += 1;
+        find(&run);
+        for (size_t k = 0; k < 23; k += 3) {
+            if (!isnan((double)windows[k].low))
+                check_ends(&run, &windows[k]);
+            assert_true(!falls || windows[k].low <= windows[k].now);
+        }
+    }
+    print_message("# %d fall, %d do not\n", fall, stop);
+    assert_true(fall > 0 && stop > 0);
+}
+
 static void progress_seen(size_t done, size_t of, void *context)
 {
     size_t *before = context;
@@ -238,6 +290,8 @@ int main(void)
         cmocka_unit_test(the_reach_ends_it),
         cmocka_unit_test(places_heights_and_friction),
         cmocka_unit_test(places_on_a_tape_measure),
+        cmocka_unit_test(work_grows_with_the_row),
+        cmocka_unit_test(trials_end_early),
         cmocka_unit_test(few_gaps),
         cmocka_unit_test(refusals),
     };

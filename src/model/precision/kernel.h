@@ -33,7 +33,12 @@
     X(row_run, const struct row_request *, bool, dom_fall_visit *, void *, struct dom_verdict *)             \
     X(row_watch, const struct row_request *, const dom_real *, size_t, dom_moment_visit *, void *,           \
       struct dom_verdict *)                                                                                  \
+    X(row_course, const struct row_request *, struct course **, struct dom_verdict *)                        \
+    X(row_again, struct course *, const struct dom_domino *, size_t, size_t, struct dom_verdict *)           \
+    X(row_course_end, struct course *)                                                                       \
     X(count_find, dom_real, dom_real, dom_real, bool, struct dom_count *)
+
+struct course; /* row/course.c */
 
 struct kernel {
 #define KERNEL_MEMBER(name, ...) enum dom_status (*name)(__VA_ARGS__);

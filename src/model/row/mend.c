@@ -52,16 +52,11 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
     struct trial t = trial_of(row, compute);
     struct dom_mend found[DOM_MENDS];
     size_t most = 0;
-    bool falls = trial_falls(&t);
+    bool falls = trial_begin(&t);
     const struct dom_verdict verdict = t.verdict;
-    if (t.status == DOM_OK && !falls && row->count > 1) {
-        t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
-        if (!t.domino)
-            return DOM_NO_MEMORY;
-        memcpy(t.domino, row->domino, row->count * sizeof *t.domino);
+    if (t.status == DOM_OK && !falls && row->count > 1)
         most = gaps_search(&t, &verdict, progress, context, found);
-        free(t.domino);
-    }
+    trial_end(&t);
     if (t.status != DOM_OK)
         return t.status;
     memcpy(mends, found, most * sizeof *mends);

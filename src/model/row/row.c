@@ -6,19 +6,12 @@
  * before leaves to it. A domino that detaches takes all that lean on it along. As everywhere in the kernels,
  * the present head is the unit: its height, m g h / 2, tau.
  */
-#include "motion/forces.h"
-#include "row/moments.h"
+#include "row/run.h"
 #include <stdlib.h>
 
 /* ---- The row as a chain ---- */
 
-/* One domino, in SI units. */
-struct block {
-    real height, d, mass, tau; /* d = thickness / height */
-    real unit;                 /* m g h / 2 */
-};
-
-static struct block block_of(const struct row_request *row, size_t k)
+KERNEL struct block block_of(const struct row_request *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
@@ -63,29 +56,33 @@ static struct tilt row_end(const struct row_request *row, size_t k)
     return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
 }
 
-static enum dom_status row_make(const struct row_request *asked, struct geometry *row)
+KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, struct geometry *row)
 {
-    for (size_t k = 0; k < asked->count; k++) {
-        struct geometry *geometry = &row[k];
-        *geometry = (struct geometry){.tol = (real)asked->tol,
-                                      .flow = row[0].flow,
-                                      .interrupt = asked->interrupt,
-                                      .work = asked->work,
-                                      .d = block_of(asked, k).d,
-                                      .short_of = 1,
-                                      .c = row_end(asked, k),
-                                      .n = k + 1};
-        geometry->reach = hypot(1, geometry->d);
-        geometry_gravity(geometry, 0, 1);
-        if (k > 0)
-            joint_make(asked, k, &row[k - 1], geometry);
-        enum dom_status status = dynamics_choose(asked->effect, geometry);
+    struct geometry *geometry = &row[k];
+    *geometry = (struct geometry){.tol = (real)asked->tol,
+                                  .flow = row[0].flow,
+                                  .interrupt = asked->interrupt,
+                                  .work = asked->work,
+                                  .d = block_of(asked, k).d,
+                                  .short_of = 1,
+                                  .c = row_end(asked, k),
+                                  .n = k + 1};
+    geometry->reach = hypot(1, geometry->d);
+    geometry_gravity(geometry, 0, 1);
+    if (k > 0)
+        joint_make(asked, k, &row[k - 1], geometry);
+    return dynamics_choose(asked->effect, geometry);
+}
+
+KERNEL enum dom_status row_make(const struct row_request *asked, struct geometry *row)
+{
+    enum dom_status status = DOM_OK;
+    for (size_t k = 0; k < asked->count && status == DOM_OK; k++) {
+        status = row_geometry(asked, k, row);
         if (status == DOM_OK && k == 0) /* all joints share the memory of the law */
-            status = dynamics_begin(geometry);
-        if (status != DOM_OK)
-            return status;
+            status = dynamics_begin(row);
     }
-    return DOM_OK;
+    return status;
 }
 
 /* Returns true if a value is positive and finite, also after rounding to the precision. */
@@ -94,7 +91,7 @@ static bool positive(dom_real value)
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
 }
 
-static enum dom_status row_check(const struct row_request *row)
+static enum dom_status settings_check(const struct row_request *row)
 {
     return row->count == 0     ? DOM_BAD_COUNT
            : !positive(row->g) ? DOM_BAD_G
@@ -106,7 +103,7 @@ static enum dom_status row_check(const struct row_request *row)
 
 /* Returns the status of what is wrong with a domino. Values computed from its sizes must be numbers of the
  * precision, too. */
-static enum dom_status domino_check(const struct row_request *row, size_t k)
+KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     return !positive(d->height)                                       ? DOM_BAD_HEIGHT
@@ -116,32 +113,18 @@ static enum dom_status domino_check(const struct row_request *row, size_t k)
                                                                       : DOM_OK;
 }
 
+KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)
+{
+    enum dom_status status = settings_check(row);
+    for (size_t k = 0; status == DOM_OK && k < row->count; k++) {
+        status = row_domino_check(row, k);
+        if (status != DOM_OK)
+            *wrong = k + 1;
+    }
+    return status;
+}
+
 /* ---- The run ---- */
-
-struct run {
-    const struct row_request *asked;
-    struct geometry *geometry; /* geometry[k]: of domino k as a head, and as a follower of k + 1 */
-    bool times;
-    size_t moving;       /* number of moving dominoes, including the head */
-    real omegasq;        /* of the head at its start, in its tau */
-    real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0: none */
-    real time;           /* in s, up to now; NaN if it has no value */
-    real carried;        /* J, kinetic energy before the next collision */
-    struct watch *watch; /* the moments to report, or NULL */
-    struct dom_verdict verdict;
-};
-
-/* The sums over the segments of one head, in its units. */
-struct descent {
-    struct segment st;
-    size_t stay;
-    real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    bool stops, locks;                          /* locks: it still moves where friction locks */
-    struct required_friction required_friction; /* friction that the floor needs */
-    struct watch *watch;
-    size_t head;
-    real begins, tau; /* s */
-};
 
 /* Finds where the motion ends in this segment. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
@@ -219,8 +202,7 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     return status;
 }
 
-/* Moves the head k down, and leaves the state at its end in d. */
-static enum dom_status head_run(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
+KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->asked, k);
     const real end = tilt_angle(run->geometry[k].c);
@@ -305,8 +287,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
-/* Makes head k hit k + 1, the next head. The row ends there if k + 1 cannot move on. */
-static enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
+KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
     const struct dom_domino *own = &run->asked->domino[k], *next = own + 1;
     const struct geometry *geometry = &run->geometry[k + 1];
@@ -359,38 +340,50 @@ static void fall_floor(const struct row_request *row, size_t k,
     fall->floor_hit_domino = k + 1 - required_friction->hit_domino;
 }
 
+KERNEL void row_launch(struct run *run)
+{
+    real tau = block_of(run->asked, 0).tau, push = (real)run->asked->push;
+    run->omegasq = isnan(push) ? 0 : push * tau * push * tau;
+    run->moving = 1;
+}
+
+KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
+{
+    bool tips = k == 0 && isnan(run->asked->push);
+    real before = run->carried;
+    *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = run->moving};
+    if (dom_raised(run->asked->interrupt))
+        return DOM_INTERRUPTED;
+    enum dom_status status = tips ? tip_run(run, d, fall) : row_descend(run, k, d, fall);
+    if (status != DOM_OK)
+        return status;
+    if (k > 0)
+        fall->lost = before - (real)fall->kinetic;
+    if (!tips) {
+        run->time += d->stops || d->locks ? 0 : (real)fall->duration;
+        if (d->stops || d->locks || d->least_force < 0)
+            run->verdict.end = d->least_force < 0 ? DOM_ROW_PARTS : d->stops ? DOM_ROW_STOPS : DOM_ROW_LOCKS;
+    }
+    fall_floor(run->asked, k, &d->required_friction, fall);
+    verdict_add(&run->verdict, fall, tips);
+    return DOM_OK;
+}
+
 static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *context)
 {
-    bool tips = isnan(run->asked->push), more = true;
+    bool more = true;
     struct dom_work *work = run->asked->work;
     if (work)
         work->entered[DOM_EFFECT_row]++;
-    if (work && !tips)
+    if (work && !isnan(run->asked->push))
         work->entered[DOM_EFFECT_push]++;
-    real tau = block_of(run->asked, 0).tau;
-    run->omegasq = tips ? 0 : (real)run->asked->push * tau * (real)run->asked->push * tau;
-    run->moving = 1;
+    row_launch(run);
     for (size_t k = 0; k < run->asked->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
-        struct dom_fall fall = {.domino = k + 1, .time = run->time, .moving = run->moving};
-        real before = run->carried;
-        enum dom_status status;
-        if (dom_raised(run->asked->interrupt))
-            return DOM_INTERRUPTED;
-        status = k == 0 && tips ? tip_run(run, &d, &fall) : head_run(run, k, &d, &fall);
+        struct dom_fall fall;
+        enum dom_status status = row_head(run, k, &d, &fall);
         if (status != DOM_OK)
             return status;
-        if (k > 0)
-            fall.lost = before - (real)fall.kinetic;
-        if (!(k == 0 && tips)) {
-            run->time += d.stops || d.locks ? 0 : (real)fall.duration;
-            if (d.stops || d.locks || d.least_force < 0)
-                run->verdict.end = d.least_force < 0 ? DOM_ROW_PARTS
-                                   : d.stops         ? DOM_ROW_STOPS
-                                                     : DOM_ROW_LOCKS;
-        }
-        fall_floor(run->asked, k, &d.required_friction, &fall);
-        verdict_add(&run->verdict, &fall, k == 0 && tips);
         more = (!visit || visit(&fall, context)) && !(run->watch && run->watch->ended);
         if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->asked->count)
             status = row_hit(run, k, &d);
@@ -405,12 +398,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 static enum dom_status row_answer(const struct row_request *asked, bool times, dom_fall_visit *visit,
                                   void *context, struct watch *watch, struct dom_verdict *verdict)
 {
-    enum dom_status status = row_check(asked);
-    for (size_t k = 0; status == DOM_OK && k < asked->count; k++) {
-        status = domino_check(asked, k);
-        if (status != DOM_OK)
-            verdict->domino = k + 1;
-    }
+    enum dom_status status = row_check(asked, &verdict->domino);
     if (status != DOM_OK)
         return status;
     struct run run = {.asked = asked,

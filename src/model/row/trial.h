@@ -10,6 +10,7 @@
 #define REAL_QUAD
 #endif
 #include "numerics/real.h"
+#include "row/course.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,9 +20,10 @@ struct trial {
     struct dom_compute compute;
     struct dom_domino *domino; /* dominoes of the row, which the search changes */
     enum dom_window_of of;
-    size_t k;           /* index of the domino that is changed, from 0 */
-    dom_real place;     /* of that domino now; see DOM_WINDOW_PLACE */
-    dom_row_make *make; /* writes the row of a growth */
+    size_t k;                 /* index of the domino that is changed, from 0 */
+    dom_real place;           /* of that domino now; see DOM_WINDOW_PLACE */
+    struct dom_course course; /* runs the row again from where the change begins; or none */
+    dom_row_make *make;       /* writes the row of a growth */
     void *context;
     enum dom_status status;
     struct dom_verdict verdict; /* of the last row */
@@ -35,14 +37,42 @@ static inline struct trial trial_of(const struct dom_row *row, const struct dom_
     return t;
 }
 
+static inline bool trial_judged(struct trial *t)
+{
+    if (t->verdict.end != DOM_ROW_FALLS)
+        t->ends = t->verdict.end;
+    return t->status == DOM_OK && t->verdict.end == DOM_ROW_FALLS;
+}
+
 static inline bool trial_falls(struct trial *t)
 {
     t->verdict.end = DOM_ROW_STOPS;
     if (t->status == DOM_OK)
         t->status = dom_row_run(&t->row, &t->compute, false, NULL, NULL, &t->verdict);
-    if (t->verdict.end != DOM_ROW_FALLS)
-        t->ends = t->verdict.end;
-    return t->status == DOM_OK && t->verdict.end == DOM_ROW_FALLS;
+    return trial_judged(t);
+}
+
+/* Runs the unchanged row, and prepares trials in which one domino changes, or the gaps beside it. Returns
+ * true if all fall. trial_end frees the memory. */
+static inline bool trial_begin(struct trial *t)
+{
+    t->verdict.end = DOM_ROW_STOPS;
+    t->status = dom_course_begin(&t->row, &t->compute, &t->course, &t->verdict);
+    if (t->status == DOM_OK) {
+        t->domino = malloc(t->row.count * sizeof *t->domino);
+        if (t->domino)
+            memcpy(t->domino, t->row.domino, t->row.count * sizeof *t->domino);
+        else
+            t->status = DOM_NO_MEMORY;
+        t->row.domino = t->domino;
+    }
+    return trial_judged(t);
+}
+
+static inline void trial_end(struct trial *t)
+{
+    dom_course_end(&t->course);
+    free(t->domino);
 }
 
 typedef bool trial_test(dom_real x, void *trial);
@@ -129,8 +159,17 @@ static inline bool falls_with(dom_real value, void *context)
     const size_t next = t->k + 1 < t->row.count;
     const struct dom_domino own = t->domino[t->k], after = t->domino[t->k + next];
     dom_real mu = t->row.mu;
+    bool falls;
     trial_change(t, value);
-    bool falls = trial_falls(t);
+    if (t->of == DOM_WINDOW_FRICTION) {
+        falls = trial_falls(t);
+    } else {
+        t->verdict.end = DOM_ROW_STOPS;
+        if (t->status == DOM_OK)
+            t->status = dom_course_again(&t->course, t->domino, t->k,
+                                         t->k + (next && t->of == DOM_WINDOW_PLACE), &t->verdict);
+        falls = trial_judged(t);
+    }
     t->row.mu = mu;
     t->domino[t->k + next] = after;
     t->domino[t->k] = own;

@@ -119,16 +119,10 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                 struct dom_window *windows)
 {
     struct trial t = trial_of(row, compute);
-    bool falls = trial_falls(&t), one = of == DOM_WINDOW_FRICTION;
+    t.of = of;
+    bool falls = trial_begin(&t), one = of == DOM_WINDOW_FRICTION;
     const size_t first = of == DOM_WINDOW_GAP || of == DOM_WINDOW_PLACE, end = one ? 1 : row->count;
     const size_t ends = t.verdict.domino - 1;
-    if (t.status != DOM_OK || end <= first)
-        return t.status;
-    t.of = of;
-    t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
-    if (!t.domino)
-        return DOM_NO_MEMORY;
-    memcpy(t.domino, row->domino, row->count * sizeof *t.domino);
     for (t.k = first; t.k < end && t.status == DOM_OK; t.k++) {
         if (t.k > 0)
             t.place += t.domino[t.k - 1].thickness + t.domino[t.k].gap;
@@ -146,6 +140,6 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
         if (progress)
             progress(t.k - first + 1, end - first, context);
     }
-    free(t.domino);
+    trial_end(&t);
     return t.status;
 }

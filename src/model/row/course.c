@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A row that is run again and again, each time with other sizes of a few neighbouring dominoes.
+ *
+ * The dominoes before these fall as always, so a trial begins where the first head is hit that can notice the
+ * change. It may end early, since a head hands on little: while the geometry is that of the unchanged row,
+ * omegasq of the next head is gain omegasq + offset, for every law of motion here (d omegasq / d
+ * omegasq(launch) is a number of the geometry). So the relative deviation D of omegasq from that of the
+ * unchanged row becomes lambda D at the next head, with lambda = gain omegasq / (omegasq of the next), < 1
+ * where a fall gives energy. The changed dominoes are still in the chain that leans on the head. What they
+ * change in these three numbers of a head, `need`, `gain` and `offset`, is measured at each head (off) and
+ * decays with the slopes of the chain; the sum of what is still to come follows from the ratio of two heads.
+ *
+ * Going on needs omegasq >= need, and contact forces >= 0. A contact force is linear in omegasq at each tilt,
+ * so the set of omegasq where no force is negative is an interval: two runs of the head, barely fast enough
+ * and FAST times as fast, show how far it reaches. Backwards from the end of the row, this gives the
+ * deviation that leaves the verdict of the unchanged row as it is (below and above): half of what each head
+ * allows, divided by lambda where that is > 1. Once deviation and the sum together are smaller, later heads
+ * cannot differ in verdict, and the trial has that of the unchanged row. Where this is not so, the trial goes
+ * on to the end of the row.
+ */
+#include "row/course.h"
+#include "row/run.h"
+#include <stdlib.h>
+
+/* What the unchanged row does at a head, and how far a trial may deviate. */
+struct mark {
+    real omegasq, inertia_ratio; /* when it is hit; see struct run */
+    size_t moving;
+    real need, gain, offset;
+    real below, above; /* relative deviations of omegasq that do not change the verdict */
+    bool falls;        /* from here on all fall; false: the row ends as the unchanged row ends */
+};
+
+struct course {
+    struct row_request asked;
+    struct geometry *geometry;
+    size_t made; /* so many have the geometry of the unchanged row */
+    struct mark *mark;
+    size_t known; /* so many marks are known */
+    struct dom_verdict verdict;
+};
+
+/* How much faster a head is in the run that looks for negative contact forces. */
+#define FAST 1000
+
+/* The deviations that the changed dominoes themselves may still cause: small, since contact forces and locks
+ * have no measure of how close they are. With friction, which can lock, smaller. */
+#define LEFT_MOST         ((real)1e-4)
+#define LEFT_MOST_LOCKING ((real)1e-6)
+
+/* Below so many tolerances a difference is noise. */
+#define NOISE 64
+
+/* The largest ratio at which a difference counts as decaying. */
+#define DECAYS ((real)0.9)
+
+/* Returns true if no contact force is negative where the head k has another omegasq. */
+static bool keeps_contact(const struct run *run, size_t k, real omegasq)
+{
+    struct run other = *run;
+    struct descent d;
+    struct dom_fall fall = {.domino = k + 1};
+    other.omegasq = omegasq;
+    return row_descend(&other, k, &d, &fall) == DOM_OK && !d.stops && !d.locks && d.least_force >= 0;
+}
+
+/* Finds the numbers of a head: `before` is the run when the head was hit, `after` when the next was. */
+static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
+                           const struct descent *d)
+{
+    bool tips = k == 0 && isnan(before->asked->push), last = k + 1 == before->asked->count;
+    struct mark m = {
+        .omegasq = before->omegasq, .inertia_ratio = before->inertia_ratio, .moving = before->moving};
+    if (tips) {
+        m.offset = after->omegasq;
+        return m;
+    }
+    m.need = d->least_margin < (real)INFINITY ? fmax(before->omegasq - d->least_margin / d->J0, 0) : 0;
+    if (!last && after->verdict.end == DOM_ROW_FALLS) {
+        real slower = block_of(before->asked, k + 1).tau / block_of(before->asked, k).tau,
+             kept = collision_velocity_ratio(after->inertia_ratio) * slower;
+        m.gain = kept * kept * d->st.gain;
+        m.offset = after->omegasq - m.gain * before->omegasq;
+    }
+    return m;
+}
+
+/* Finds how far omegasq of a head that goes on may deviate at this head alone. */
+static void mark_local(const struct run *before, size_t k, struct mark *m)
+{
+    if (k == 0 && isnan(before->asked->push))
+        return;
+    real low = m->need + (m->omegasq - m->need) / FAST;
+    m->below = keeps_contact(before, k, low) ? (1 - low / m->omegasq) / 2 : 0;
+    m->above = keeps_contact(before, k, FAST * m->omegasq) ? (real)(FAST - 1) / 2 : 0;
+}
+
+/* Carries the deviations of marks from..to - 1 back from that of mark to - 1. */
+static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
+{
+    for (size_t k = to; k-- > from;) {
+        struct mark *m = &mark[k];
+        m->falls = falls;
+        if (k + 1 == to)
+            continue;
+        real lambda = fmax(m->gain * m->omegasq / m[1].omegasq, 1);
+        m->below = fmin(falls ? m->below : (real)INFINITY, m[1].below / lambda);
+        m->above = fmin(falls ? m->above : (real)INFINITY, m[1].above / lambda);
+    }
+}
+
+/* Sets how far a row that ends at mark m may deviate there and still end. */
+static void mark_end(struct mark *m, enum dom_row_end end)
+{
+    bool reach = end == DOM_ROW_MISSES || end == DOM_ROW_PASSES; /* of sizes alone */
+    m->below = reach || end == DOM_ROW_STOPS ? (real)INFINITY : 0;
+    m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;
+}
+
+/* Returns true if the heads after k cannot change the verdict; *off is this difference of the head before, or
+ * NaN. */
+static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
+                    const struct descent *d, real *off)
+{
+    const struct mark own = mark_of(before, after, k, d), *m = &course->mark[k], *next = m + 1;
+    real last = *off, w = before->omegasq, by = after->omegasq / next->omegasq - 1;
+    bool conservative = course->geometry[0].dynamics->conservative;
+    *off = fabs(own.need - m->need) / w + fabs(after->omegasq - (m->gain * w + m->offset)) / (own.gain * w) +
+           fabs(own.gain / m->gain - 1);
+    real ratio = *off / last, left = *off;
+    if (!(*off <= NOISE * (real)course->asked.tol))
+        left = ratio <= DECAYS ? *off / (1 - ratio) : (real)INFINITY;
+    if (!(left <= (conservative ? LEFT_MOST : LEFT_MOST_LOCKING)))
+        return false;
+    left *= 1 + fabs(by);
+    return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
+}
+
+/*
+ * Runs the row from head `from` on; heads after `last` have sizes of their own as in the unchanged row. A row
+ * that gets farther than any before leaves its marks.
+ */
+static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
+{
+    const size_t count = c->asked.count;
+    struct run run = {.asked = &c->asked,
+                      .geometry = c->geometry,
+                      .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
+    real off = REAL_NAN;
+    row_launch(&run);
+    if (from > 0) {
+        run.omegasq = c->mark[from].omegasq;
+        run.inertia_ratio = c->mark[from].inertia_ratio;
+        run.moving = c->mark[from].moving;
+    }
+    c->made = from;
+    enum dom_status status = c->known > 0 ? row_geometry(&c->asked, from, c->geometry) : DOM_OK;
+    size_t k = from;
+    for (; status == DOM_OK && k < count && run.verdict.end == DOM_ROW_FALLS; k++) {
+        struct descent d;
+        struct dom_fall fall;
+        const struct run before = run;
+        status = row_head(&run, k, &d, &fall);
+        if (status == DOM_OK && run.verdict.end == DOM_ROW_FALLS && k + 1 < count) {
+            status = c->known > 0 ? row_geometry(&c->asked, k + 1, c->geometry) : DOM_OK;
+            if (status == DOM_OK)
+                status = row_hit(&run, k, &d);
+        }
+        if (status != DOM_OK)
+            break;
+        if (k >= c->known) {
+            c->mark[k] = mark_of(&before, &run, k, &d);
+            if (run.verdict.end == DOM_ROW_FALLS)
+                mark_local(&before, k, &c->mark[k]);
+        } else if (run.verdict.end == DOM_ROW_FALLS && k > last && k + 1 < c->known &&
+                   settled(c, k, &before, &run, &d, &off)) {
+            verdict->end = c->mark[k + 1].falls ? DOM_ROW_FALLS : c->verdict.end;
+            return DOM_OK;
+        }
+    }
+    if (status == DOM_OK && run.verdict.end == DOM_ROW_FALLS && c->known < count) {
+        marks_join(c->mark, c->known, count, true);
+        c->known = count;
+    }
+    *verdict = run.verdict;
+    return status;
+}
+
+KERNEL enum dom_status row_course(const struct row_request *asked, struct course **course,
+                                  struct dom_verdict *verdict)
+{
+    *course = NULL;
+    enum dom_status status = row_check(asked, &verdict->domino);
+    if (status != DOM_OK)
+        return status;
+    struct course *c = calloc(1, sizeof *c);
+    if (!c)
+        return DOM_NO_MEMORY;
+    c->asked = *asked;
+    c->geometry = malloc(asked->count * sizeof *c->geometry);
+    c->mark = calloc(asked->count, sizeof *c->mark);
+    status = c->geometry && c->mark ? DOM_OK : DOM_NO_MEMORY;
+    if (c->geometry)
+        c->geometry[0] = (struct geometry){.dynamics = &energy_balance};
+    if (status == DOM_OK)
+        status = row_make(asked, c->geometry);
+    if (status == DOM_OK)
+        status = course_run(c, 0, 0, &c->verdict);
+    c->made = asked->count;
+    if (status == DOM_OK && c->verdict.end != DOM_ROW_FALLS) {
+        c->known = c->verdict.domino;
+        mark_end(&c->mark[c->known - 1], c->verdict.end);
+        marks_join(c->mark, 0, c->known, false);
+    }
+    *course = c;
+    if (status == DOM_OK)
+        *verdict = c->verdict;
+    return status;
+}
+
+KERNEL enum dom_status row_again(struct course *c, const struct dom_domino *domino, size_t first, size_t last,
+                                 struct dom_verdict *verdict)
+{
+    const size_t from = first > 0 ? first - 1 : 0;
+    enum dom_status status = DOM_OK;
+    *verdict = c->verdict;
+    c->asked.domino = domino;
+    for (size_t k = first; k <= last && status == DOM_OK; k++)
+        status = row_domino_check(&c->asked, k);
+    if (c->verdict.end != DOM_ROW_FALLS && from >= c->verdict.domino) /* the row ends before the change */
+        return status;
+    for (; c->made < from && status == DOM_OK; c->made++)
+        status = row_geometry(&c->asked, c->made, c->geometry);
+    return status == DOM_OK ? course_run(c, from, last + 1, verdict) : status;
+}
+
+KERNEL enum dom_status row_course_end(struct course *c)
+{
+    if (c && c->geometry)
+        dynamics_end(&c->geometry[0]);
+    if (c) {
+        free(c->geometry);
+        free(c->mark);
+    }
+    free(c);
+    return DOM_OK;
+}
