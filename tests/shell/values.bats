@@ -1060,7 +1060,7 @@ END
     help=$("$DOMINO" -e help)
     # Whatever the session has been set to, the example is that of a fresh one, and changes nothing.
     changed='set s 0.3; set digits 4; set output json; set angle deg'
-    "$DOMINO" -e "$changed; show" -e "$(sed 's/.*/help & > "&.elsewhere"/' names | paste -sd ';' -)" -e show >shows
+    "$DOMINO" -e "$changed; show" -e "$(sed 's/.*/help & > "&.txt"/' names | paste -sd ';' -)" -e show >shows
     same 'help changes nothing' "$(head -n "$(($(wc -l <shows) / 2))" shows)" "$(tail -n "$(($(wc -l <shows) / 2))" shows)"
     shown() { awk '/^Example: / { on = 1; getline; next } /^See also: / { on = 0 } on' "$@"; }
     while read -r name; do
@@ -1072,7 +1072,7 @@ END
         [ -n "$example" ] || continue
         examples=$((examples + 1))
         same "help $name: $example" "$("$DOMINO" -e "$example")" "$(shown <<<"$output")"
-        same "help $name elsewhere" "$(shown <<<"$output")" "$(shown "$name.elsewhere")"
+        same "help $name elsewhere" "$(shown <<<"$output")" "$(shown "$name.txt")"
         # Each that it sends to is there.
         while read -r other; do
             [[ " $names " == *" $other "* ]] || same "help $name: see also" "a command" "$other"
