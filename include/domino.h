@@ -778,10 +778,10 @@ struct dom_mend {
 /*
  * Finds the changes of single gaps that make all dominoes fall, the smallest change first, and writes their
  * number to *count; 0 for a row that falls already. Tries the gap after the domino where the row ends, and
- * the 30 gaps before that one: down to 0, and up to the height of the domino before the gap. Each way takes
- * 40 steps, the first 1/64,000 of the way and each larger than the one before, then bisection; an interval of
- * gaps narrower than a step can be missed. progress, unless NULL, is called for each gap. Statuses as
- * dom_row_run.
+ * the 30 gaps before that one: down to 0, and up to the height of the domino before the gap; for a gap that
+ * is wider than that height, `to` is the height if all fall then. Each way takes 40 steps, the first 1/64,000
+ * of the way and each larger than the one before, then bisection; an interval of gaps narrower than a step
+ * can be missed. progress, unless NULL, is called for each gap. Statuses as dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],

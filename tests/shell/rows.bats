@@ -124,6 +124,17 @@ END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }
 
+@test "mend offers a window for a gap out of reach, also where it is many heights" {
+    for gap in '60 mm' '5 m'; do
+        said=$("$DOMINO" -e "set r 1; effect row 5; place 2 $gap; mend" | tail -n 1)
+        same "$gap" "All fall with gaps between 2.542 cm and 4.8 cm: 'place 2 4.047 cm' leaves room for errors of 7.5 mm." "$said"
+    done
+    same 'its end' 'all fall' "$(json 'set r 1; effect row 5; place 2 2.542 cm; verdict' | values verdict)"
+    differ 'just beyond' 'all fall' "$(json 'set r 1; effect row 5; place 2 2.541 cm; verdict' | values verdict)"
+    said=$("$DOMINO" -e 'set r 1; effect row 5; place 4 60 mm; mend' | tail -n 1)
+    same 'down to 0' "All fall with gaps up to 4.8 cm: 'place 4 3.2 cm' leaves room for errors of 1.6 cm." "$said"
+}
+
 @test "mend reports first that the row needs a push, and how large" {
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 5\n48, 7, 20\n' | file leans.csv
     mend=$("$DOMINO" -e 'effect row leans.csv; mend')

@@ -30,7 +30,8 @@ static bool falls_pushed(const struct run *run, double push)
     return row_end(&other) == DOM_ROW_FALLS;
 }
 
-/* Checks a gap wider than the domino before it is tall: a gap as wide as that height saves the row. */
+/* Checks a gap wider than the domino before it is tall: a gap as wide as that height saves the row, and so do
+ * narrower ones, down to where the row stops again. */
 static void a_gap_too_wide(void **state)
 {
     (void)state;
@@ -43,7 +44,10 @@ static void a_gap_too_wide(void **state)
     assert_int_equal(mends[0].domino, 4);
     assert_true(mends[0].gap == run.domino[3].gap);
     assert_near("to", mends[0].to, 0.048, 1e-12);
-    assert_near("until", mends[0].until, 0.048, 1e-12);
+    assert_true(mends[0].until < 0.047 && falls_with(&run, 4, mends[0].until));
+    for (int part = 1; part < 8; part++)
+        assert_true(falls_with(&run, 4, mends[0].until + (mends[0].to - mends[0].until) * part / 8));
+    assert_true(mends[0].until == 0 || !falls_with(&run, 4, (double)mends[0].until - 2e-8));
 }
 
 /* Checks that a row that falls has no changes, and that one domino has no gap. */

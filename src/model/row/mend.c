@@ -14,11 +14,34 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
+/* Finds the gaps, from the widest one that is in reach down, with which all fall. */
+static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
+{
+    dom_real reach = t->domino[t->k - 1].height;
+    *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap, .to = reach};
+    bool found = mend->gap > reach && falls_with(reach, t);
+    if (found)
+        mend->until = value_until(t, reach, 0, reach, 1);
+    return found && t->status == DOM_OK;
+}
+
 static int by_change(const void *a, const void *b)
 {
     const struct dom_mend *x = a, *y = b;
     dom_real dx = fabs(x->to - x->gap), dy = fabs(y->to - y->gap);
     return dx < dy ? -1 : dx > dy;
+}
+
+/* Finds the smallest change of the gap of the trial that saves the row. Returns false if there is none. */
+static bool gap_mend(struct trial *t, struct dom_mend *mend)
+{
+    struct dom_mend wider;
+    if (mend_in_reach(t, mend))
+        return true;
+    bool in = mend_towards(t, 0, mend), out = mend_towards(t, t->domino[t->k - 1].height, &wider);
+    if (!in || (out && by_change(&wider, mend) < 0))
+        *mend = wider;
+    return in || out;
 }
 
 /*
@@ -34,10 +57,7 @@ static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_prog
     else if (last > BACK)
         first = last - BACK;
     for (t->k = first; t->k <= last && t->status == DOM_OK; t->k++) {
-        struct dom_mend closer, wider;
-        bool in = mend_towards(t, 0, &closer), out = mend_towards(t, t->domino[t->k - 1].height, &wider);
-        if (in || out)
-            mends[found++] = !in || (out && by_change(&wider, &closer) < 0) ? wider : closer;
+        found += gap_mend(t, &mends[found]);
         if (progress)
             progress(t->k - first + 1, last - first + 1, context);
     }

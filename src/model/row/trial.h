@@ -194,6 +194,19 @@ static inline dom_real value_step(dom_real value, dom_real end, int i)
     return value + (end - value) * part * part * part;
 }
 
+/* Returns the last value on the way from `now` to `end` with which all fall, from step i on; all fall with
+ * `good`, the step before. */
+static inline dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i)
+{
+    for (; i <= STEPS; i++) {
+        dom_real next = value_step(now, end, i);
+        if (!falls_with(next, t))
+            return value_edge(t, good, next);
+        good = next;
+    }
+    return end;
+}
+
 /* Finds the nearest value on the way to `end` with which all fall, and the farthest from there. Returns false
  * if there is none. */
 static inline bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until)
@@ -207,15 +220,7 @@ static inline bool value_towards(struct trial *t, dom_real end, dom_real *to, do
     if (i > STEPS)
         return false;
     *to = value_edge(t, good, bad);
-    *until = end;
-    for (i++; i <= STEPS; i++) {
-        bad = value_step(now, end, i);
-        if (!falls_with(bad, t)) {
-            *until = value_edge(t, good, bad);
-            break;
-        }
-        good = bad;
-    }
+    *until = value_until(t, now, end, good, i + 1);
     return t->status == DOM_OK;
 }
 

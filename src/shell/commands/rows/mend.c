@@ -49,6 +49,15 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
 static const char no_single_gap[] =
     "no change of a single gap saves this row; change several gaps, the push, or the dominoes";
 
+/* Returns the end of a window, rounded into the window to four digits. */
+static domq_real inwards(domq_real end, bool up)
+{
+    if (!(end > 0))
+        return end;
+    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(end)) - 3);
+    return (up ? quad(ceil)(end / digit) : quad(floor)(end / digit)) * digit;
+}
+
 static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, bool pushless)
 {
     if (found == 0) {
@@ -61,10 +70,14 @@ static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, 
                measured(quad(fabs)(m->to - m->gap), "m", 3).text, measured(m->gap, "m", 5).text,
                measured(m->to, "m", 7).text);
     answer_say(a, "'place %zu %s' is just enough.", m->domino, measured(m->to, "m", 7).text);
-    domq_real room = m->to + (m->until - m->to) / 3;
+    bool wider = m->until > m->to;
+    domq_real until = inwards(m->until, !wider), room = m->to + (until - m->to) / 3;
+    struct measured to = measured(m->to, "m", 7), end = measured(until, "m", 7);
     if (quad(fabs)(m->until - m->to) > (domq_real)1e-4 * m->to)
-        answer_say(a, "All fall with gaps up to %s: 'place %zu %s' leaves room for errors.",
-                   measured(m->until, "m", 4).text, m->domino, measured(room, "m", 4).text);
+        answer_say(a, "All fall with gaps %s%s%s%s: 'place %zu %s' leaves room for errors of %s.",
+                   until > 0 ? "between " : "up to ", until > 0 ? (wider ? to : end).text : "",
+                   until > 0 ? " and " : "", (wider ? end : to).text, m->domino, measured(room, "m", 4).text,
+                   measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
 bool run_mend(struct session *session, const struct call *call)
