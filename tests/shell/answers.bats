@@ -338,8 +338,7 @@ END
 foo|unknown command 'foo'; 'help' lists the commands
 barier|unknown command 'barier'; did you mean 'barrier'?
 ba|'ba' may be barrier, back
-2+2|this is an expression, not a command; 'print' evaluates it
-friction|'friction' is an effect; enter 'effect friction MU'
+friction 0.2|'friction' is an effect; enter 'effect friction MU'
 plot foo|plot: unknown picture 'foo'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
 plot c|plot: unknown picture 'c'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost

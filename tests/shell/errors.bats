@@ -41,13 +41,13 @@ all_bad() {
     all_bad <<'END'
 foo|1|^unknown command 'foo'.*'help'
 xyzzy|1|^unknown command 'xyzzy'.*'help'
--1|1|^this is an expression, not a command; 'print'
+q 3|1|^'q' is a parameter; 'q = VALUE' gives it a value
 Fuel|1|^unknown command 'Fuel'; did you mean 'fuel'\?$
 fuell|1|^unknown command 'fuell'; did you mean 'fuel'\?$
   foo 1 2|3|^unknown command 'foo'.*'help'
 set foo 1|5|^set: unknown parameter 'foo'
 set S 0.4|5|^set: unknown parameter 'S'
-set s=0.4 1|5|^set: .=. is not used; put a blank
+set s=0.4 1|11|^set: '1' .*too many.*set NAME VALUE
 show foo|6|^show: unknown parameter 'foo'
 reset foo|7|^reset: unknown parameter 'foo'
 help foo|6|^help: unknown (topic|command) 'foo'

@@ -316,7 +316,8 @@ theta1 10 deg|ans.theta|theta1 10 deg|theta
 thetac; set s 0.3|ans|thetac|theta_c
 rmax; foo|ans|rmax|r_max
 rmax; theta1 9|ans|rmax|r_max
-rmax; print pair(0.3)|ans|rmax|r_max
+rmax; print pair(0.3)|ans|pair 0.3|r_max
+rmax; print pair(0.3)|ans.r_max|rmax|r_max
 rmax 0.3; set s 0.4 + 0*rmax|ans|rmax 0.3|r_max
 fuel > /dev/null|ans|fuel|fuel
 END

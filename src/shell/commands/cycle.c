@@ -329,6 +329,7 @@ const struct command cycle_commands[] = {
      .principal = "fuel",
      ANSWER(fuel)},
     {.name = "launch",
+     .shortest = "l",
      .synonyms = "impact hit start",
      .train = true,
      .summary = "the collision: with which speed a cycle begins",

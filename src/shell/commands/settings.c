@@ -43,7 +43,7 @@ bool run_set(struct session *session, const struct call *call)
 }
 
 static const struct column show_columns[] = {
-    {"name", "", "the name that 'set' takes", 9},
+    {"name", "", "the name that 'set' takes; or that 'let' gave", 9},
     {"value", "", "the value now", 12},
     {"unit", "", "h: heights of the domino", 5},
     {"range", "", "the values that are allowed", 17},
@@ -132,6 +132,25 @@ static unsigned show_fit(const struct session *session, struct answer *a)
     return left_out;
 }
 
+/* Adds what 'let' defined: a variable has a value and a unit, a function its text. */
+static void variable_row(struct answer *a, const struct variable *v, unsigned left_out)
+{
+    char head[VARIABLE_HEAD], unit[48], value[WIDE_TEXT];
+    struct shown shown = {.range = ""};
+    struct cell number = cell_unbounded(v->value.value);
+    if (answer_for_people(a))
+        number = cell_word(quad_text(v->value.value, (int)a->style.digits, value));
+    const struct cell cells[] = {cell_word(variable_head(v, head)),
+                                 v->body ? cell_word(v->body) : number,
+                                 cell_word(expression_unit_text(v->value, unit, sizeof unit)),
+                                 cell_word(""),
+                                 cell_word(""),
+                                 cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'")};
+    memcpy(shown.cell, cells, sizeof cells);
+    shown_fit(&shown, left_out);
+    answer_row(a, shown.cell, NULL);
+}
+
 static bool run_show(struct session *session, const struct call *call)
 {
     struct column *fitted = answer_columns(call->answer, show_columns);
@@ -153,6 +172,8 @@ static bool run_show(struct session *session, const struct call *call)
             answer_row(call->answer, shown.cell, NULL);
         }
     }
+    for (size_t i = 0; !call->parameter && i < session->variables.count; i++)
+        variable_row(call->answer, &session->variables.list[i], left_out);
     return true;
 }
 
@@ -170,6 +191,15 @@ static bool run_reset(struct session *session, const struct call *call)
     return done;
 }
 
+static void variables_save(const struct variables *variables, FILE *out)
+{
+    char head[VARIABLE_HEAD], value[VARIABLE_VALUE];
+    for (size_t i = 0; i < variables->count; i++) {
+        const struct variable *v = &variables->list[i];
+        fprintf(out, "let %s = %s\n", variable_head(v, head), v->body ? v->body : variable_value(v, value));
+    }
+}
+
 static bool run_save(struct session *session, const struct call *call)
 {
     struct redirect file;
@@ -182,6 +212,7 @@ static bool run_save(struct session *session, const struct call *call)
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
         for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++)
             parameter_save(session, p, file.file);
+        variables_save(&session->variables, file.file);
         wrong = redirect_close(&file, true);
     }
     return !wrong ||
@@ -208,31 +239,6 @@ static bool run_source(struct session *session, const struct call *call)
     return session->errors == errors;
 }
 
-static const struct column print_columns[] = {
-    {"value", "", "in SI units, and the unit of angles", 0},
-    {"unit", "", "", 6},
-    {NULL, NULL, NULL, 0},
-};
-
-static bool run_print(struct session *session, const struct call *call)
-{
-    struct quantity q = call->quantity[0];
-    char unit[48], number[WIDE_TEXT];
-    expression_unit_text(q, unit, sizeof unit);
-    if (quantity_plain(q) && q.angle == 1) {
-        q.value = style_angle(&session->style, q.value);
-        snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
-    }
-    int digits = (int)call->answer->style.digits;
-    if (digits < 15 && q.value == quad(floor)(q.value))
-        digits = 15; /* a whole number is shown whole */
-    if (answer_for_people(call->answer))
-        answer_say(call->answer, "%s%s%s", quad_text(q.value, digits, number), *unit ? " " : "", unit);
-    else
-        answer_cells(call->answer, cell_unbounded(q.value), cell_word(unit));
-    return true;
-}
-
 static bool run_quit(struct session *session, const struct call *call)
 {
     (void)call;
@@ -249,12 +255,13 @@ const struct command session_commands[] = {
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
-     .help =
-         "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, "
-         "rmax. Each value is checked on its own; a command that needs r s <= 1 checks that. NAME may also "
-         "be an effect: 'set friction 0.2', 'set friction off'.",
+     .help = "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, "
+             "rmax. 'set s = 0.3', 'set s to 0.3' and 's = 0.3' mean the same. Each value is checked on its "
+             "own; a command that needs r s <= 1 checks that. NAME may also "
+             "be an effect: 'set friction 0.2', 'set friction off'.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
+     .shortest = "se",
      .run = run_set},
     {.name = "show",
      .synonyms = "list settings values parameter",
@@ -265,6 +272,7 @@ const struct command session_commands[] = {
      .rows = true,
      ANSWER(show)},
     {.name = "reset",
+     .shortest = "re",
      .synonyms = "undo default clear restore",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
@@ -276,17 +284,39 @@ const struct command session_commands[] = {
      .run = run_reset},
     {.name = "print",
      .synonyms = "calculate calculator convert units feet inch evaluate",
-     .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY}},
-     .summary = "the value of an expression",
-     .help =
-         "Numbers, + - * / ^ and parentheses; units of length m mm cm km in ft yd, of mass kg g t lb oz, "
-         "of time s ms, of angle rad deg; pi; sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs "
-         "floor ceil round hypot min max; the parameters; 'ans' and 'ans.KEY', the last answer; commands, "
-         "with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number "
-         "or a ')': '10 g'; elsewhere g is gravity: 'h/g', '2*g'.",
+     .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},
+                  {.name = "to U",
+                   .kind = ARGUMENT_UNIT,
+                   .optional = true,
+                   .choices = conversion_word,
+                   .read = read_conversion}},
+     .summary = "the value of an expression, in another unit",
+     .help = "A line that is an expression means the same: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to "
+             "percent'. "
+             "Numbers, + - * / ^ and parentheses; units of length m mm cm km in ft yd, of mass kg g t lb oz, "
+             "of time s ms, of angle rad deg; pi; sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs "
+             "floor ceil round hypot min max; the parameters; what 'let' defines; 'ans', the last value, and "
+             "'ans.KEY', a number of the last answer; commands, "
+             "with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number "
+             "or a ')': '10 g'; elsewhere g is gravity: 'h/g', '2*g'.",
      .example = "print ln(112 m / h) / ln(rmax)",
-     .see = "set",
+     .see = "let set",
+     .shortest = "pr",
      ANSWER(print)},
+    {.name = "let",
+     .synonyms = "variable define function assign name constant",
+     .argument = {{.name = "NAME = VALUE",
+                   .kind = ARGUMENT_WORDS,
+                   .choices = definition_names,
+                   .read = read_definition}},
+     .summary = "give a value a name, or define a function",
+     .help = "'let x = 0.9*rmax' keeps the value that the expression has now; every expression can use x. "
+             "'let f(s) = rmax(s)*s' keeps the text; f(0.3) evaluates it, with 0.3 in the place of s. A "
+             "function has 1 .. 4 values and cannot use itself. 'x' shows the value, 'x = 2' changes it, "
+             "'show' lists all, and 'save' keeps them.",
+     .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
+     .see = "print set show",
+     .run = run_let},
     {.name = "save",
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},

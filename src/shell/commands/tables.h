@@ -29,6 +29,15 @@ bool run_why(struct session *session, const struct call *call);
 void verdict_train_say(const struct session *session, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
+/* What 'print' and 'let' read after their names, and what they do. */
+extern const struct column print_columns[];
+const char *conversion_word(const void *context, int k);
+bool read_conversion(struct reader *reader, struct call *call);
+bool read_definition(struct reader *reader, struct call *call);
+const char *definition_names(const void *context, int k);
+bool run_print(struct session *session, const struct call *call);
+bool run_let(struct session *session, const struct call *call);
+
 bool run_animate(struct session *session, const struct call *call);
 bool run_mend(struct session *session, const struct call *call);
 bool run_tolerance(struct session *session, const struct call *call);

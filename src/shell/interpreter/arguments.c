@@ -84,9 +84,9 @@ char *read_file(struct reader *r)
 }
 
 /* Returns true for a name that expressions know. */
-static bool is_value_name(const char *word)
+static bool is_value_name(const struct session *session, const char *word)
 {
-    return names_exact(value_names, NULL, word) >= 0;
+    return names_exact(value_names, session, word) >= 0;
 }
 
 /* Returns true if the word after a value is a value itself. If not, the word is meant as a unit. */
@@ -97,7 +97,7 @@ static bool known_word(struct session *session, struct reader *r, const char *at
     size_t name = word ? strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
     if (word)
         word[name] = '\0';
-    bool known = word && is_value_name(word);
+    bool known = word && (is_value_name(session, word) || strcmp(word, "to") == 0);
     if (!known && word) {
         const char *close = names_closest(expression_units, NULL, word);
         session->column = reader_column(r, at);
@@ -169,7 +169,7 @@ bool read_value(struct reader *r, const struct parameter *p, int i, const char *
     bool wordlike = word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' && *word;
     if (word && p->words && i == 0) {
         snprintf(what, sizeof what, "value of %s", p->name);
-        k = p->words_only || (wordlike && !is_value_name(word))
+        k = p->words_only || (wordlike && !is_value_name(r->session, word))
                 ? names_find(parameter_words, p, what, word, message)
                 : names_exact(parameter_words, p, word);
     }
@@ -198,7 +198,7 @@ static bool is_expression_topic(const char *word)
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
         if (strcmp(topics[i], word) == 0)
             return true;
-    return is_value_name(word) || names_exact(expression_units, NULL, word) >= 0;
+    return is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0;
 }
 
 bool read_choice(struct reader *r, const struct argument *a, char **word, domq_real *number)
@@ -229,8 +229,8 @@ static bool read_place(struct reader *r, const struct argument *a, struct call *
     char message[NAMES_MESSAGE] = NO_MEMORY;
     const char *begin = r->at;
     char *name = read_word(r, false);
-    bool letters =
-        name && *name && name[strspn(name, "abcdefghijklmnopqrstuvwxyz")] == '\0' && !is_value_name(name);
+    bool letters = name && *name && name[strspn(name, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
+                   !is_value_name(r->session, name);
     int place = !name     ? -1
                 : letters ? names_find(a->choices, NULL, a->of, name, message)
                           : names_exact(a->choices, NULL, name);
@@ -246,11 +246,19 @@ static bool read_place(struct reader *r, const struct argument *a, struct call *
 }
 
 /* Returns true if a word is a file's name, and not the beginning of an expression. */
-static bool names_file(const char *word)
+static bool names_file(const struct session *session, const char *word)
 {
     size_t length = strlen(word);
     return strchr("\"./~", *word) || (length > 4 && strcmp(word + length - 4, ".csv") == 0) ||
-           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(word));
+           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(session, word));
+}
+
+/* Skips what can be between a parameter and its value: 'set r = 2', 'set r to 2'. */
+static void skip_equals(struct reader *r, struct call *call, int i)
+{
+    size_t n = *r->at == '=' ? 1 : strncmp(r->at, "to", 2) == 0 && isspace((unsigned char)r->at[2]) ? 2 : 0;
+    r->at = skip_blanks(r->at + n);
+    r->session->column = call->column[i] = reader_column(r, r->at);
 }
 
 /* Reads a value for the parameter that the call names, or the file instead of its first value. */
@@ -259,17 +267,42 @@ static bool read_setting(struct reader *r, const struct command *c, struct call 
     const struct parameter *p = call->parameter;
     const struct domq_effect_argument *of = parameter_value(p, i - 1);
     char usage[USAGE_SIZE], shown[NAMES_SHOWN], word[PATH_MAX];
+    if (i == 1)
+        skip_equals(r, call, i);
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
     if (!of || call->word[1] || (i > 1 && parameter_word(p, call->number[1])))
         return session_error(r->session, "'%s' is one argument too many; usage: %s%s",
                              names_shown(word, shown), p->effect ? "effect " : "",
                              p->effect ? effect_usage(p->which, usage) : command_usage(c, usage));
-    if (of->or_file && names_file(word) && names_exact(parameter_words, p, word) < 0) {
+    if (of->or_file && names_file(r->session, word) && names_exact(parameter_words, p, word) < 0) {
         call->word[i] = read_file(r);
         return call->word[i] || session_error(r->session, "%s", unclosed);
     }
     r->last = !parameter_value(p, i);
     return read_value(r, p, i - 1, of->name, &call->number[i]);
+}
+
+/* Reads the name of a parameter or topic, which also ends before this letter; a '?' after it is skipped. */
+static char *read_name(struct reader *r, const char *end)
+{
+    const char *stops = r->stops;
+    r->stops = end;
+    char *word = read_word(r, false);
+    r->stops = stops;
+    const char *next = skip_blanks(r->at);
+    if (*next == '?')
+        r->at = next + strspn(next, "?");
+    return word;
+}
+
+/* Reads the name of an effect, which also ends before a '='. */
+static bool read_effect(struct reader *r, const struct argument *a, struct call *call, int i)
+{
+    const char *stops = r->stops;
+    r->stops = "=";
+    bool done = read_choice(r, a, &call->word[i], &call->number[i]);
+    r->stops = stops;
+    return done;
 }
 
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
@@ -278,7 +311,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     int i = call->count;
     const struct argument *a = &c->argument[i];
     session->column = call->column[i] = reader_column(r, r->at);
-    r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind;
+    r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind || c->argument[i + 1].kind == ARGUMENT_UNIT;
     char message[NAMES_MESSAGE] = NO_MEMORY;
     switch (a->kind) {
     case ARGUMENT_OF:
@@ -287,21 +320,19 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         return read_setting(r, c, call, i);
     case ARGUMENT_PARAMETER:
     case ARGUMENT_TOPIC:
-        call->word[i] = read_word(r, false);
+        call->word[i] = read_name(r, a->kind == ARGUMENT_TOPIC ? "?" : "=");
         int k = call->word[i] ? names_find(a->choices, NULL, a->of, call->word[i], message) : -1;
         if (k < 0 && a->kind == ARGUMENT_TOPIC && call->word[i] && is_expression_topic(call->word[i]))
             k = names_exact(a->choices, NULL, "print");
         call->number[i] = k;
         call->parameter = k >= 0 && a->kind == ARGUMENT_PARAMETER ? &session_parameters[k] : NULL;
-        if (k < 0 && call->word[i] && strchr(call->word[i], '='))
-            return session_error(session, "'=' is not used; put a blank between name and value: 'set s 0.3'");
         return k >= 0 || session_error(session, "%s", message);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);
     case ARGUMENT_PLACE:
         return read_place(r, a, call, i);
     case ARGUMENT_EFFECT:
-        if (!read_choice(r, a, &call->word[i], &call->number[i]))
+        if (!read_effect(r, a, call, i))
             return false;
         call->parameter = parameter_find(a->choices(NULL, (int)call->number[i]));
         return true;
@@ -313,6 +344,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     case ARGUMENT_GRID:
     case ARGUMENT_COMMAND:
     case ARGUMENT_WORDS:
+    case ARGUMENT_UNIT:
         return a->read(r, call);
     case ARGUMENT_REST:
         call->word[i] = strdup(r->at);
@@ -360,6 +392,19 @@ void call_free(struct call *call)
         call->own_free(call->own);
 }
 
+/* Returns the command that has a right to this ambiguous beginning, as an index of command_names; or that
+ * there are several. */
+static int shortest_command(const char *name)
+{
+    const char *all;
+    for (int k = 0; (all = command_names(NULL, k)) != NULL; k++) {
+        const char *shortest = command_find(all)->shortest;
+        if (shortest && strlen(name) >= strlen(shortest) && strncmp(all, name, strlen(name)) == 0)
+            return k;
+    }
+    return NAMES_SEVERAL;
+}
+
 const struct command *read_command(struct reader *r)
 {
     struct session *session = r->session;
@@ -369,11 +414,17 @@ const struct command *read_command(struct reader *r)
     char *name = strndup(r->at, length);
     r->at += length;
     int k = name ? names_find(command_names, NULL, "command", name, message) : -1;
+    if (k == NAMES_SEVERAL)
+        k = shortest_command(name);
+    const struct parameter *p = name ? parameter_find(name) : NULL;
+    bool bare = k >= 0 && !command_find(command_names(NULL, k))->argument[0].kind;
+    if (p && !p->effect && (k < 0 || (bare && !command_find(name)))) {
+        k = NAMES_CLOSE;
+        snprintf(message, sizeof message, "'%s' is a parameter; '%s = VALUE' gives it a value, '%s' shows it",
+                 name, name, name);
+    }
     if (k < 0) {
-        bool expression = name && strcspn(name, "0123456789(+-*/^=") == 0;
-        if (expression)
-            snprintf(message, sizeof message, "this is an expression, not a command; 'print' evaluates it");
-        bool said = !name || effect_hint(name, message) || expression || k != NAMES_UNKNOWN;
+        bool said = !name || effect_hint(name, message) || k != NAMES_UNKNOWN;
         session_error(session, said ? "%s" : "%s; 'help' lists the commands", message);
     }
     free(name);

@@ -29,6 +29,7 @@ enum argument_kind {
     ARGUMENT_GRID,      /* values of parameters and effects, up to a ':' */
     ARGUMENT_COMMAND,   /* ':' and a command that answers */
     ARGUMENT_WORDS,     /* all that is left of the command: argument.read reads the words and values */
+    ARGUMENT_UNIT,      /* "to" and a unit */
     ARGUMENT_REST,      /* the rest of the line as it is */
 };
 
@@ -94,6 +95,8 @@ struct command {
     bool runs;           /* runs other commands, whose answers go where its own would */
     bool files;          /* touches files: not in a safe session */
     bool pages;          /* gives a long text, which a terminal shows a page at a time */
+    const char
+        *shortest; /* the shortest beginning that means this command, though others begin so; or NULL */
     bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
     /* Draws the answer into a file whose ending is that of a picture; NULL: the answer has none. */
     bool (*picture)(struct session *session, const struct call *call);
@@ -121,7 +124,7 @@ const char *command_keys(const void *command, int k);
 bool session_lookup(struct expression *expression, const char *name, const char *key,
                     const struct quantity *arguments, int count, struct quantity *result);
 
-/* Lists for names.h every name that has a value. */
+/* Lists for names.h every name that has a value in a session; without one (NULL) those of every session. */
 const char *value_names(const void *context, int k);
 
 /* Returns the command with exactly this name, or NULL. */

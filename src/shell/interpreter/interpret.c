@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs lines: the commands in them, with their answers in the files after '>'. */
 #include "answer/format.h"
-#include "interpreter/arguments.h"
+#include "interpreter/forms.h"
 #include "io/pager.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
@@ -71,6 +71,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     session->answered = session->answered || (done && c->columns);
     session->write_error = answer.lost ? answer.lost : session->write_error;
     if (done && c->principal) {
+        session->ans.printed = false;
         session->ans.command = c;
         memcpy(session->ans.cells, kept, sizeof kept);
     }
@@ -173,7 +174,10 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
 static void run_command(struct reader *r)
 {
     struct session *session = r->session;
-    const struct command *c = read_command(r);
+    long errors = session->errors;
+    const struct command *c = read_form(r);
+    if (!c && session->errors == errors)
+        c = read_command(r);
     if (c) {
         session->command = c->name;
         struct call call = {.count = 0};

@@ -57,20 +57,74 @@ static bool command_quantity(struct expression *e, const struct command *c, cons
 
 const char *value_names(const void *context, int k)
 {
-    for (int n = 0; expression_names(context, n); n++)
+    const struct session *session = context;
+    for (int n = 0; expression_names(NULL, n); n++)
         if (k-- == 0)
-            return expression_names(context, n);
-    return k == 0 ? "ans" : topic_names(context, k - 1);
+            return expression_names(NULL, n);
+    int own = session ? (int)session->variables.count : 0;
+    return k == 0 ? "ans" : k <= own ? session->variables.list[k - 1].name : topic_names(NULL, k - 1 - own);
+}
+
+/* Evaluates a function of the session; its own arguments are the only ones that its text knows. */
+static bool function_quantity(struct expression *e, const struct variable *f,
+                              const struct quantity *arguments, int count, struct quantity *result)
+{
+    struct session *session = e->context;
+    char head[VARIABLE_HEAD];
+    if (count != f->count)
+        return expression_fail(e, "'%s' takes %d value%s", variable_head(f, head), f->count,
+                               f->count == 1 ? "" : "s");
+    for (const struct scope *outer = session->scope; outer; outer = outer->outer)
+        if (outer->function == f)
+            return expression_fail(e, "'%s' uses itself", variable_head(f, head));
+    if (dom_raised(session->compute.interrupt))
+        return session_status(session, DOM_INTERRUPTED);
+    const struct scope scope = {.function = f, .argument = arguments, .outer = session->scope};
+    struct expression body = {
+        .text = f->body, .lookup = session_lookup, .context = session, .angle = e->angle, .depth = e->depth};
+    session->scope = &scope;
+    bool good = expression_evaluate(&body, result);
+    session->scope = scope.outer;
+    if (!good && body.named)
+        expression_message(e, body.of_value, "%s", body.message);
+    else if (!good && body.message[0]) /* else it was reported */
+        expression_message(e, body.of_value, "in '%s': %.180s", variable_head(f, head), body.message);
+    e->named = !good;
+    return good;
+}
+
+/* Finds an argument of the function that is being evaluated. */
+static bool scope_quantity(const struct scope *scope, const char *name, struct quantity *result)
+{
+    for (int i = 0; scope && i < scope->function->count; i++)
+        if (strcmp(scope->function->argument[i], name) == 0) {
+            *result = scope->argument[i];
+            return true;
+        }
+    return false;
 }
 
 bool session_lookup(struct expression *e, const char *name, const char *key, const struct quantity *arguments,
                     int count, struct quantity *result)
 {
     struct session *session = e->context;
+    if (!key && count == 0 && scope_quantity(session->scope, name, result))
+        return true;
+    const struct variable *v = key ? NULL : variable_find(&session->variables, name);
+    if (v && v->body)
+        return function_quantity(e, v, arguments, count, result);
+    if (v && count == 0) {
+        *result = v->value;
+        return true;
+    }
     const struct parameter *p = parameter_find(name);
     if (p && parameter_is_number(p) && !key && count == 0) {
         *result = expression_unit(p->value->unit);
         result->value *= parameter_get(session, p);
+        return true;
+    }
+    if (strcmp(name, "ans") == 0 && count == 0 && !key && session->ans.printed) {
+        *result = session->ans.value;
         return true;
     }
     if (strcmp(name, "ans") == 0 && count == 0)
@@ -80,7 +134,7 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
     const struct command *c = command_find(name);
     if (c && c->principal)
         return command_quantity(e, c, key, arguments, count, result);
-    const char *close = names_closest(value_names, NULL, name);
+    const char *close = names_closest(value_names, session, name);
     return expression_fail(
         e, close && strcmp(close, name) != 0 ? "'%s' has no value; did you mean '%s'?" : "'%s' has no value",
         name, close);

@@ -60,9 +60,17 @@ enum { DEPTH_MAX = 100 };
 
 static bool sum(struct expression *e, struct quantity *q);
 
-/* Returns true for a finite number in a unit whose exponents do not overflow: what each step may give. */
-static bool finite_result(struct expression *e, const char *at, const struct quantity *q)
+/* Replaces a value by 1 where nothing is evaluated, so that no value can be wrong. */
+static void settle(const struct expression *e, struct quantity *q)
 {
+    if (e->dry)
+        *q = (struct quantity){.value = 1};
+}
+
+/* Returns true for a finite number in a unit whose exponents do not overflow: what each step may give. */
+static bool finite_result(struct expression *e, const char *at, struct quantity *q)
+{
+    settle(e, q);
     enum { EXPONENT_MOST = 999 };
     bool unit = abs(q->length) <= EXPONENT_MOST && abs(q->time) <= EXPONENT_MOST &&
                 abs(q->angle) <= EXPONENT_MOST && abs(q->mass) <= EXPONENT_MOST;
@@ -191,7 +199,8 @@ static bool named(struct expression *e, struct quantity *q)
         end += 1 + n;
     }
     e->end = at;
-    if (!e->lookup(e, name, dotted ? key : NULL, a, count, q) || !finite_result(e, at, q))
+    bool known = e->dry || e->lookup(e, name, dotted ? key : NULL, a, count, q);
+    if (!known || !finite_result(e, at, q))
         return false;
     e->end = end;
     return true;
@@ -231,6 +240,7 @@ static bool factor(struct expression *e, struct quantity *q)
             q->value = -q->value;
     } else {
         good = primary(e, q);
+        settle(e, q);
         const char *op = skip_blanks(e->end);
         if (good && *op == '^') {
             struct quantity power = {.value = 0};
@@ -249,6 +259,7 @@ static bool factor(struct expression *e, struct quantity *q)
             }
         }
     }
+    settle(e, q);
     e->depth--;
     return good;
 }
@@ -305,7 +316,6 @@ static bool sum(struct expression *e, struct quantity *q)
 
 bool expression_evaluate(struct expression *e, struct quantity *result)
 {
-    e->depth = 0;
     e->end = e->text;
     e->message[0] = '\0';
     e->of_value = false;

@@ -25,10 +25,13 @@ struct expression {
     void *context;       /* for lookup */
     const char *no_unit; /* letters that are no units after a blank, but names; NULL: none */
     domq_real angle;     /* what 1 is in radians where a bare number stands for an angle */
-    int depth;
+    int depth;           /* of nested values so far: 0, or that of the expression that calls a function */
+    bool named;          /* the message names the function that it is about */
+    bool dry;            /* only reads: no name is looked up, and every value is 1 */
 };
 
-/* Evaluates the longest expression at expression->text.  Returns false after an error: see message and end.
+/* Evaluates the longest expression at expression->text, once.  Returns false after an error: see message and
+ * end.
  */
 bool expression_evaluate(struct expression *expression, struct quantity *result);
 

@@ -61,7 +61,8 @@ bool quantity_alike(struct quantity a, struct quantity b)
     return a.length == b.length && a.time == b.time && a.angle == b.angle && a.mass == b.mass;
 }
 
-const char *expression_unit_text(struct quantity q, char *text, size_t size)
+/* Writes the base units with their powers, and this between two of them. */
+static const char *unit_write(struct quantity q, const char *between, char *text, size_t size)
 {
     static const char *const base[] = {"kg", "m", "s", "rad"};
     const int power[] = {q.mass, q.length, q.time, q.angle};
@@ -69,10 +70,20 @@ const char *expression_unit_text(struct quantity q, char *text, size_t size)
     for (int i = 0; i < 4; i++) {
         size_t used = strlen(text);
         if (power[i] != 0)
-            snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? " " : "", base[i],
-                     power[i]);
+            snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? between : "",
+                     base[i], power[i]);
     }
     return text;
+}
+
+const char *expression_unit_text(struct quantity q, char *text, size_t size)
+{
+    return unit_write(q, " ", text, size);
+}
+
+const char *expression_unit_typed(struct quantity q, char *text, size_t size)
+{
+    return unit_write(q, "*", text, size);
 }
 
 /* Names a quantity, NULL if its unit is the shorter name, and shows how people write one. */
@@ -163,7 +174,7 @@ const char *unit_scan(const char *c, struct quantity *q)
         if (c[0] == '^' && (isdigit((unsigned char)c[1]) || (c[1] == '-' && isdigit((unsigned char)c[2])))) {
             char *stop;
             power = strtol(c + 1, &stop, 10);
-            if (power > 9 || power < -9)
+            if (power > UNIT_POWER_MOST || power < -UNIT_POWER_MOST)
                 return NULL;
             c = stop;
         }

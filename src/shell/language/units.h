@@ -33,6 +33,10 @@ struct quantity expression_unit(const char *unit);
 /* Writes the unit, "m^2 s^-1", or "" for a plain number. */
 const char *expression_unit_text(struct quantity quantity, char *text, size_t size);
 
+/* Writes the unit as an expression reads it after a number, "kg*m^-3"; its exponents are at most 9. */
+const char *expression_unit_typed(struct quantity quantity, char *text, size_t size);
+enum { UNIT_POWER_MOST = 9 };
+
 /* Writes what a quantity is, for messages: "a length", "a time", "in m^2 s^-1". */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
 

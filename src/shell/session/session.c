@@ -40,6 +40,7 @@ void effects_reset(struct session *session)
 void session_close(struct session *session)
 {
     effects_reset(session);
+    variables_free(&session->variables);
 }
 
 domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness)

@@ -8,7 +8,7 @@
 
 #include "answer/output.h"
 #include "domino_quad.h"
-#include "language/expression.h"
+#include "language/variables.h"
 
 struct command;
 
@@ -70,6 +70,8 @@ struct session {
     domq_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
     struct effect_state effect[DOM_EFFECT_COUNT];
     struct listed_row listed; /* the row, where it is not counted */
+    struct variables variables;
+    const struct scope *scope; /* the function that is being evaluated; NULL: none */
     struct walk walk;
     FILE *out;          /* where answers go: standard output, or the file after '>' */
     const char *source; /* name of the script for messages; NULL at the prompt */
@@ -96,6 +98,8 @@ struct session {
     struct {
         const struct command *command; /* that gave the last answer; NULL for none */
         struct cell cells[ANSWER_CELLS];
+        bool printed; /* the last answer was the value of an expression */
+        struct quantity value;
     } ans;
 };
 

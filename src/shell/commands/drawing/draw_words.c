@@ -71,7 +71,7 @@ static bool stray_word(struct reader *r)
     size_t n = strspn(r->at, "abcdefghijklmnopqrstuvwxyz");
     snprintf(word, sizeof word, "%.*s", (int)(n < 63 ? n : 63), r->at);
     return n > 0 && (isspace((unsigned char)r->at[n]) || r->at[n] == '>' || command_ends(r->at + n)) &&
-           names_exact(value_names, NULL, word) < 0;
+           names_exact(value_names, r->session, word) < 0;
 }
 
 static bool wrong_word(struct reader *r, const char *what, const char *usage)

@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Values of expressions: print them, convert them, and give them names. */
+#include "commands/tables.h"
+#include "interpreter/forms.h"
+#include "language/quad.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- print ---- */
+
+const struct column print_columns[] = {
+    {"value", "", "in SI units, and the unit of angles; or in the unit after 'to'", 0},
+    {"unit", "", "the unit of the value; nothing for a plain number", 6},
+    {NULL, NULL, NULL, 0},
+};
+
+/* The unit after 'to'. */
+struct conversion {
+    struct quantity unit;
+    char name[48];
+};
+
+const char *conversion_word(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "to" : NULL;
+}
+
+/* Lists the units of one kind, with a blank before each. */
+static void units_list(struct quantity kind, char *text, size_t size)
+{
+    const char *name;
+    text[0] = '\0';
+    for (int k = 0; (name = expression_units(NULL, k)) != NULL; k++)
+        if (quantity_alike(expression_unit(name), kind)) {
+            size_t used = strlen(text);
+            snprintf(text + used, size - used, " %s", name);
+        }
+    if (quantity_bare(kind))
+        snprintf(text, size, " percent");
+}
+
+static bool conversion_find(struct session *session, const char *name, struct conversion *c)
+{
+    char shown[NAMES_SHOWN];
+    struct quantity unit = {.value = 1};
+    bool percent = strcmp(name, "percent") == 0 || strcmp(name, "%") == 0;
+    const char *end = percent ? "" : unit_scan(name, &unit);
+    const char *close = names_closest(expression_units, NULL, name);
+    if (percent)
+        unit.value = (domq_real)1 / 100;
+    c->unit = unit;
+    snprintf(c->name, sizeof c->name, "%s", percent ? "%" : name);
+    if (end && *end == '\0' && strlen(name) < sizeof c->name)
+        return true;
+    return session_error(session,
+                         close ? "'%s' is not a unit; did you mean '%s'?"
+                               : "'%s' is not a unit; for example 'print 112 m to ft'",
+                         names_shown(name, shown), close);
+}
+
+bool read_conversion(struct reader *r, struct call *call)
+{
+    struct session *session = r->session;
+    struct quantity *q = &call->quantity[0];
+    char units[96], is[48], wanted[48], shown[NAMES_SHOWN];
+    char *word = read_word(r, false);
+    if (!word || strcmp(word, "to") != 0) {
+        session_error(session,
+                      word ? "'%s' is one argument too many; usage: print VALUE [to U]" : "out of memory",
+                      names_shown(word ? word : "", shown));
+        free(word);
+        return false;
+    }
+    free(word);
+    r->at = skip_blanks(r->at);
+    session->column = reader_column(r, r->at);
+    word = read_word(r, false);
+    struct conversion *c = malloc(sizeof *c);
+    call->own = c;
+    call->own_free = free;
+    units_list(*q, units, sizeof units);
+    bool good = word && c &&
+                (*word || session_error(session, "the unit after 'to' is missing%s%s",
+                                        *units ? "; for example" : "", units)) &&
+                conversion_find(session, word, c);
+    if (!word || !c)
+        session_status(session, DOM_NO_MEMORY);
+    free(word);
+    if (!good)
+        return false;
+    if (quantity_bare(*q) &&
+        quantity_alike(c->unit, (struct quantity){.angle = 1})) /* as where an angle belongs */
+        *q = (struct quantity){
+            .value = session->style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value, .angle = 1};
+    return quantity_alike(*q, c->unit) ||
+           session_error(session, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q, is, sizeof is),
+                         c->name, quantity_bare(c->unit) ? "for a plain number" : "a unit of ",
+                         quantity_bare(c->unit) ? "" : expression_kind(c->unit, wanted, sizeof wanted),
+                         *units ? "; its units:" : "", units);
+}
+
+bool run_print(struct session *session, const struct call *call)
+{
+    struct quantity q = call->quantity[0];
+    const struct conversion *to = call->own;
+    char unit[48], number[WIDE_TEXT];
+    session->ans.printed = true;
+    session->ans.value = q;
+    expression_unit_text(q, unit, sizeof unit);
+    if (to) {
+        q.value /= to->unit.value;
+        snprintf(unit, sizeof unit, "%s", to->name);
+    } else if (quantity_plain(q) && q.angle == 1) {
+        q.value = style_angle(&session->style, q.value);
+        snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
+    }
+    int digits = (int)call->answer->style.digits;
+    if (digits < 15 && q.value == quad(floor)(q.value))
+        digits = 15; /* a whole number is shown whole */
+    if (answer_for_people(call->answer))
+        answer_say(call->answer, "%s%s%s", quad_text(q.value, digits, number), *unit ? " " : "", unit);
+    else
+        answer_cells(call->answer, cell_unbounded(q.value), cell_word(unit));
+    return true;
+}
+
+/* ---- let ---- */
+
+const char *definition_names(const void *context, int k)
+{
+    (void)context; /* of completion, which knows the word before, not the session */
+    return value_names(NULL, k);
+}
+
+/* Reports an error where a name has a meaning already. */
+static bool name_free(struct session *session, const char *name)
+{
+    const char *is = parameter_find(name)                                  ? "a parameter"
+                     : command_find(name)                                  ? "a command"
+                     : names_exact(expression_units, NULL, name) >= 0      ? "a unit"
+                     : names_exact(value_names, NULL, name) >= 0           ? "a value of the language"
+                     : strcmp(name, "to") == 0 || strcmp(name, "log") == 0 ? "a word of the language"
+                                                                           : NULL;
+    return !is || session_error(session, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
+}
+
+/* Reads the text of a function up to the end of the command; its copy is the variable's body. */
+static bool read_body(struct reader *r, struct variable *v)
+{
+    struct expression e = {.text = r->at, .dry = true};
+    char shown[NAMES_SHOWN], word[NAMES_SHOWN];
+    bool good = expression_evaluate(&e, &(struct quantity){.value = 0});
+    r->session->column = reader_column(r, e.end);
+    if (!good)
+        return session_error(r->session, "%s", e.message);
+    if (!command_ends(skip_blanks(e.end))) {
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(skip_blanks(e.end), " \t;"), skip_blanks(e.end));
+        return session_error(r->session, "the text of the function ends before '%s'",
+                             names_shown(word, shown));
+    }
+    v->body = strndup(r->at, (size_t)(e.end - r->at));
+    r->at = e.end;
+    return v->body || session_status(r->session, DOM_NO_MEMORY);
+}
+
+static void definition_free(void *own)
+{
+    free(((struct variable *)own)->body);
+    free(own);
+}
+
+bool read_definition(struct reader *r, struct call *call)
+{
+    struct session *session = r->session;
+    struct variable *v = malloc(sizeof *v);
+    if (!v)
+        return session_status(session, DOM_NO_MEMORY);
+    call->own = v;
+    call->own_free = definition_free;
+    const char *value = definition_head(r->at, v);
+    if (!value)
+        return session_error(session,
+                             "a definition is 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function "
+                             "of 1 .. %d values",
+                             EXPRESSION_ARGUMENTS);
+    if (!name_free(session, v->name))
+        return false;
+    for (int i = 0; i < v->count; i++)
+        for (int k = 0; k < i; k++)
+            if (strcmp(v->argument[i], v->argument[k]) == 0)
+                return session_error(session, "two values of '%s' have the name '%s'", v->name,
+                                     v->argument[i]);
+    r->at = skip_blanks(value);
+    session->column = reader_column(r, r->at);
+    if (command_ends(r->at))
+        return session_error(session, "the value of '%s' is missing; for example 'let %s = 0.9*rmax'",
+                             v->name, v->name);
+    if (v->count > 0)
+        return read_body(r, v);
+    r->last = true;
+    if (!read_quantity(r, &(struct argument){.name = v->name, .kind = ARGUMENT_ANY}, &v->value,
+                       &v->value.value))
+        return false;
+    const int power[] = {v->value.length, v->value.time, v->value.angle, v->value.mass};
+    for (int i = 0; i < 4; i++)
+        if (abs(power[i]) > UNIT_POWER_MOST)
+            return session_error(session, "the unit of '%s' has an exponent above %d", v->name,
+                                 UNIT_POWER_MOST);
+    return true;
+}
+
+bool run_let(struct session *session, const struct call *call)
+{
+    const struct variable *v = call->own;
+    if (!variable_find(&session->variables, v->name) && session->variables.count == VARIABLES_MOST)
+        return session_error(session, "there are %d variables, and that is the most", VARIABLES_MOST);
+    return variable_put(&session->variables, v) || session_status(session, DOM_NO_MEMORY);
+}

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/forms.h"
+#include <ctype.h>
+#include <string.h>
+
+/* Returns true for blanks, and what else ends a word that is a whole command. */
+static bool word_ends(const char *c)
+{
+    return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
+}
+
+/* Reads one name of a definition, with the blanks around it; returns the place after it, or NULL. */
+static const char *definition_name(const char *c, char name[VARIABLE_NAME])
+{
+    c = skip_blanks(c);
+    size_t n = name_start(*c) ? name_length(c) : 0;
+    if (n == 0 || n >= VARIABLE_NAME)
+        return NULL;
+    snprintf(name, VARIABLE_NAME, "%.*s", (int)n, c);
+    return skip_blanks(c + n);
+}
+
+const char *definition_head(const char *c, struct variable *v)
+{
+    *v = (struct variable){.body = NULL};
+    c = definition_name(c, v->name);
+    for (const char *sep = "("; c && *c == *sep; sep = ",") {
+        if (v->count == EXPRESSION_ARGUMENTS)
+            return NULL;
+        c = definition_name(c + 1, v->argument[v->count++]);
+    }
+    if (c && v->count > 0)
+        c = *c == ')' ? skip_blanks(c + 1) : NULL;
+    return c && c[0] == '=' && c[1] != '=' ? c + 1 : NULL;
+}
+
+/* Returns true if an operator that needs a value before it, or a conversion, is here. */
+static bool goes_on(const char *c)
+{
+    bool blank = isspace((unsigned char)c[-1]);
+    return (*c && strchr("*/^", *c)) ||
+           ((*c == '+' || *c == '-') && (!blank || isspace((unsigned char)c[1]))) ||
+           (strncmp(c, "to", 2) == 0 && isspace((unsigned char)c[2]));
+}
+
+/* Returns true if the line is an expression, perhaps a wrong one. */
+static bool is_expression(const struct session *session, const char *c)
+{
+    char name[VARIABLE_NAME];
+    size_t n = name_start(*c) ? name_length(c) : 0;
+    const char *next = skip_blanks(c + n);
+    if (n == 0)
+        return *c && (isdigit((unsigned char)*c) || strchr("(.+-", *c));
+    if (!word_ends(c + n))
+        return strchr("(*/^+-.", c[n]) != NULL;
+    snprintf(name, sizeof name, "%.*s", (int)n, c);
+    const struct command *command = command_find(name);
+    int fewest;
+    if (command)
+        return command_values(command, &fewest) >= 0 && goes_on(next);
+    bool alone = !parameter_find(name) && (command_ends(next) || *next == '>');
+    return names_exact(value_names, session, name) >= 0 && (alone || goes_on(next));
+}
+
+/* Returns the command that an assignment means, or NULL after an error: there is nothing of this name. */
+static const struct command *assignment(struct session *session, const struct variable *v)
+{
+    char message[NAMES_MESSAGE];
+    const struct parameter *p = parameter_find(v->name);
+    if (p && v->count == 0)
+        return command_find("set");
+    if (variable_find(&session->variables, v->name))
+        return command_find("let");
+    int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
+    if (k == NAMES_CLOSE)
+        session_error(session, "%s 'let %s = VALUE' defines a variable", message, v->name);
+    else
+        session_error(session, "'%s' is no parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
+                      v->count ? "(...)" : "", v->count ? "function" : "variable");
+    return NULL;
+}
+
+const struct command *read_form(struct reader *r)
+{
+    struct variable v;
+    struct session *session = r->session;
+    const char *c = r->at;
+    size_t n = name_start(*c) ? name_length(c) : 0;
+    if (*c == '?') {
+        r->at = c + strspn(c, "?");
+        return command_find("help");
+    }
+    const char *next = skip_blanks(c + n);
+    if (n > 0 && *next == '?' && command_ends(skip_blanks(next + strspn(next, "?"))))
+        return command_find("help");
+    if (definition_head(c, &v)) {
+        session->column = reader_column(r, c);
+        return assignment(session, &v);
+    }
+    if (is_expression(session, c))
+        return command_find("print");
+    if (n < VARIABLE_NAME && definition_name(c, v.name) && !command_find(v.name) && parameter_find(v.name) &&
+        (command_ends(next) || *next == '>'))
+        return command_find("show");
+    return NULL;
+}

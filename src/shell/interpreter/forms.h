@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lines that begin with no command, and mean one: 2+2, q, r = 2, x = 3, ?rmax, rmax?. */
+#ifndef SHELL_FORMS_H
+#define SHELL_FORMS_H
+
+#include "interpreter/arguments.h"
+
+/*
+ * Returns the command that a line without a command's name means, and moves the reader to where its
+ * arguments begin; NULL: the line has no such form.  A command's name comes first: 'fuel' is the command, and
+ * 'q' the parameter, since the command is 'quit'.
+ */
+const struct command *read_form(struct reader *reader);
+
+/* Reads the head of a definition, "x =" or "f(s, d) =".  Returns the place after '=', or NULL: none is there.
+ */
+const char *definition_head(const char *text, struct variable *variable);
+
+#endif

@@ -1,0 +1,172 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lines without a command's name: expressions, names, assignments, questions; conversions, variables, functions.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
+all_print() {
+    local line answer
+    while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
+}
+
+# Rows of LINE|COMMANDS: the two print the same, in json.
+all_mean() {
+    local line commands
+    while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
+}
+
+@test "a line that is an expression is evaluated" {
+    all_print <<'END'
+2+2|4
+2 + 2|4
+sin(30 deg)|0.5
+ln(112/0.048)/ln(1.5)|19.1263
+-1|-1
+(2+3)*4|20
+.5|0.5
+pi|3.14159
+r^2|2.25
+rmax(0.3)|1.51445
+rmax * 2|3.28846
+rmax/2|0.822115
+rmax - 1|0.644229
+fuel.fuel_paper|0.592292
+2+2 # four|4
+rmax 0.3; ans.s|0.3
+2+2; ans*3|12
+112 m; ans/2|56 m
+END
+}
+
+@test "commands keep their names, and a beginning that two have is the older one's" {
+    all_mean <<'END'
+se s 0.3; show s|set s 0.3; show s
+pr 3|print 3
+re; show s|reset; show s
+l|launch
+END
+    same 'fuel is the command' 0.177287 "$("$DOMINO" -e fuel | awk '/^fuel_exact/ { print $2 }')"
+}
+
+@test "a parameter's name shows it, '=' and 'to' set it, '?' explains it" {
+    all_mean <<'END'
+q|show q
+output|show output
+friction|show friction
+r = 2; r|set r 2; show r
+r=rmax*0.99; r|set r 0.99*rmax; show r
+set r = 2; r|set r 2; show r
+set r=2; r|set r 2; show r
+set r to 2; r|set r 2; show r
+fuel = paper; show fuel|set fuel paper; show fuel
+friction = 0.2; friction|effect friction 0.2; show friction
+effect friction = 0.2; friction|effect friction 0.2; show friction
+END
+    for line in '?rmax' '? rmax' 'rmax?' 'rmax ?' 'help rmax?' '??rmax'; do
+        same "$line" "$("$DOMINO" -e 'help rmax')" "$("$DOMINO" -e "$line")"
+    done
+    same '?' "$("$DOMINO" -e help)" "$("$DOMINO" -e '?')"
+    same 'q does not leave' 3 "$("$DOMINO" -e 'q; 1+2' | tail -n 1)"
+}
+
+@test "'to' converts" {
+    all_print <<'END'
+112 m to ft|367.454 ft
+rmax to percent|164.423 %
+0.9*rmax(0.3) to %|136.301 %
+10 g to oz|0.35274 oz
+600 kg/m^3 to g/cm^3|0.6 g/cm^3
+thetac to deg|36.8699 deg
+pi/2 to deg|90 deg
+print duration.speed to mm/s|214.37 mm/s
+END
+    same json '{"value":10000,"unit":"mm"}' "$(json '10 m to mm')"
+    wrong '112 m to s' "the value is a length, and 's' is a unit of a time; its units: m mm cm km in ft yd"
+    wrong '112 m to fot' "'fot' is not a unit; did you mean 'ft'"
+    wrong '112 m to' "the unit after 'to' is missing; for example m mm"
+    wrong '112 to m' 'the value is a plain number.*its units: percent'
+    wrong '112 m ti ft' "'ti' is not a unit"
+    wrong '112 m to ft 3' "'3' is one argument too many"
+    wrong 'rmax to m/h' "'m/h' is not a unit"
+}
+
+@test "let: a variable keeps its value, and its unit" {
+    all_print <<'END'
+let x = 2; x|2
+let x = 2; x = 3; x^2|9
+let x = 0.9*rmax; set s 0.9; x|1.47981
+let tall = 112 m; tall/2|56 m
+let tall = 112 m; tall to ft|367.454 ft
+let p = 600 kg/m^3; density = p; density*1|600 kg m^-3
+let x = 0.3; rmax x; ans.s|0.3
+let x = 1; let x = x + 1; x|2
+let big = 0.5; rmax big; ans.s|0.5
+END
+}
+
+@test "let: a function of one line" {
+    all_print <<'END'
+let f(s) = rmax(s)*s; f(0.3)|0.454336
+let f(a, b) = a^b; f(2, 10)|1024
+let f(s) = s^2; let g2(s) = f(s + 1) + s; g2(2)|11
+let f(s) = r*s; r = 2; f(3)|6
+let f(x) = sin(x); angle = deg; f(30)|0.5
+END
+    same 'its own values hide names' 5 "$("$DOMINO" -e 'let f(s) = s' -e 'f(5)')"
+    same 'in a sweep' '0.2 0.3' "$(json 'let f(a) = a; sweep s 0.2 0.3 2 : print f(s)' | values value | paste -sd ' ' -)"
+    same 'in solve' 2 "$(json 'let f(x) = x^2; solve r : f(r) = 4' | values value | head -n 1 | sed 's/\(1.99999\).*/2/')"
+}
+
+@test "let: names that have a meaning, and texts that are none" {
+    wrong 'let r = 2' "'r' is a parameter; choose another name"
+    wrong 'let rmax = 2' "'rmax' is a command"
+    wrong 'let m = 2' "'m' is a unit"
+    wrong 'let sin = 2' "'sin' is a value"
+    wrong 'let ans = 2' "'ans' is a value"
+    wrong 'let x' "a definition is 'let x"
+    wrong 'let x =' "the value of 'x' is missing"
+    wrong 'let f(a = 3' 'a definition is'
+    wrong 'let f(a,b,c,d,e) = 3' 'a function of 1 .. 4 values'
+    wrong 'let f(a,a) = 3' "two values of 'f' have the name 'a'"
+    wrong 'let f(a) = a +' "ends before '\+'"
+    wrong 'let f(a) = (a' "this '\(' is never closed"
+    wrong 'let f(a) = a; f(1, 2)' "'f\(a\)' takes 1 value"
+    wrong 'let f(a) = foo*a; f(1)' "in 'f\(a\)': 'foo' has no value"
+    wrong 'let f(a) = f(a); f(1)' "'f\(a\)' uses itself"
+    wrong 'let f(a) = a; let k(a) = f(a); let f(a) = k(a); k(1)' "'k\(a\)' uses itself"
+    wrong 'let x = (1 m)^12' 'an exponent above 9'
+    wrong 'y = 3' "'y' is no parameter; 'let y = VALUE' defines a variable"
+    wrong 'frictoin = 0.2' "did you mean 'friction'"
+    wrong 'z(a) = 3' "'let z\(...\) = VALUE' defines a function"
+    wrong 'foo+1' "'foo' has no value"
+    wrong '1/0' 'division by zero'
+    wrong 's 0.3' "'s' is a parameter; 's = VALUE'"
+    wrong 'q 3' "'q' is a parameter"
+}
+
+@test "variables are listed by 'show' and read back after 'save'" {
+    cd "$BATS_TEST_TMPDIR"
+    "$DOMINO" -e 'let p = 600 kg/m^3/3; let a = 10 deg; let f(x, y) = x*p + y; let n = 1/3; save s.dom; show' >shown
+    "$DOMINO" -e 'source s.dom; save t.dom; show' >again
+    same_file s.dom t.dom
+    same_file shown again
+    same 'the function' 'f(x, y) x*p + y' "$(awk '/^f\(/ { print $1, $2, $3, $4, $5 }' shown)"
+    same 'in a quotient' 0.2 "$("$DOMINO" -e 'source s.dom; p/(1000 kg/m^3)')"
+    same 'quad' 0 "$("$DOMINO" -e 'source s.dom; n*3 - 1')"
+}
+
+@test "a definition may not make a session hang" {
+    {
+        echo 'let f0(x) = x'
+        for i in {1..60}; do echo "let f$i(x) = f$((i - 1))(x)"; done
+        for i in {61..200}; do echo "let f$i(x) = ((f$((i - 1))(x)))"; done
+        echo 'f60(7); f200(7); 41+1'
+    } >"$BATS_TEST_TMPDIR/deep.dom"
+    run --separate-stderr "$DOMINO" -f "$BATS_TEST_TMPDIR/deep.dom"
+    same deep '7 42' "$(grep . <<<"$output" | paste -sd ' ' -)"
+    [[ $stderr == *'nested too deeply'* ]]
+    repeat=$(printf '(%.0s' {1..300})
+    wrong "let f(x) = $repeat" 'nested too deeply'
+}
