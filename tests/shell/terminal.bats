@@ -100,7 +100,7 @@ answers=('chain 0.1' show 'show s' thetac 'theta1 0.1' rmax 'rmax 0.3' pair best
     barrier duration 'energy 0.1' fuel launch 'omega 0.1')
 helps=(help apropos\ barrier)
 for topic in apropos barrier best chain complete count curve duration energy exit fuel help launch omega pair print \
-    quit reset rmax save set show source theta1 thetac s r d q tol h g fuel output digits angle timing; do
+    quit reset rmax save set show source theta1 thetac s r d q tol h g fuel output digits angle timing hints; do
     helps+=("help $topic")
 done
 errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'print sqrt(2' 'set d 0.7/' 'set s 0.9; thetac')
@@ -454,5 +454,78 @@ $prompt" "$(screen | tail -n 2)"
         see falls_off
         same "$setting" '(nothing)' "$(screen -e | grep $'\033')"
         close_terminal
+    done
+}
+
+# The text that is faint on the screen.
+faint() { terminal capture-pane -p -e | sed -n 's/.*\x1b\[2m\([^\x1b]*\).*/\1/p' | tail -n 1 | sed 's/ *$//'; }
+hint_is() { [ "$(faint)" = "$1" ]; }
+hint() { until_true hint_is "$1"; } # HINT
+hinted() { # TEXT HINT
+    press C-u
+    press -l -- "$1"
+    hint "$2"
+}
+
+@test "a hint is the rest of the usage, or of an earlier line, which keys accept" {
+    unset NO_COLOR
+    open_session 80 24
+    for case in 'count |H [R]' 'count 112 m| [R]' 'curve 0.1 |TO N' 'set s |1e-06 .. 1' 'set fuel |exact|paper' 'effect friction |MU' \
+        'fuel; theta1 |T' 'sweep s 0.1 0.9 9 : rmax |[S]' 'count 112 0.3 |' 'fuel|' 'zzz |' 'rmax > |'; do
+        hinted "${case%%|*}" "${case#*|}"
+    done
+    press C-u
+    press -l 'print 6*7'
+    press Enter
+    see '^ *42'
+    hinted 'print 6' '*7' # once the line is there again
+    press Right
+    see 'print 6\*7$'
+    hint ''
+    hinted 'pri' 'nt 6*7'
+    press C-e Enter
+    until_true shown_twice '^ *42'
+    hinted 'pr' 'int 6*7'
+    press M-f
+    hint ' 6*7'
+    press C-e
+    see 'print 6\*7$'
+    press C-a # only at the end of the line
+    hint ''
+    press C-e C-u Up
+    see 'print 6\*7$'
+    press C-u
+    press -l 'pri'
+    hint 'nt 6*7'
+    press Enter # what was only a hint is not run, and leaves nothing on the screen
+    see 'VALUE is missing'
+    same 'the line above' "$prompt pri" "$(screen | grep "$prompt pri$" | tail -n 1)"
+    press -l 'set hints off'
+    press Enter
+    press -l 'pri'
+    see 'pri$'
+    hint ''
+}
+shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
+
+@test "a hint stays in its row, whatever the width, and is not there without colours" {
+    unset NO_COLOR
+    open_session 40 12
+    hinted 'effect placement ' 'SIGMA [HEIGHTS'
+    terminal resize-window -x 30 -y 12
+    hint 'SIGM'
+    press -l '1 mm 0.1 0.2 0.3 0.4'
+    see_last "$prompt effect placement 1 mm 0.1 0.2 0.3 0.4"
+    hint ''
+    press C-u
+    terminal resize-window -x 60 -y 12
+    hinted 'count 112 ' '[R]'
+    for variable in NO_COLOR=1 TERM=dumb; do
+        close_terminal
+        open_terminal 60 12 env "$variable" "$DOMINO"
+        see "or 'help'"
+        press -l 'count 112 '
+        see 'count 112$'
+        hint ''
     done
 }

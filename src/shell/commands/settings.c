@@ -278,7 +278,7 @@ const struct command session_commands[] = {
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME all effects are turned off, too, and the settings of the session are kept: "
              "threads, output, "
-             "digits, angle, errors, timing.",
+             "digits, angle, errors, timing, hints.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .run = run_reset},

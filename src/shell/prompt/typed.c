@@ -112,6 +112,7 @@ void typed_read(const char *line, struct typed *t)
         else if (*word)
             take_word(t, word, &open);
     }
+    t->unit = t->number && may_join(t->command, t->words - 2) && is_unit(t->last);
 }
 
 int typed_argument(const struct typed *t)

@@ -18,6 +18,7 @@ struct typed {
     bool file;                         /* the last word is the file after '>' */
     bool joins;                        /* the last word goes on with the expression before it */
     bool number;                       /* the word before the last one is a number without a unit */
+    bool unit;                         /* the last word is a unit of that number */
     char choice[TYPED_WORD];           /* the first argument, and the word before the last one */
     char before[TYPED_WORD];
 };

@@ -32,6 +32,12 @@ static const char errors_help[] =
     "then. In csv and json the bound is a column or key of its own, KEY_error. The values of 'print' have no "
     "bounds.";
 
+static const char hints_help[] =
+    "While a line is typed, faint text after the cursor shows how it may go on: the last line of the history "
+    "that begins so, else the arguments that the command still takes. At the end of the line the right "
+    "arrow, "
+    "^E and End take an earlier line, and M-f its next word. There are no hints without colours.";
+
 static domq_real tol_default(const struct domq_arithmetic *arithmetic)
 {
     return arithmetic->tol_default;
@@ -155,6 +161,9 @@ const struct parameter session_parameters[] = {
     {ROW("timing", timing, "", "whether each answer ends with its time", .usual = 0),
      .synonyms = "seconds speed fast",
      .words = SWITCH, .words_only = true, .setting = true},
+    {ROW("hints", hints, "", "whether the prompt shows how a line may go on", .usual = 1),
+     .synonyms = "suggestion grey prompt history usage",
+     .words = SWITCH, .words_only = true, .setting = true, .help = hints_help},
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
     {.name = NULL},

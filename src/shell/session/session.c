@@ -10,6 +10,7 @@ void session_init(struct session *session, FILE *out)
                                 .out = out};
     session->style.digits = DIGITS_DEFAULT;
     session->seed = SEED_DEFAULT;
+    session->hints = 1;
 }
 
 void listed_free(struct listed_row *row)

@@ -66,7 +66,7 @@ struct session {
     struct domq_scale scale;
     domq_real mass, density;   /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
     struct output_style style; /* output, digits, angle */
-    unsigned timing;
+    unsigned timing, hints;
     domq_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
     struct effect_state effect[DOM_EFFECT_COUNT];
     struct listed_row listed; /* the row, where it is not counted */
