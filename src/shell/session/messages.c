@@ -53,7 +53,7 @@ static void session_keep(const struct session *session, bool no_answer, const ch
     vsnprintf(h->text, sizeof h->text, format, arguments);
 }
 
-static void session_write(struct session *session, const char *format, va_list arguments)
+static void session_write(struct session *session, enum message what, const char *format, va_list arguments)
 {
     char line[1024], text[4 * sizeof line], shown[NAMES_SHOWN];
     const char *source = session->source;
@@ -74,7 +74,7 @@ static void session_write(struct session *session, const char *format, va_list a
     escape_text(line, text, sizeof text);
     FILE *out = pager_messages();
     bool colour = terminal_colour(stderr) && !session->source;
-    fputs(colour ? "\033[31m" : "", out);
+    fputs(!colour ? "" : what == MESSAGE_NOTE ? "\033[33m" : "\033[31m", out);
     output_wrapped(out, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
     fputs(colour ? "\033[m\n" : "\n", out);
     session->fresh = false;
@@ -87,7 +87,7 @@ bool session_report(struct session *session, enum message what, const char *form
     if (session->captured_error && what != MESSAGE_NOTE)
         session_keep(session, what == MESSAGE_NO_ANSWER, format, arguments);
     else
-        session_write(session, format, arguments);
+        session_write(session, what, format, arguments);
     va_end(arguments);
     session->errors += what != MESSAGE_NOTE;
     return false;
