@@ -28,7 +28,7 @@ CFLAGS  ?= $(OPTIM) $(HARDEN)
 LDFLAGS ?= -Wl,-z,relro,-z,now
 # Every digit must be equal on every machine: no contraction, never -ffast-math. The code never reads errno after a
 # square root, which is one instruction without errno.
-INCLUDES := -Iinclude -I$(B)/include -Isrc/model -Isrc/shell -I$(B)
+INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
 C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 GSL     := -lgsl -lgslcblas -lm -pthread
@@ -44,6 +44,7 @@ COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/pro
 TYPED   := src/model/model.c src/model/train.c src/model/row/mend.c src/model/row/windows.c src/model/row/placement.c \
            src/model/growth/design.c $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
 MODEL   := $(COMMON) $(TYPED)
+ENGINE_C := $(wildcard src/engine/*.c)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c src/shell/*/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
 # 'make V=1' shows the commands.
@@ -57,7 +58,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
 # ---- Dependencies: only what the goals of this call need ----
 
-DEPS_run      := libgsl-dev libreadline-dev
+DEPS_run      := libgsl-dev libreadline-dev libchipmunk-dev
 DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3
 DEPS_quick    := $(DEPS_test)
 DEPS_unit     := $(DEPS_test)
@@ -99,7 +100,7 @@ $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
-$(call OBJ,$(MODEL) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=$(B)/objq/%.o): | $(HEADERS)
+$(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=$(B)/objq/%.o): | $(HEADERS)
 
 # The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
 KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c src/model/*/*.h))
@@ -148,7 +149,7 @@ $(B)/$(SONAME): $(LIB_OBJ)
 $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
-$(B)/domino: $(call OBJ,$(SHELL_C)) $(B)/libdomino.a
+$(B)/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(PROGRAM) -o $@
 
@@ -297,7 +298,7 @@ fuzz: | $(FIRST)
 	$(B)/fuzz/fuzz_line $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=400 -dict=tests/fuzz/words.dict $(B)/fuzz/corpus
 	$(B)/fuzz/fuzz_grammar $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=300 -len_control=0 $(abspath $(B))/fuzz/lines
 
-$(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/main.o,$(call OBJ,$(SHELL_C))) $(B)/libdomino.a
+$(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/main.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
@@ -342,7 +343,7 @@ lint: built_by_gcc $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O0 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
-	printf '%s\n' $(MODEL) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
+	printf '%s\n' $(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
 	  'clang-tidy --quiet "$$@" -- -std=c17 -D_GNU_SOURCE -DDOMQ $(INCLUDES)' clang-tidy
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \

@@ -677,6 +677,7 @@ struct dom_domino {
  * Dominoes 1, 2, ... of any sizes, in the order in which they fall. As in a train, the foremost falling
  * domino is the head, and all before it lean on it, until it hits the next.
  */
+struct dom_engine;
 struct dom_row {
     const struct dom_domino *domino; /* `count` of them: domino[0] is number 1 */
     size_t count;                    /* at least 1 */
@@ -684,7 +685,8 @@ struct dom_row {
     dom_real push; /* rad/s, >= 0, of the first, upright domino; NaN: it is tipped over its edge and let go */
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER) /* the effects of motion, as in struct dom_train */
 #undef DOM_DYNAMICS_MEMBER
-    bool floor; /* true: find the friction that the floor needs */
+    bool floor;                      /* true: find the friction that the floor needs */
+    const struct dom_engine *engine; /* runs the row instead of this library; NULL: the library does */
 };
 
 /* One domino of the row as head: from when it is hit to when it hits the next or lies on the floor. */
@@ -723,6 +725,19 @@ struct dom_verdict {
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
+
+/*
+ * Runs rows instead of this library, for instance in a rigid-body engine, with effects that the model lacks.
+ * run answers as dom_row_run does, and finds `own` in row->engine. All functions of rows then call it, except
+ * dom_row_watch: DOM_NO_METHOD. Studies may call it in many threads.
+ */
+typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
+                                       bool times, dom_fall_visit *visit, void *context,
+                                       struct dom_verdict *verdict);
+struct dom_engine {
+    dom_row_runner *run;
+    void *own;
+};
 
 /* The row at one time. */
 struct dom_moment {

@@ -282,8 +282,11 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
     struct dom_compute compute = compute_or_default(asked);
     struct row_request request = row_request(row, &compute);
     enum dom_status status = precision_check(compute.precision);
-    return status == DOM_OK ? kernels[compute.precision]->row_run(&request, times, visit, context, verdict)
-                            : status;
+    if (status != DOM_OK)
+        return status;
+    if (row->engine)
+        return row->engine->run(row, &compute, times, visit, context, verdict);
+    return kernels[compute.precision]->row_run(&request, times, visit, context, verdict);
 }
 
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *asked,
@@ -292,7 +295,7 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
 {
     struct dom_compute compute = compute_or_default(asked);
     struct row_request request = row_request(row, &compute);
-    enum dom_status status = precision_check(compute.precision);
+    enum dom_status status = row->engine ? DOM_NO_METHOD : precision_check(compute.precision);
     return status == DOM_OK
                ? kernels[compute.precision]->row_watch(&request, times, count, visit, context, verdict)
                : status;

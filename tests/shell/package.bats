@@ -247,6 +247,13 @@ C
         -lgsl -lgslcblas -lm -pthread -o "$BATS_TEST_TMPDIR/effects"
     "$BATS_TEST_TMPDIR/effects" >"$BATS_TEST_TMPDIR/rows"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/rows")" -ge 6 ]
+    # The library does not have those of the rigid-body engine; 'help' has their values.
+    printf '%s\n' 'feet|MU|friction coefficient of the floor|Range 0 .. 100; default 0.5.' \
+        'bounce|E|restitution between dominoes|Range 0 .. 1; default 0.2.' >>"$BATS_TEST_TMPDIR/rows"
+    "$DOMINO" -e 'help feet' | grep -E '^ +MU +friction coefficient of the floor, 0 \.\. 100$'
+    "$DOMINO" -e 'help bounce' | grep -E '^ +E +restitution between dominoes, 0 \.\. 1$'
+    "$DOMINO" -n -e 'set output csv; effect row 2; effect feet on; effect bounce on; show feet; show bounce' |
+        grep -cE '^(feet,0\.5|bounce,0\.2),' | grep -x 2
     # Each effect has a section, in the order of the registry, which is that of the program.
     cut -d'|' -f1 "$BATS_TEST_TMPDIR/rows" | uniq >"$BATS_TEST_TMPDIR/names"
     "$DOMINO" -e 'complete effect ' | diff -u "$BATS_TEST_TMPDIR/names" -

@@ -946,7 +946,7 @@ set angle |rad deg
 set timing |off on
 set q |hollow solid
 set q h|hollow
-help b|barrier back best budget
+help b|barrier back best budget bounce
 help dig|digits
 theta1 at|atan( atan2(
 rmax 0.9*rm|0.9*rmax

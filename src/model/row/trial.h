@@ -57,7 +57,10 @@ static inline bool trial_falls(struct trial *t)
 static inline bool trial_begin(struct trial *t)
 {
     t->verdict.end = DOM_ROW_STOPS;
-    t->status = dom_course_begin(&t->row, &t->compute, &t->course, &t->verdict);
+    if (t->row.engine)
+        (void)trial_falls(t); /* an engine runs the whole row each time */
+    else
+        t->status = dom_course_begin(&t->row, &t->compute, &t->course, &t->verdict);
     if (t->status == DOM_OK) {
         t->domino = malloc(t->row.count * sizeof *t->domino);
         if (t->domino)
@@ -105,6 +108,8 @@ static inline dom_real digit_of(dom_real value, int places)
 
 /* Values are rounded to this relative size, so that a person can type them. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
+/* The same for rows that an engine runs, which knows no more. */
+#define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 1000)
 
 /* The number of values that are tried on each way. */
 enum { STEPS = 40 };
@@ -161,7 +166,7 @@ static inline bool falls_with(dom_real value, void *context)
     dom_real mu = t->row.mu;
     bool falls;
     trial_change(t, value);
-    if (t->of == DOM_WINDOW_FRICTION) {
+    if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
     } else {
         t->verdict.end = DOM_ROW_STOPS;
@@ -180,7 +185,8 @@ static inline bool falls_with(dom_real value, void *context)
  * away from the bad one. */
 static inline dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
 {
-    dom_real digit = digit_of(fmax(good, bad), 0) * VALUE_DIGITS;
+    dom_real digits = t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS;
+    dom_real digit = digit_of(fmax(good, bad), 0) * digits;
     good = edge_find(falls_with, t, good, bad, digit / 8, 0);
     dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
     return falls_with(rounded, t) ? rounded : good;

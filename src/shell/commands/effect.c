@@ -7,7 +7,8 @@
 
 /* ---- effects: the cost of each ---- */
 
-/* Computes one answer of the scene: whether the train goes on, or whether the whole row falls. */
+/* Computes one answer of the scene: whether the train goes on, or whether the whole row falls; the engine
+ * only runs it once, with coarse steps. */
 static enum dom_status scene_answer(const struct session *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
@@ -17,6 +18,8 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
     struct domq_study study;
     struct domq_compute compute = scene->compute;
     compute.work = work;
+    if (scene->effect[DOM_EFFECT_row].on && row->row.engine)
+        return scene_engine_rough(&row->row, &compute);
     if (scene->effect[DOM_EFFECT_row].on) {
         const struct effect_state *errors = &scene->effect[DOM_EFFECT_placement];
         if (!errors->on)
@@ -42,8 +45,8 @@ static bool scene_work(struct session *session, bool placed, struct dom_work *wo
     core.effect[DOM_EFFECT_placement].on = false;
     if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
         return false;
-    enum dom_status status = scene_answer(&core, &row, work);
-    if (status == DOM_OK && placed)
+    enum dom_status status = row.row.engine ? DOM_OK : scene_answer(&core, &row, work);
+    if (status == DOM_OK && placed && !row.row.engine)
         status = scene_answer(session, &row, work);
     *dominoes = row.row.count;
     free(row.domino);
@@ -83,18 +86,23 @@ static double scene_price(struct session *scene)
 
 /*
  * Returns the seconds of an answer with an effect, and the effects that it needs, on; or with the effect off.
- * Random rows stop early and have no floor, so that other effects are timed without errors of placement.
+ * Random rows stop early and have no floor, so that other effects are timed without errors of placement. Nor
+ * have rows of the engine. NaN: there is no such answer.
  */
-static double price_with(const struct session *session, enum dom_effect_name name, bool on)
+static double price_with(const struct session *session, int name, bool on)
 {
     struct session scene = *session; /* shares the row, which this function does not change */
+    struct captured_error unheard = {.column = 0};
+    scene.captured_error = &unheard;
     effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+    if (name >= DOM_EFFECT_COUNT)
+        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF);
+    for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
-        bool wanted = k == (int)name ? on : (domq_effect(name)->needs >> k & 1) != 0;
-        bool without = !on && (k == (int)name || (e->needs >> name & 1) != 0);
+        bool wanted = k == name ? on : (effect_at(name)->needs >> k & 1) != 0;
+        bool without = !on && (k == name || (e->needs >> name & 1) != 0);
         if (without || (wanted && !scene.effect[k].on))
-            effect_put(&scene, (enum dom_effect_name)k, without ? EFFECT_OFF : e->argument[0].usual);
+            effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual);
     }
     return scene_price(&scene);
 }
@@ -104,7 +112,7 @@ static const struct column effects_columns[] = {
     {"state", "", "off, or its values", 12},
     {"without", "us", "time of an answer of this scene without the effect", 9},
     {"with", "us", "time of an answer with the effect", 9},
-    {"times", "", "with / without", 7},
+    {"times", "", "with / without", 8},
     {"entered", "", "how often an answer of the scene enters the code of the effect", 8},
     {"adds", "", "what the effect adds to the paper's model", 26},
     {"source", "", "source of its mathematics", 20},
@@ -117,9 +125,11 @@ static void effects_say(const struct session *session, struct answer *a)
     answer_say(
         a,
         "Times are those of one answer: %s. An effect that is off is not computed: its code is entered "
-        "0 times. placement is timed for one random row, which may stop early.\n",
+        "0 times. placement is timed for one random row, which may stop early; feet and bounce for one run "
+        "of "
+        "the rigid-body engine, of which an answer needs two or more.\n",
         row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+    for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
@@ -134,20 +144,22 @@ static bool run_effects(struct session *session, const struct call *call)
         return false;
     answer_leave_out(a, "adds"); /* people read these two below the table */
     answer_leave_out(a, "source");
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++) {
+    for (int k = 0; k < EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
-        column_fit(&a->own[1], effect_setting(session, (enum dom_effect_name)k, setting));
+        column_fit(&a->own[1], effect_setting(session, k, setting));
     }
-    for (int k = 0; k < DOM_EFFECT_COUNT && !answer_lost(a); k++) {
+    for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
-        enum dom_effect_name name = (enum dom_effect_name)k;
-        const struct domq_effect *e = domq_effect(name);
-        double without = price_with(session, name, false), with = price_with(session, name, true);
+        const struct domq_effect *e = effect_at(k);
+        double without = price_with(session, k, false), with = price_with(session, k, true);
         if (dom_raised(session->compute.interrupt))
             return session_status(session, DOM_INTERRUPTED);
-        answer_cells(a, cell_word(e->name), cell_word(effect_setting(session, name, setting)),
+        answer_cells(a, cell_word(e->name), cell_word(effect_setting(session, k, setting)),
                      cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
-                     cell_count((domq_real)work.entered[k]), cell_word(e->adds), cell_word(e->source));
+                     cell_count((domq_real)(session_engine(session) ? session->effect[k].on
+                                            : k < DOM_EFFECT_COUNT  ? work.entered[k]
+                                                                    : 0)),
+                     cell_word(e->adds), cell_word(e->source));
     }
     effects_say(session, a);
     return true;
@@ -181,6 +193,19 @@ static void plan_train(const struct session *session, struct answer *a, size_t n
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
 
+/* Prints the plan of a row that the engine runs. */
+static void plan_of_engine(const struct session *session, struct answer *a, size_t n)
+{
+    char solved[96];
+    const char *version = engine_version();
+    bool pushed = session->effect[DOM_EFFECT_push].on;
+    snprintf(solved, sizeof solved, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
+             version ? version : "7 (not installed)");
+    plan_row(a, "start", pushed ? domq_effect(DOM_EFFECT_push)->plan : "tipped just over its edge", 1,
+             pushed ? "push is on" : "no push");
+    plan_row(a, "motion", solved, n, session_engine_why(session));
+}
+
 /* Prints the plan of a row. */
 static void plan_of_row(const struct session *session, struct answer *a, size_t n)
 {
@@ -205,16 +230,20 @@ static bool run_scene(struct session *session, const struct call *call)
     char on[256] = "", setting[EFFECT_SETTING];
     if (!scene_work(session, false, &work, &count))
         return false;
-    for (int k = 0, n = 0; k < DOM_EFFECT_COUNT; k++)
+    for (int k = 0, n = 0; k < EFFECT_COUNT; k++)
         if (session->effect[k].on && k != DOM_EFFECT_row)
             n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
-                          effect_setting(session, (enum dom_effect_name)k, setting));
+                          effect_setting(session, k, setting));
     const struct domq_train *t = &session->train;
     if (is_row)
         answer_say(a, "A row of %zu dominoes%s.", count, on);
     else
         answer_say(a, "An endless train, s = %.6g, r = %.6g, d = %.6g, q = %.6g%s.", (double)t->s,
                    (double)t->r, (double)t->d, (double)t->q, on);
+    if (session_engine(session)) {
+        plan_of_engine(session, a, count);
+        return true;
+    }
     (is_row ? plan_of_row : plan_train)(session, a, work.longest);
     for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
         if (session->effect[k].on)

@@ -10,7 +10,7 @@
 const char *effect_names(const void *context, int k)
 {
     (void)context;
-    return k < DOM_EFFECT_COUNT ? effect_at(k)->name : NULL;
+    return k < EFFECT_COUNT ? effect_at(k)->name : NULL;
 }
 
 bool effect_hint(const char *word, char message[NAMES_MESSAGE])
@@ -19,13 +19,13 @@ bool effect_hint(const char *word, char message[NAMES_MESSAGE])
     int k = names_exact(effect_names, NULL, word);
     if (k >= 0)
         snprintf(message, NAMES_MESSAGE, "'%s' is an effect; enter 'effect %s'", word,
-                 effect_usage((enum dom_effect_name)k, usage));
+                 effect_usage(k, usage));
     return k >= 0;
 }
 
-const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE])
+const char *effect_usage(int name, char usage[EFFECT_USAGE])
 {
-    const struct domq_effect *e = domq_effect(name);
+    const struct domq_effect *e = effect_at(name);
     int n = snprintf(usage, EFFECT_USAGE, "%s", e->name);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         n += snprintf(usage + n, (size_t)(EFFECT_USAGE - n),
@@ -36,17 +36,16 @@ const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE])
     return usage;
 }
 
-const char *effect_file(const struct session *session, enum dom_effect_name name)
+const char *effect_file(const struct session *session, int name)
 {
-    bool listed = domq_effect(name)->argument[0].or_file && session->effect[name].on;
+    bool listed = effect_at(name)->argument[0].or_file && session->effect[name].on;
     return listed && session->listed.domino ? session->listed.path : NULL;
 }
 
-const char *effect_setting(const struct session *session, enum dom_effect_name name,
-                           char setting[EFFECT_SETTING])
+const char *effect_setting(const struct session *session, int name, char setting[EFFECT_SETTING])
 {
     const struct effect_state *state = &session->effect[name];
-    const struct domq_effect *e = domq_effect(name);
+    const struct domq_effect *e = effect_at(name);
     const char *path = effect_file(session, name), *slash = path ? strrchr(path, '/') : NULL;
     snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : state->on ? "" : "off");
     for (int i = 0, n = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
@@ -61,22 +60,25 @@ const char *effect_setting(const struct session *session, enum dom_effect_name n
 }
 
 /* Commands that show an effect; effect_example makes them for effects that are not listed. */
-static const char *const examples[DOM_EFFECT_COUNT] = {
+static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
     [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",
     [DOM_EFFECT_placement] =
         "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
+    [EFFECT_feet] = "set q hollow; effect row 8; effect feet 0.4; fall; effect feet off; effect row off",
+    [EFFECT_bounce] =
+        "set q hollow; effect row 8; effect bounce 0.5; verdict; effect bounce off; effect row off",
     [DOM_EFFECT_floor] = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
 };
 
-const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPLE])
+const char *effect_example(int name, char example[EFFECT_EXAMPLE])
 {
-    const struct domq_effect *e = domq_effect(name);
+    const struct domq_effect *e = effect_at(name);
     int n = 0;
     if (examples[name])
         return examples[name];
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+    for (int k = 0; k < EFFECT_COUNT; k++)
         if (e->needs >> k & 1)
             n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
     snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; scene", e->name);
@@ -108,7 +110,7 @@ static void row_needed(const struct session *session, char *text, size_t size)
 {
     int n = 0;
     text[0] = '\0';
-    for (int k = 0; k < DOM_EFFECT_COUNT && n < (int)size; k++)
+    for (int k = 0; k < EFFECT_COUNT && n < (int)size; k++)
         if (session->effect[k].on && needs_row(k))
             n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ", effect_at(k)->name);
 }
@@ -116,7 +118,7 @@ static void row_needed(const struct session *session, char *text, size_t size)
 /* Turns off the row and all effects that need it. */
 static void row_drop(struct session *session)
 {
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+    for (int k = 0; k < EFFECT_COUNT; k++)
         if (k == DOM_EFFECT_row || needs_row(k))
             session->effect[k] = (struct effect_state){.on = false};
     listed_free(&session->listed);
@@ -160,33 +162,31 @@ static bool row_from_file(struct session *session, const char *name)
     return true;
 }
 
-bool effect_needs(struct session *session, enum dom_effect_name name)
+bool effect_needs(struct session *session, int name)
 {
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
-        if (domq_effect(name)->needs >> k & 1 && !session->effect[k].on)
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        if (effect_at(name)->needs >> k & 1 && !session->effect[k].on)
             return session_error(session, "'effect %s' needs a %s; first enter 'effect %s %s'",
-                                 domq_effect(name)->name, effect_at(k)->name, effect_at(k)->name,
+                                 effect_at(name)->name, effect_at(k)->name, effect_at(k)->name,
                                  effect_at(k)->argument[0].name);
-    return (int)name >= DOM_DYNAMICS_COUNT || session->train.fuel != DOM_FUEL_PAPER ||
+    return name >= DOM_DYNAMICS_COUNT || session->train.fuel != DOM_FUEL_PAPER ||
            session_error(session, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
-                         domq_effect(name)->name);
+                         effect_at(name)->name);
 }
 
 /* Stores the state of an effect, and forgets the row of a file that it replaces. */
-static bool effect_store(struct session *session, enum dom_effect_name name, struct effect_state state,
-                         bool from_file)
+static bool effect_store(struct session *session, int name, struct effect_state state, bool from_file)
 {
-    if (domq_effect(name)->argument[0].or_file && !from_file)
+    if (effect_at(name)->argument[0].or_file && !from_file)
         listed_free(&session->listed);
     session->effect[name] = state;
     effects_apply(session);
     return true;
 }
 
-static bool turn_on(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
-                    const char *path)
+static bool turn_on(struct session *session, int name, const domq_real *value, int given, const char *path)
 {
-    const struct domq_effect *e = domq_effect(name);
+    const struct domq_effect *e = effect_at(name);
     struct effect_state state = {.on = true};
     char usual_value[WIDE_TEXT];
     bool usual = given > 0 && value[0] == EFFECT_ON;
@@ -202,17 +202,16 @@ static bool turn_on(struct session *session, enum dom_effect_name name, const do
            effect_store(session, name, state, path);
 }
 
-static bool turn_off(struct session *session, enum dom_effect_name name)
+static bool turn_off(struct session *session, int name)
 {
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+    for (int k = 0; k < EFFECT_COUNT; k++)
         if (session->effect[k].on && effect_at(k)->needs >> name & 1)
             return session_error(session, "'effect %s' needs the %s; first enter 'effect %s off'",
-                                 effect_at(k)->name, domq_effect(name)->name, effect_at(k)->name);
+                                 effect_at(k)->name, effect_at(name)->name, effect_at(k)->name);
     return effect_store(session, name, (struct effect_state){.on = false}, false);
 }
 
-bool effect_turn(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
-                 const char *path)
+bool effect_turn(struct session *session, int name, const domq_real *value, int given, const char *path)
 {
     if (given > 0 && value[0] == EFFECT_OFF)
         return turn_off(session, name);
@@ -220,14 +219,14 @@ bool effect_turn(struct session *session, enum dom_effect_name name, const domq_
     return stays || turn_on(session, name, value, given, path);
 }
 
-void effect_put(struct session *session, enum dom_effect_name name, domq_real value)
+void effect_put(struct session *session, int name, domq_real value)
 {
     struct effect_state *state = &session->effect[name];
     for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS; i++)
-        state->value[i] = domq_effect(name)->argument[i].usual;
+        state->value[i] = effect_at(name)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
-    if (domq_effect(name)->argument[0].or_file)
+    if (effect_at(name)->argument[0].or_file)
         session->listed = (struct listed_row){.domino = NULL};
     effects_apply(session);
 }
@@ -254,9 +253,9 @@ static void save_name(const char *path, FILE *out)
     putc('"', out);
 }
 
-void effect_save(const struct session *session, enum dom_effect_name name, FILE *out)
+void effect_save(const struct session *session, int name, FILE *out)
 {
-    const struct domq_effect *e = domq_effect(name);
+    const struct domq_effect *e = effect_at(name);
     const char *path = effect_file(session, name);
     char number[WIDE_TEXT];
     fprintf(out, session->effect[name].on ? "effect %s" : "effect %s off", e->name);
@@ -301,10 +300,11 @@ void scene_row_fill(const struct session *session, struct domq_domino *domino, s
         row_weigh(session, domino, count);
 }
 
-bool scene_row_make(struct session *session, struct scene_row *scene)
+bool scene_row_list(struct session *session, struct scene_row *scene)
 {
     const struct listed_row *listed = &session->listed;
     const struct effect_state *effect = session->effect;
+    scene->domino = NULL;
     if (!effect[DOM_EFFECT_row].on) {
         session_error(session, "there is no row; first enter 'effect row N' or 'effect row FILE'");
         return false;
@@ -330,11 +330,27 @@ bool scene_row_make(struct session *session, struct scene_row *scene)
     return true;
 }
 
+/* The share to which a search asks the engine. */
+#define ENGINE_TOL ((domq_real)1 / 10000)
+
+bool scene_row_make(struct session *session, struct scene_row *scene)
+{
+    if (!scene_row_list(session, scene) || !session_engine(session))
+        return scene->domino;
+    if (!scene_engine_make(session, scene->row.count, &scene->engine)) {
+        free(scene->domino);
+        return false;
+    }
+    scene->row.engine = &scene->engine.engine;
+    scene->compute.tol = quad_larger(scene->compute.tol, ENGINE_TOL);
+    return true;
+}
+
 bool scene_row_place(struct session *session, size_t k, domq_real gap)
 {
     struct scene_row scene;
     struct listed_row *listed = &session->listed;
-    if (!scene_row_make(session, &scene))
+    if (!scene_row_list(session, &scene))
         return false;
     size_t count = scene.row.count, i = 0;
     free(scene.domino);

@@ -4,17 +4,13 @@
 #define SHELL_EFFECTS_H
 
 #include "language/names.h"
+#include "session/engine.h"
 #include "session/session.h"
 #include <math.h>
 
 /* Values of an effect besides its numbers: off; and on, which keeps its values or takes the usual ones. */
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
-
-static inline const struct domq_effect *effect_at(int k)
-{
-    return domq_effect((enum dom_effect_name)k);
-}
 
 /* Returns the name of effect k, for names.h; NULL after the last. */
 const char *effect_names(const void *context, int k);
@@ -24,34 +20,32 @@ bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 
 /* Writes the usage of an effect, such as "friction MU". */
 enum { EFFECT_USAGE = 64 };
-const char *effect_usage(enum dom_effect_name name, char usage[EFFECT_USAGE]);
+const char *effect_usage(int name, char usage[EFFECT_USAGE]);
 
 /* Writes what the effect is set to: "0.2", "1 m, 0.1", "record.csv", "off". */
 enum { EFFECT_SETTING = 256 }; /* room for the longest name of a file */
-const char *effect_setting(const struct session *session, enum dom_effect_name name,
-                           char setting[EFFECT_SETTING]);
+const char *effect_setting(const struct session *session, int name, char setting[EFFECT_SETTING]);
 
 /* Returns the file that replaces the first value of the effect, or NULL. */
-const char *effect_file(const struct session *session, enum dom_effect_name name);
+const char *effect_file(const struct session *session, int name);
 
 /* Writes commands that show the effect. */
 enum { EFFECT_EXAMPLE = 128 };
-const char *effect_example(enum dom_effect_name name, char example[EFFECT_EXAMPLE]);
+const char *effect_example(int name, char example[EFFECT_EXAMPLE]);
 
 /*
  * Turns an effect on or off; values that are not given are the usual ones.  path, unless NULL, is a file that
  * replaces the first value.  Returns false after an error, and changes nothing then; but after an error in
  * the file of a row, the row and the effects that need one are off, and the message says so.
  */
-bool effect_turn(struct session *session, enum dom_effect_name name, const domq_real *value, int given,
-                 const char *path);
+bool effect_turn(struct session *session, int name, const domq_real *value, int given, const char *path);
 
 /* Sets the first value of an effect, or EFFECT_OFF, in a copy of a session; the row, borrowed, is not freed.
  */
-void effect_put(struct session *session, enum dom_effect_name name, domq_real value);
+void effect_put(struct session *session, int name, domq_real value);
 
 /* Reports an error if an effect that this one needs is off, or one that it cannot be combined with is on. */
-bool effect_needs(struct session *session, enum dom_effect_name name);
+bool effect_needs(struct session *session, int name);
 
 /*
  * Reports an error if a saved session could not name the file of the row: a control character in it, such as
@@ -60,7 +54,7 @@ bool effect_needs(struct session *session, enum dom_effect_name name);
 bool effects_savable(struct session *session);
 
 /* Writes the commands that turn the effect off, or on with its values and the changed gaps of its row. */
-void effect_save(const struct session *session, enum dom_effect_name name, FILE *out);
+void effect_save(const struct session *session, int name, FILE *out);
 
 /* Returns a file's path as named, or, where there is none, beside the script that names it; free() it. NULL:
  * no memory. */
@@ -74,10 +68,18 @@ struct scene_row {
     struct domq_row row;
     struct domq_compute compute;
     struct domq_domino *domino;
+    struct engine_report report; /* of the engine, where a command asks for it */
+    struct scene_engine engine;  /* used if row.engine points to it: do not copy the struct then */
 };
 
-/* Makes the row of the scene. Reports an error if there is no row, or no memory. */
+/*
+ * Makes the row of the scene, which the rigid-body engine runs if the session asks for it. Reports an error
+ * if there is no row, no memory, or no engine.
+ */
 bool scene_row_make(struct session *session, struct scene_row *row);
+
+/* The same for a row that is not run. */
+bool scene_row_list(struct session *session, struct scene_row *row);
 
 /* Writes the row of the session, with changed gaps and with masses, to domino[0] ... domino[count - 1]. */
 void scene_row_fill(const struct session *session, struct domq_domino *domino, size_t count);

@@ -23,7 +23,7 @@ struct parameter {
     const char *help;                 /* more, or NULL */
     const char *synonyms;             /* other words that people look for, for 'apropos'; not of an effect */
     const struct domq_effect *effect; /* NULL: not an effect */
-    enum dom_effect_name which;       /* of the effect */
+    int which;                        /* of the effect */
     const struct word *words;         /* names for some values; NULL for none */
     bool words_only;                  /* stored as an unsigned */
     bool setting;                     /* of the calculator, not of the model: reset without a name keeps it */

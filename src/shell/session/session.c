@@ -32,7 +32,7 @@ void effects_apply(struct session *session)
 
 void effects_reset(struct session *session)
 {
-    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+    for (int k = 0; k < EFFECT_COUNT; k++)
         session->effect[k] = (struct effect_state){.on = false};
     listed_free(&session->listed);
     effects_apply(session);

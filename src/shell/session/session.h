@@ -9,6 +9,7 @@
 #include "answer/output.h"
 #include "domino_quad.h"
 #include "language/variables.h"
+#include "session/engine_effects.h"
 
 struct command;
 
@@ -67,8 +68,9 @@ struct session {
     domq_real mass, density;   /* of the first domino, in kg; of solid dominoes, in kg/m^3; 0: not known */
     struct output_style style; /* output, digits, angle */
     unsigned timing, hints;
+    unsigned method;         /* what runs rows, see engine.h */
     domq_real seed, threads; /* of random rows; 0 threads: as many as there are processors */
-    struct effect_state effect[DOM_EFFECT_COUNT];
+    struct effect_state effect[EFFECT_COUNT];
     struct listed_row listed; /* the row, where it is not counted */
     struct variables variables;
     const struct scope *scope; /* the function that is being evaluated; NULL: none */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/rows/falling.h"
+#include "commands/rows/slid.h"
 #include "language/quad.h"
 
 const char locks_farther_on[] =
@@ -15,8 +16,15 @@ struct cell cell_narrow(domq_real value, int digits)
 bool row_status(struct session *session, enum dom_status status)
 {
     enum dom_precision precision = session->compute.precision;
+    if (status == DOM_NOT_CONVERGED && session_engine(session))
+        return session_no_answer(session,
+                                 "the rigid-body engine cannot decide: with ever shorter steps the verdict "
+                                 "still changes; a slightly different row is farther from that edge");
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return session_status(session, status);
+    if (session_engine(session))
+        return session_no_answer(session,
+                                 "the dominoes of this row have no size or no mass in double precision");
     return session_no_answer(session,
                              "the dominoes of this row become larger or smaller than %s precision can hold; "
                              "use fewer dominoes or a smaller r%s",
@@ -65,7 +73,7 @@ static void end_say(struct answer *a, const struct scene_row *scene, const struc
                    count > 1 ? " 'mend' looks for a change that saves the row." : "");
     else
         answer_say(a, "The row ends at domino %zu of %zu: %s.", v->domino, count,
-                   v->end == DOM_ROW_STOPS ? locks_farther_on : dom_row_end_text(v->end));
+                   v->end == DOM_ROW_STOPS && !scene->row.engine ? locks_farther_on : report_why(scene, v));
 }
 
 /* The share from which energy is shown as a multiple. */

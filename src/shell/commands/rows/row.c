@@ -2,6 +2,7 @@
 /* Commands about a finite row: its dominoes, how they fall, and how to save the row. */
 #include "commands/rows/falling.h"
 #include "commands/rows/feet.h"
+#include "commands/rows/slid.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -70,6 +71,7 @@ static const struct column fall_columns[] = {
     {"energy", "share", "kinetic / barrier: at 100 % it just goes on", 6},
     {"floor", "", "friction that feet need while it falls; with 'effect floor'", 5},
     {"floor_hit", "", "the same in the instant when it is hit; no foot has to hold for longer", 9},
+    {"slid", "m", "how far its foot has slid, backwards if negative; with 'effect feet'", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -124,7 +126,10 @@ static bool fall_row(const struct domq_fall *f, void *context)
                            cell_narrow(enough(f->margin), 4),
                            cell_narrow(fall_share(f), 4),
                            cell_narrow(f->floor_motion, 3),
-                           cell_narrow(f->floor_hit, 3)};
+                           cell_narrow(f->floor_hit, 3),
+                           cell_narrow(report_slid(c->scene, f->domino - 1), 3)};
+    if (c->scene->row.engine)
+        cells[2].error = cells[3].error = report_time_error(c->scene);
     fall_seen(c, f);
     cells_leave_out(c->answer, fall_columns, cells);
     answer_row(c->answer, cells, lifts && !answer_for_people(c->answer) ? lifted : NULL);
@@ -140,7 +145,7 @@ static bool verdict_known(struct session *session, const struct domq_verdict *v)
 }
 
 /* Leaves out columns: people read energies in percent, and in J if masses are known. */
-static void fall_choose(const struct session *session, struct answer *a, bool floor)
+static void fall_choose(const struct session *session, struct answer *a, const struct scene_row *scene)
 {
     bool people = answer_for_people(a), weighed = scene_weighed(session);
     if (weighed)
@@ -151,10 +156,14 @@ static void fall_choose(const struct session *session, struct answer *a, bool fl
         answer_leave_out(a, "barrier");
     if (people)
         answer_leave_out(a, "margin");
-    if (!floor)
+    if (!scene->row.floor)
         answer_leave_out(a, "floor");
-    if (!floor)
+    if (!scene->row.floor)
         answer_leave_out(a, "floor_hit");
+    if (!feet_slide(scene))
+        answer_leave_out(a, "slid");
+    if (people && scene->row.engine) /* which knows no barrier */
+        answer_leave_out(a, "energy");
 }
 
 static bool run_fall(struct session *session, const struct call *call)
@@ -165,7 +174,11 @@ static bool run_fall(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.answer = a, .scene = &scene, .feet = feet_begin(session)};
-    fall_choose(session, a, scene.row.floor);
+    if (!report_begin(session, &scene)) {
+        free(scene.domino);
+        return false;
+    }
+    fall_choose(session, a, &scene);
     row_largest(a, &scene);
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
     answer_holds(a, status == DOM_OK && verdict.end == DOM_ROW_FALLS);
@@ -173,7 +186,9 @@ static bool run_fall(struct session *session, const struct call *call)
         verdict_say(a, &scene, &verdict, &c.last, true);
         if (scene.row.floor)
             feet_say(a, &c.feet, scene.row.count);
+        report_say(a, &scene, &verdict);
     }
+    report_end(&scene);
     free(scene.domino);
     return status == DOM_OK ? verdict_known(session, &verdict) : row_status(session, status);
 }
@@ -199,40 +214,52 @@ static const char *end_word(enum dom_row_end end)
     return words[end];
 }
 
+/* Writes how the row ends. */
+static void verdict_answer(struct session *session, struct answer *a, const struct scene_row *scene,
+                           const struct domq_verdict *v, const struct falling *c)
+{
+    char reason[ANSWER_REASON];
+    answer_holds(a, v->end == DOM_ROW_FALLS);
+    if (scene_weighed(session))
+        columns_in_joules(a);
+    const struct cell cells[] = {
+        cell_word(end_word(v->end)),
+        cell_count((domq_real)v->domino),
+        cell_bound(enough(v->short_by), DOMQ_NAN),
+        cell_bound(v->end == DOM_ROW_FALLS ? v->seconds : DOMQ_NAN, report_time_error(scene)),
+        v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
+        cell_bound(v->spare, DOMQ_NAN)};
+    snprintf(reason, sizeof reason, "domino %zu: %s", v->domino,
+             isinf(v->short_by) ? locks_farther_on : report_why(scene, v));
+    if (answer_for_people(a)) {
+        answer_keep(a, cells);
+        verdict_say(a, scene, v, &c->last, true);
+        report_say(a, scene, v);
+    } else
+        answer_row(a, cells, v->end == DOM_ROW_FALLS ? NULL : reason);
+    if (session->effect[DOM_EFFECT_floor].on)
+        feet_say(a, &c->feet, scene->row.count);
+}
+
 static bool run_verdict(struct session *session, const struct call *call)
 {
     struct scene_row scene;
     struct domq_verdict v;
-    char reason[ANSWER_REASON];
     struct answer *a = call->answer;
     if (!scene_row_make(session, &scene))
         return false;
     struct falling c = {.feet = feet_begin(session)};
-    enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_visit, &c, &v);
-    free(scene.domino);
-    if (status != DOM_OK)
-        return row_status(session, status);
-    if (!verdict_known(session, &v))
+    if (!report_begin(session, &scene)) {
+        free(scene.domino);
         return false;
-    answer_holds(a, v.end == DOM_ROW_FALLS);
-    if (scene_weighed(session))
-        columns_in_joules(a);
-    const struct cell cells[] = {cell_word(end_word(v.end)),
-                                 cell_count((domq_real)v.domino),
-                                 cell_bound(enough(v.short_by), DOMQ_NAN),
-                                 cell_bound(v.end == DOM_ROW_FALLS ? v.seconds : DOMQ_NAN, DOMQ_NAN),
-                                 v.weakest ? cell_count((domq_real)v.weakest) : cell_real(DOMQ_NAN),
-                                 cell_bound(v.spare, DOMQ_NAN)};
-    snprintf(reason, sizeof reason, "domino %zu: %s", v.domino,
-             isfinite(v.short_by) ? dom_row_end_text(v.end) : locks_farther_on);
-    if (answer_for_people(a)) {
-        answer_keep(a, cells);
-        verdict_say(a, &scene, &v, &c.last, true);
-    } else
-        answer_row(a, cells, v.end == DOM_ROW_FALLS ? NULL : reason);
-    if (session->effect[DOM_EFFECT_floor].on)
-        feet_say(a, &c.feet, scene.row.count);
-    return true;
+    }
+    enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_visit, &c, &v);
+    bool known = status == DOM_OK ? verdict_known(session, &v) : row_status(session, status);
+    if (known)
+        verdict_answer(session, a, &scene, &v, &c);
+    report_end(&scene);
+    free(scene.domino);
+    return known;
 }
 
 /* ---- place ---- */

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "chipmunk.h"
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static struct chipmunk functions;
+static bool loaded;
+
+/* Stores the address of a function, which ISO C does not let one convert from that of an object. */
+static bool find(void *library, const char *name, void *member)
+{
+    void *address = dlsym(library, name);
+    memcpy(member, &address, sizeof address);
+    return address;
+}
+
+/* Makes a first space, of which the library writes its name to standard output, with that closed. */
+static void make_first(void)
+{
+    fflush(stdout);
+    int out = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (out >= 0 && nowhere >= 0)
+        dup2(nowhere, STDOUT_FILENO);
+    functions.cpSpaceFree(functions.cpSpaceNew());
+    fflush(stdout);
+    if (out >= 0) {
+        dup2(out, STDOUT_FILENO);
+        close(out);
+    }
+    if (nowhere >= 0)
+        close(nowhere);
+}
+
+static void load(void)
+{
+    void *library = dlopen("libchipmunk.so.7", RTLD_NOW | RTLD_LOCAL);
+    if (!library)
+        return;
+    loaded = true;
+#define FIND(name) loaded = find(library, #name, &functions.name) && loaded;
+    CHIPMUNK_FUNCTIONS(FIND)
+#undef FIND
+    const char *const *version = dlsym(library, "cpVersionString");
+    snprintf(functions.version, sizeof functions.version, "%s", version ? *version : "7");
+    if (loaded)
+        make_first();
+}
+
+const struct chipmunk *chipmunk_load(void)
+{
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    pthread_once(&once, load);
+    return loaded ? &functions : NULL;
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The functions of Chipmunk 7, a rigid-body engine, loaded when a row first needs them: a program that never
+ * asks for it neither loads nor initialises it, and runs without it.
+ */
+#ifndef ENGINE_CHIPMUNK_H
+#define ENGINE_CHIPMUNK_H
+
+#include <chipmunk/chipmunk.h>
+
+/* The functions that are used: X(name). */
+#define CHIPMUNK_FUNCTIONS(X)                                                                                \
+    X(cpSpaceNew)                                                                                            \
+    X(cpSpaceFree)                                                                                           \
+    X(cpSpaceStep)                                                                                           \
+    X(cpSpaceSetGravity)                                                                                     \
+    X(cpSpaceSetIterations)                                                                                  \
+    X(cpSpaceSetCollisionSlop)                                                                               \
+    X(cpSpaceSetCollisionBias)                                                                               \
+    X(cpSpaceGetStaticBody)                                                                                  \
+    X(cpSpaceAddDefaultCollisionHandler)                                                                     \
+    X(cpSpaceAddBody)                                                                                        \
+    X(cpSpaceAddShape)                                                                                       \
+    X(cpSpaceAddConstraint)                                                                                  \
+    X(cpSpaceRemoveBody)                                                                                     \
+    X(cpSpaceRemoveShape)                                                                                    \
+    X(cpSpaceRemoveConstraint)                                                                               \
+    X(cpBodyNew)                                                                                             \
+    X(cpBodyFree)                                                                                            \
+    X(cpBodyGetPosition)                                                                                     \
+    X(cpBodySetPosition)                                                                                     \
+    X(cpBodyGetAngle)                                                                                        \
+    X(cpBodySetAngle)                                                                                        \
+    X(cpBodyGetVelocity)                                                                                     \
+    X(cpBodySetVelocity)                                                                                     \
+    X(cpBodyGetAngularVelocity)                                                                              \
+    X(cpBodySetAngularVelocity)                                                                              \
+    X(cpBodyLocalToWorld)                                                                                    \
+    X(cpBodyGetVelocityAtWorldPoint)                                                                         \
+    X(cpPolyShapeNewRaw)                                                                                     \
+    X(cpSegmentShapeNew)                                                                                     \
+    X(cpShapeFree)                                                                                           \
+    X(cpShapeSetFilter)                                                                                      \
+    X(cpShapeSetUserData)                                                                                    \
+    X(cpShapeGetUserData)                                                                                    \
+    X(cpPivotJointNew)                                                                                       \
+    X(cpRotaryLimitJointNew)                                                                                 \
+    X(cpConstraintFree)                                                                                      \
+    X(cpConstraintSetErrorBias)                                                                              \
+    X(cpArbiterGetShapes)                                                                                    \
+    X(cpArbiterGetNormal)                                                                                    \
+    X(cpArbiterGetCount)                                                                                     \
+    X(cpArbiterGetDepth)                                                                                     \
+    X(cpArbiterSetFriction)                                                                                  \
+    X(cpArbiterSetRestitution)
+
+struct chipmunk {
+#define CHIPMUNK_MEMBER(name) __typeof__(name) *name;
+    CHIPMUNK_FUNCTIONS(CHIPMUNK_MEMBER)
+#undef CHIPMUNK_MEMBER
+    char version[24]; /* "7.0.3" */
+};
+
+/* Returns the functions; NULL if the library is not installed. The first call loads it. Any thread may call.
+ */
+const struct chipmunk *chipmunk_load(void);
+
+#endif

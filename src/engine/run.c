@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One run of a row, step by step. */
+#include "world.h"
+#include <math.h>
+#include <stdlib.h>
+
+/*
+ * The engine integrates by the symplectic Euler rule, of first order, and computes contacts and joints by
+ * impulses, iterating. Boxes that penetrate stay so: to push them apart would move them off their hinges. The
+ * drift of hinges is pulled back slowly compared with a step, since the boxes keep the velocity of the pull.
+ *
+ * Before a hit steps become short, so that the hit is neither late nor deep. After the hit they stay short:
+ * the engine scales the impulses of the last step with the length of the step, and would strike again.
+ */
+static const double hinge_rate = 50;       /* in 1 / sqrt(height / g) of the foremost box */
+static const double shortest = 1.0 / 1024; /* shortest step over the normal one */
+static const double brakes = 0.9;          /* a step goes this part of the way to the next hit */
+static const double lies = 1e-3;           /* so low is the tip of a box that lies, over its height */
+static const double rests = 1e-5;          /* an angular velocity, in that unit */
+static const double hinged_rest = 0.1, any_rest = 3; /* so long a box rests that has stopped, in that unit */
+static const size_t most_steps = 20 * 1000 * 1000;   /* a hundred times as many as a row takes */
+enum { CALM = 2, HARDER = 50 };                      /* short steps after a hit; their iterations */
+enum { FOREMOST = 4 };                               /* boxes whose drift is noted */
+
+struct run {
+    struct world world;
+    const struct engine_grain *grain;
+    double unit;         /* sqrt(height / g) of the head */
+    double dt, whole;    /* this step, and the longest one */
+    int calm;            /* short steps that are left after a hit */
+    double rest, most;   /* for how long the head has rested; its largest tilt */
+    double *tilt, *foot; /* for visits */
+};
+
+/* Returns the time until the head reaches the back face of the next box, at the present speed. */
+static double time_to_hit(const struct world *w)
+{
+    const size_t k = w->head, next = k + 1;
+    double soonest = (double)INFINITY;
+    if (next == w->row->count)
+        return soonest;
+    double face = w->body[next].corner.x - w->row->box[next].thickness;
+    for (int i = 0; i < 2; i++) {
+        cpVect at = i == 0 ? world_tip(w, k) : world_foot(w, k);
+        double speed = w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, at).x;
+        if (speed > 0)
+            soonest = fmin(soonest, (face - at.x) / speed);
+    }
+    return soonest;
+}
+
+/* Finds how far hinges have drifted, and sets how fast they are pulled back. */
+static void look_at_hinges(struct world *w, double unit)
+{
+    for (size_t k = 0; k < w->count && !w->floor; k++) {
+        const struct body *b = &w->body[k];
+        const double left = exp(-hinge_rate / unit); /* the part that is left after one unit of time */
+        if (k + FOREMOST > w->head)
+            w->fall->drift =
+                fmax(w->fall->drift, cpvdist(world_foot(w, k), b->corner) / w->row->box[k].height);
+        w->cp->cpConstraintSetErrorBias(b->hinge, left);
+        w->cp->cpConstraintSetErrorBias(b->limit, left);
+    }
+}
+
+/* Notes the state just after a box was hit: its speed, and whether energy has grown since the hit before. */
+static void note_state(struct run *r)
+{
+    struct world *w = &r->world;
+    double energy = world_energy(w), kinetic = world_kinetic(w);
+    if (w->head > 0)
+        w->fall->gain = fmax(w->fall->gain, (energy - w->energy) / kinetic);
+    w->energy = energy;
+    if (w->hit) {
+        w->hit[w->head].omega = world_spin(w, w->head);
+        w->hit[w->head].kinetic = kinetic;
+    }
+}
+
+/* Goes one step. */
+static void step(struct run *r)
+{
+    struct world *w = &r->world;
+    const size_t head = w->head;
+    r->unit = sqrt(w->row->box[head].height / w->row->g);
+    r->whole = fmin(r->unit, 1 / fabs(world_spin(w, head))) / r->grain->steps;
+    look_at_hinges(w, r->unit);
+    if (r->calm == 0)
+        r->dt = fmax(fmin(fmin(r->whole, 2 * r->dt), brakes * time_to_hit(w)), shortest * r->whole);
+    bool hard = r->calm > 0 || r->dt < 2 * shortest * r->whole;
+    w->cp->cpSpaceSetIterations(w->space, r->grain->iterations * (hard ? HARDER : 1));
+    w->now += r->dt;
+    w->cp->cpSpaceStep(w->space, r->dt);
+    if (w->head > head) {
+        r->calm = CALM;
+        r->rest = r->most = 0;
+        note_state(r);
+    } else if (r->calm > 0)
+        r->calm--;
+}
+
+/* Returns true once the head lies, or has not moved on for so long that it never will. */
+static bool ends(struct run *r)
+{
+    struct world *w = &r->world;
+    const size_t head = w->head;
+    const bool hinged = !w->floor && w->row->bounce == 0;
+    const double tilt = world_tilt(w, head), spin = world_spin(w, head), height = w->row->box[head].height;
+    const cpVect tip = world_tip(w, head);
+    if (tip.y < lies * height) {
+        double speed = -w->cp->cpBodyGetVelocityAtWorldPoint(w->body[head].body, tip).y;
+        w->fall->seconds = w->now + (speed > 0 && tip.y > 0 ? tip.y / speed : 0);
+        w->fall->lies = true;
+        w->fall->all = head + 1 == w->row->count;
+        return true;
+    }
+    bool moves = hinged ? spin * r->unit >= rests : tilt > r->most && spin * r->unit >= rests;
+    r->most = fmax(r->most, tilt);
+    r->rest = moves ? 0 : r->rest + r->dt;
+    w->fall->seconds = w->now;
+    return r->rest > (hinged ? hinged_rest : any_rest) * r->unit;
+}
+
+static bool visited(struct run *r, engine_visit *visit, void *context)
+{
+    struct world *w = &r->world;
+    for (size_t k = 0; k < w->count; k++) {
+        r->tilt[k] = world_tilt(w, k);
+        r->foot[k] = world_foot(w, k).x - w->body[k].corner.x;
+    }
+    const struct engine_moment moment = {w->now, w->head, w->count, r->tilt, r->foot};
+    return visit(&moment, context);
+}
+
+/* Sets when each box falls, and how far its foot has slid. The clock of a box that was let go starts with the
+ * first hit. */
+static void finish(struct run *r)
+{
+    struct world *w = &r->world;
+    const size_t hits = w->fall->hits;
+    const bool tipped = isnan(w->row->push);
+    const double zero = !tipped || !w->hit ? 0 : hits > 1 ? w->hit[1].time : w->fall->seconds;
+    w->fall->seconds -= zero;
+    for (size_t k = 0; k < hits && w->hit; k++) {
+        struct engine_hit *h = &w->hit[k];
+        h->time = tipped && k == 0 ? (double)NAN : h->time - zero;
+        h->slid = world_foot(w, k).x - w->body[k].corner.x;
+        h->until = w->fall->all ? w->fall->seconds : (double)NAN;
+        if (k > 0)
+            h[-1].until = tipped && k == 1 ? (double)NAN : h->time;
+    }
+}
+
+enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
+                              const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
+                              engine_visit *visit, void *context, struct engine_fall *fall)
+{
+    struct run r = {.world = {.row = row, .fall = fall, .hit = hit}, .grain = grain, .dt = (double)INFINITY};
+    *fall = (struct engine_fall){.hits = 1};
+    if (hit)
+        hit[0] = (struct engine_hit){.time = 0};
+    enum engine_status status = world_make(&r.world);
+    if (status == ENGINE_OK && visit) {
+        r.tilt = malloc(2 * row->count * sizeof *r.tilt);
+        r.foot = r.tilt ? r.tilt + row->count : NULL;
+        status = r.tilt ? ENGINE_OK : ENGINE_NO_MEMORY;
+    }
+    if (status == ENGINE_OK)
+        note_state(&r);
+    bool done = fall->leans;
+    for (size_t i = 0; status == ENGINE_OK && !done; i++) {
+        if (r.world.count < row->count && r.world.count < r.world.head + 2)
+            world_stand(&r.world);
+        step(&r);
+        done = ends(&r) || (visit && !visited(&r, visit, context));
+        if (interrupt && *interrupt)
+            status = ENGINE_INTERRUPTED;
+        else if (i == most_steps)
+            status = ENGINE_NO_END;
+    }
+    if (status == ENGINE_OK)
+        finish(&r);
+    free(r.tilt);
+    world_free(&r.world);
+    return status;
+}

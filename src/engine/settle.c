@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Runs with ever shorter steps, until they no longer matter. */
+#include "chipmunk.h"
+#include "engine.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct engine_grain engine_coarsest = {.steps = 100, .iterations = 20};
+
+const char *engine_version(void)
+{
+    const struct chipmunk *cp = chipmunk_load();
+    return cp ? cp->version : NULL;
+}
+
+/* Returns the largest change of a time, over the last time. */
+static double change_of(const struct engine_hit *before, const struct engine_hit *now,
+                        const struct engine_fall *last, const struct engine_fall *fall)
+{
+    double most = fabs(fall->seconds - last->seconds);
+    for (size_t k = 1; k < fall->hits; k++)
+        most = fmax(most, fabs(now[k].time - before[k].time));
+    return fall->hits > 1 && fall->seconds > 0 ? most / fall->seconds : 0;
+}
+
+enum engine_status engine_settle(const struct engine_row *row, bool times,
+                                 const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
+                                 struct engine_settled *settled)
+{
+    struct engine_grain grain = engine_coarsest;
+    struct engine_hit *before = times ? malloc(row->count * sizeof *before) : NULL;
+    if (times && !before)
+        return ENGINE_NO_MEMORY;
+    enum engine_status status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
+    bool done = false;
+    while (status == ENGINE_OK && !done) {
+        const struct engine_fall last = settled->fall;
+        if (times)
+            memcpy(before, hit, row->count * sizeof *before);
+        grain.steps *= 2;
+        status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
+        settled->steps = grain.steps;
+        settled->same = settled->fall.all == last.all && settled->fall.hits == last.hits;
+        settled->change =
+            !settled->same || !times ? (double)NAN : change_of(before, hit, &last, &settled->fall);
+        done = (settled->same && !(settled->change > ENGINE_AGREES)) || grain.steps >= ENGINE_FINEST;
+    }
+    free(before);
+    return status;
+}

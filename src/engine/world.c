@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "world.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+static const double parallel = 0.999; /* a cosine */
+static const double tipped = 1e-3;    /* rad beyond the edge, from where a box that is let go is followed */
+enum { FOREMOST = 4 };                /* boxes whose depth is noted */
+
+/* The engine counts angles from x to y, and boxes fall towards x. */
+double world_tilt(const struct world *w, size_t k)
+{
+    return -w->cp->cpBodyGetAngle(w->body[k].body);
+}
+
+double world_spin(const struct world *w, size_t k)
+{
+    return -w->cp->cpBodyGetAngularVelocity(w->body[k].body);
+}
+
+cpVect world_tip(const struct world *w, size_t k)
+{
+    const struct engine_box *box = &w->row->box[k];
+    return w->cp->cpBodyLocalToWorld(w->body[k].body, cpv(box->thickness / 2, box->height / 2));
+}
+
+cpVect world_foot(const struct world *w, size_t k)
+{
+    const struct engine_box *box = &w->row->box[k];
+    return w->cp->cpBodyLocalToWorld(w->body[k].body, cpv(box->thickness / 2, -box->height / 2));
+}
+
+double world_kinetic(const struct world *w)
+{
+    double sum = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        cpVect v = w->cp->cpBodyGetVelocity(w->body[k].body);
+        double spin = world_spin(w, k);
+        sum += (w->row->box[k].mass * cpvlengthsq(v) + w->body[k].moment * spin * spin) / 2;
+    }
+    return sum;
+}
+
+static cpVect gravity(const struct engine_row *row)
+{
+    return cpv(row->g * sin(row->slope), -row->g * cos(row->slope));
+}
+
+double world_energy(const struct world *w)
+{
+    double sum = world_kinetic(w);
+    for (size_t k = 0; k < w->count; k++) {
+        const struct engine_box *box = &w->row->box[k];
+        cpVect stood = cpvadd(w->body[k].corner, cpv(-box->thickness / 2, box->height / 2));
+        cpVect moved = cpvsub(w->cp->cpBodyGetPosition(w->body[k].body), stood);
+        sum -= box->mass * cpvdot(gravity(w->row), moved);
+    }
+    return sum;
+}
+
+/* Neighbours collide, and all with the floor; boxes whose feet slide collide with each other, too. */
+static cpShapeFilter touches(const struct world *w, size_t k)
+{
+    const cpBitmask floor = 1u << 4;
+    if (w->floor)
+        return CP_SHAPE_FILTER_ALL;
+    return cpShapeFilterNew(CP_NO_GROUP, 1u << k % 4, floor | 1u << (k + 1) % 4 | 1u << (k + 3) % 4);
+}
+
+/* Returns the shape of a box: a polygon whose edges are rounded, or whose upper back edge is cut off. */
+static cpShape *shape_of(const struct world *w, size_t k)
+{
+    const struct engine_box *box = &w->row->box[k];
+    double r = w->row->radius * box->height, x = box->thickness / 2 - r, y = box->height / 2 - r;
+    const cpVect edge[] = {{x, -y}, {x, y}, {-x, y - w->row->bevel * box->height}, {-x, -y}};
+    return w->cp->cpPolyShapeNewRaw(w->body[k].body, 4, edge, r);
+}
+
+void world_stand(struct world *w)
+{
+    const struct chipmunk *cp = w->cp;
+    const size_t k = w->count;
+    const struct engine_box *box = &w->row->box[k];
+    struct body *b = &w->body[k];
+    double h = box->height, d = box->thickness;
+    cpBody *ground = cp->cpSpaceGetStaticBody(w->space);
+    *b = (struct body){.corner = k == 0 ? cpvzero : cpvadd(b[-1].corner, cpv(box->gap + d, 0)),
+                       .moment = w->row->inertia * box->mass * (h * h + d * d) / 12};
+    b->body = cp->cpSpaceAddBody(w->space, cp->cpBodyNew(box->mass, b->moment));
+    b->shape = cp->cpSpaceAddShape(w->space, shape_of(w, k));
+    w->count++;
+    cp->cpBodySetPosition(b->body, cpvadd(b->corner, cpv(-d / 2, h / 2)));
+    cp->cpShapeSetFilter(b->shape, touches(w, k));
+    cp->cpShapeSetUserData(b->shape, (void *)(uintptr_t)k);
+    if (w->floor)
+        return;
+    b->hinge = cp->cpSpaceAddConstraint(w->space, cp->cpPivotJointNew(ground, b->body, b->corner));
+    b->limit = cp->cpSpaceAddConstraint(w->space, cp->cpRotaryLimitJointNew(ground, b->body, -CP_PI / 2, 0));
+}
+
+/* Turns the first box about its foot, and gives it an angular velocity. */
+static void turn(struct world *w, double tilt, double spin)
+{
+    const struct chipmunk *cp = w->cp;
+    const struct engine_box *box = &w->row->box[0];
+    cpBody *body = w->body[0].body;
+    cpVect arm = cpvrotate(cpv(-box->thickness / 2, box->height / 2), cpvforangle(-tilt));
+    cp->cpBodySetAngle(body, -tilt);
+    cp->cpBodySetPosition(body, cpvadd(w->body[0].corner, arm));
+    cp->cpBodySetAngularVelocity(body, -spin);
+    cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
+}
+
+/* Starts the first box: pushed, or tipped over its edge, from where it moves away as exp(rate t). */
+static void start(struct world *w)
+{
+    const struct engine_row *row = w->row;
+    const struct engine_box *box = &row->box[0];
+    double h = box->height, d = box->thickness, rounded = 2 * row->radius * h;
+    if (!isnan(row->push)) {
+        turn(w, 0, row->push);
+        return;
+    }
+    double arm = hypot(h, d) / 2, about = w->body[0].moment + box->mass * arm * arm;
+    double rate = sqrt(box->mass * row->g * arm / about);
+    turn(w, atan((d - rounded) / (h - rounded)) - row->slope + tipped, rate * tipped);
+    w->fall->leans = row->count > 1 && world_tip(w, 0).x >= box[1].gap;
+}
+
+/* ---- Contacts ---- */
+
+/* Notes the hit of a box that was upright. */
+static void note_hit(struct world *w, size_t k)
+{
+    w->head = k;
+    w->fall->hits = k + 1;
+    if (w->hit)
+        w->hit[k].time = w->now;
+}
+
+/* Notes how deep two boxes penetrate, and whether they touch in another way than the model knows. */
+static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
+{
+    const struct chipmunk *cp = w->cp;
+    cpVect normal = cp->cpArbiterGetNormal(arbiter), face = cpvforangle(-world_tilt(w, front));
+    cpVect axis = cpvperp(cpvforangle(-world_tilt(w, front - 1)));
+    if (fabs(cpvdot(normal, face)) < parallel && fabs(cpvdot(normal, axis)) > parallel)
+        w->fall->caught = true;
+    for (int c = 0; c < cp->cpArbiterGetCount(arbiter) && front + FOREMOST > w->head; c++) {
+        double depth = -cp->cpArbiterGetDepth(arbiter, c) / w->row->box[front - 1].height;
+        w->fall->depth = fmax(w->fall->depth, depth);
+    }
+}
+
+/* Gives a contact its friction and restitution. The first touch of the box next to the head is a hit. */
+static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
+{
+    struct world *w = data;
+    cpShape *a, *b;
+    (void)space;
+    w->cp->cpArbiterGetShapes(arbiter, &a, &b);
+    bool floor = a == w->floor || b == w->floor;
+    w->cp->cpArbiterSetFriction(arbiter, floor ? w->row->feet : w->row->mu);
+    w->cp->cpArbiterSetRestitution(arbiter, floor ? 0 : w->row->bounce);
+    if (floor)
+        return cpTrue;
+    size_t i = (uintptr_t)w->cp->cpShapeGetUserData(a), j = (uintptr_t)w->cp->cpShapeGetUserData(b);
+    size_t front = i > j ? i : j;
+    note_touch(w, arbiter, front);
+    if (front > w->head)
+        note_hit(w, front);
+    return cpTrue;
+}
+
+/* ---- The world ---- */
+
+/* Adds the floor: a thick bar below the whole row, on which it lies. */
+static void pave(struct world *w)
+{
+    const struct engine_row *row = w->row;
+    double length = 0, tallest = 0;
+    for (size_t k = 0; k < row->count; k++) {
+        length += row->box[k].gap + row->box[k].thickness;
+        tallest = fmax(tallest, row->box[k].height);
+    }
+    w->floor = w->cp->cpSegmentShapeNew(w->cp->cpSpaceGetStaticBody(w->space), cpv(-10 * tallest, -tallest),
+                                        cpv(length + 10 * tallest, -tallest), tallest);
+    w->cp->cpSpaceAddShape(w->space, w->floor);
+}
+
+enum engine_status world_make(struct world *w)
+{
+    w->cp = chipmunk_load();
+    if (!w->cp)
+        return ENGINE_NO_LIBRARY;
+    w->body = calloc(w->row->count, sizeof *w->body);
+    w->space = w->cp->cpSpaceNew();
+    if (!w->body || !w->space)
+        return ENGINE_NO_MEMORY;
+    cpCollisionHandler *handler = w->cp->cpSpaceAddDefaultCollisionHandler(w->space);
+    handler->preSolveFunc = touch;
+    handler->userData = w;
+    w->cp->cpSpaceSetGravity(w->space, gravity(w->row));
+    w->cp->cpSpaceSetCollisionSlop(w->space, 0);
+    w->cp->cpSpaceSetCollisionBias(w->space, 1);
+    if (isfinite(w->row->feet))
+        pave(w);
+    world_stand(w);
+    start(w);
+    return ENGINE_OK;
+}
+
+static void free_body(struct world *w, struct body *b)
+{
+    const struct chipmunk *cp = w->cp;
+    cpConstraint *const joint[] = {b->hinge, b->limit};
+    for (int i = 0; i < 2; i++)
+        if (joint[i]) {
+            cp->cpSpaceRemoveConstraint(w->space, joint[i]);
+            cp->cpConstraintFree(joint[i]);
+        }
+    cp->cpSpaceRemoveShape(w->space, b->shape);
+    cp->cpSpaceRemoveBody(w->space, b->body);
+    cp->cpShapeFree(b->shape);
+    cp->cpBodyFree(b->body);
+}
+
+void world_free(struct world *w)
+{
+    for (size_t k = 0; k < w->count; k++)
+        free_body(w, &w->body[k]);
+    if (w->floor) {
+        w->cp->cpSpaceRemoveShape(w->space, w->floor);
+        w->cp->cpShapeFree(w->floor);
+    }
+    if (w->space)
+        w->cp->cpSpaceFree(w->space);
+    free(w->body);
+}

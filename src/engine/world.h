@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The bodies of a row in Chipmunk: how boxes stand, touch and start. */
+#ifndef ENGINE_WORLD_H
+#define ENGINE_WORLD_H
+
+#include "chipmunk.h"
+#include "engine.h"
+
+/* A box in the space. */
+struct body {
+    cpBody *body;
+    cpShape *shape;
+    cpConstraint *hinge, *limit; /* NULL: the box stands on the floor */
+    cpVect corner;               /* of its foot, at the start */
+    double moment;
+};
+
+struct world {
+    const struct chipmunk *cp;
+    const struct engine_row *row;
+    struct engine_fall *fall;
+    struct engine_hit *hit; /* NULL: not asked for */
+    cpSpace *space;
+    cpShape *floor; /* NULL: feet are hinges */
+    struct body *body;
+    size_t count, head; /* boxes in the space; index of the foremost box that was hit */
+    double now;
+    double energy, least; /* of the boxes in the space, when the head was hit; a potential that is left out */
+};
+
+/* Makes a world with the first box, which is pushed or tips over. Free it also after an error. */
+enum engine_status world_make(struct world *world);
+void world_free(struct world *world);
+
+/* Adds the next box, upright. */
+void world_stand(struct world *world);
+
+/* Return the tilt of box k, its angular velocity, and its upper and lower front corner. */
+double world_tilt(const struct world *world, size_t k);
+double world_spin(const struct world *world, size_t k);
+cpVect world_tip(const struct world *world, size_t k);
+cpVect world_foot(const struct world *world, size_t k);
+
+/* Return the kinetic energy, and the energy, of all boxes in the space. */
+double world_kinetic(const struct world *world);
+double world_energy(const struct world *world);
+
+#endif

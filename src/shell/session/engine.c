@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "session/engine.h"
+#include <stdlib.h>
+#include <string.h>
+
+bool session_engine(const struct session *session)
+{
+    bool wanted = session->method == METHOD_ENGINE;
+    for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
+        wanted = wanted || session->effect[k].on;
+    return wanted && session->effect[DOM_EFFECT_row].on;
+}
+
+const char *session_engine_why(const struct session *session)
+{
+    static char why[EFFECT_COUNT][24];
+    for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
+        if (session->effect[k].on) {
+            snprintf(why[k], sizeof why[k], "%s is on", effect_at(k)->name);
+            return why[k];
+        }
+    return "method is engine";
+}
+
+/* ---- From the library's row to the engine's, and back ---- */
+
+/* The units in which the engine computes, so that its answer does not depend on those of the row: height and
+ * mass of the first domino, and g. */
+struct unit {
+    double length, mass, time;
+};
+
+static struct unit unit_of(const struct domq_row *row)
+{
+    double h = (double)row->domino[0].height;
+    return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
+}
+
+/* Writes the boxes of a row. Returns false if one of them has no size or no mass. */
+static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engine_box *box)
+{
+    for (size_t k = 0; k < row->count; k++) {
+        const struct domq_domino *d = &row->domino[k];
+        box[k] = (struct engine_box){(double)d->height / unit.length, (double)d->thickness / unit.length,
+                                     (double)d->gap / unit.length, (double)d->mass / unit.mass};
+        if (!(box[k].height > 0 && box[k].thickness > 0 && box[k].gap >= 0 && box[k].mass > 0) ||
+            !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
+            return false;
+    }
+    return true;
+}
+
+static struct engine_row row_of(const struct domq_row *row, struct unit unit, const struct engine_box *box)
+{
+    const struct scene_engine *own = row->engine->own;
+    struct engine_row engine = own->effects;
+    engine.box = box;
+    engine.count = row->count;
+    engine.push = (double)row->push * unit.time;
+    engine.mu = (double)row->mu;
+    engine.slope = (double)row->alpha;
+    return engine;
+}
+
+static enum dom_status status_of(enum engine_status status)
+{
+    switch (status) {
+    case ENGINE_OK:
+        return DOM_OK;
+    case ENGINE_NO_MEMORY:
+        return DOM_NO_MEMORY;
+    case ENGINE_INTERRUPTED:
+        return DOM_INTERRUPTED;
+    case ENGINE_NO_LIBRARY:
+        return DOM_NO_METHOD;
+    case ENGINE_NO_END:
+        break;
+    }
+    return DOM_NOT_CONVERGED;
+}
+
+/* Writes what was hit in m, s, kg. */
+static void hits_scale(struct engine_hit *hit, struct unit unit, size_t hits)
+{
+    for (size_t k = 0; k < hits; k++) {
+        double speed = unit.length / unit.time;
+        hit[k].time *= unit.time;
+        hit[k].until *= unit.time;
+        hit[k].omega /= unit.time;
+        hit[k].kinetic *= unit.mass * speed * speed;
+        hit[k].slid *= unit.length;
+    }
+}
+
+static void hits_visit(const struct engine_hit *hit, const struct engine_fall *fall,
+                       bool (*visit)(const struct domq_fall *, void *), void *context)
+{
+    const domq_real none = DOMQ_NAN;
+    for (size_t k = 0; k < fall->hits; k++) {
+        struct domq_fall f = {.domino = k + 1,
+                              .time = (domq_real)hit[k].time,
+                              .duration = (domq_real)(hit[k].until - hit[k].time),
+                              .omega = (domq_real)hit[k].omega,
+                              .kinetic = (domq_real)hit[k].kinetic,
+                              .barrier = none,
+                              .margin = none,
+                              .lost = none,
+                              .friction_work = none,
+                              .theta_m = none,
+                              .theta = none,
+                              .moving = k + 1,
+                              .floor_motion = none,
+                              .floor_hit = none};
+        if (!visit(&f, context))
+            return;
+    }
+}
+
+static void verdict_fill(const struct engine_fall *fall, const struct domq_row *row, double seconds,
+                         struct domq_verdict *verdict)
+{
+    const size_t last = fall->hits - 1;
+    bool beyond = fall->lies && !fall->all && row->domino[last + 1].gap >= row->domino[last].height;
+    *verdict = (struct domq_verdict){.end = fall->all     ? DOM_ROW_FALLS
+                                            : fall->leans ? DOM_ROW_LEANS
+                                            : beyond      ? DOM_ROW_MISSES
+                                                          : DOM_ROW_STOPS,
+                                     .domino = fall->hits,
+                                     .short_by = fall->all ? 0 : DOMQ_NAN,
+                                     .seconds = (domq_real)seconds,
+                                     .spare = DOMQ_NAN};
+}
+
+/* Runs a row of the library in the engine: the run of a struct dom_engine. */
+static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
+                               bool (*visit)(const struct domq_fall *fall, void *context), void *context,
+                               struct domq_verdict *verdict)
+{
+    const struct scene_engine *own = row->engine->own;
+    const struct unit unit = unit_of(row);
+    struct engine_settled settled = {.steps = 0};
+    struct engine_box *box = malloc(row->count * sizeof *box);
+    struct engine_hit *hit = malloc(row->count * sizeof *hit);
+    enum dom_status status = box && hit ? DOM_OK : DOM_NO_MEMORY;
+    if (status == DOM_OK && !boxes_fill(row, unit, box))
+        status = DOM_BAD_HEIGHT;
+    if (status == DOM_OK) {
+        const struct engine_row engine = row_of(row, unit, box);
+        status = status_of(engine_settle(&engine, times, compute->interrupt, times ? hit : NULL, &settled));
+        if (status == DOM_OK && times && !settled.same)
+            status = DOM_NOT_CONVERGED;
+    }
+    if (status == DOM_OK) {
+        const double seconds = times ? settled.fall.seconds * unit.time : (double)NAN;
+        verdict_fill(&settled.fall, row, seconds, verdict);
+        if (times)
+            hits_scale(hit, unit, settled.fall.hits);
+        if (times && own->report) {
+            own->report->settled = settled;
+            own->report->seconds = seconds;
+            memcpy(own->report->hit, hit, settled.fall.hits * sizeof *hit);
+        }
+        if (times && visit)
+            hits_visit(hit, &settled.fall, visit, context);
+    }
+    free(hit);
+    free(box);
+    return status;
+}
+
+/* ---- Other runs ---- */
+
+/* Runs a row once with these steps. */
+static enum dom_status run_once(const struct domq_row *row, const struct domq_compute *compute,
+                                const struct engine_grain *grain, engine_visit *visit, void *context)
+{
+    const struct unit unit = unit_of(row);
+    struct engine_fall fall;
+    struct engine_box *box = malloc(row->count * sizeof *box);
+    if (!box)
+        return DOM_NO_MEMORY;
+    boxes_fill(row, unit, box);
+    const struct engine_row engine = row_of(row, unit, box);
+    enum engine_status status = engine_run(&engine, grain, compute->interrupt, NULL, visit, context, &fall);
+    free(box);
+    return status_of(status);
+}
+
+enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute)
+{
+    return run_once(row, compute, &engine_coarsest, NULL, NULL);
+}
+
+/* ---- What the engine can do ---- */
+
+/* Reports an error for an effect that is on, and that the engine lacks. */
+static bool effects_check(struct session *session)
+{
+    static const int known[] = {DOM_EFFECT_friction,  DOM_EFFECT_slope, DOM_EFFECT_row, DOM_EFFECT_push,
+                                DOM_EFFECT_placement, EFFECT_feet,      EFFECT_bounce};
+    for (int k = 0; k < EFFECT_COUNT; k++) {
+        bool knows = !session->effect[k].on;
+        for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+            knows = knows || known[i] == k;
+        if (!knows)
+            return session_error(
+                session,
+                "the rigid-body engine, which runs this row since %s, does not include %s; first "
+                "enter 'effect %s off'",
+                session_engine_why(session), effect_at(k)->name, effect_at(k)->name);
+    }
+    return true;
+}
+
+bool scene_engine_make(struct session *session, size_t count, struct scene_engine *engine)
+{
+    const struct effect_state *feet = &session->effect[EFFECT_feet],
+                              *bounce = &session->effect[EFFECT_bounce];
+    const char *why = session_engine_why(session);
+    if (!effects_check(session))
+        return false;
+    if (count > ENGINE_MOST)
+        return session_error(
+            session,
+            "a row of %zu dominoes is too long for the rigid-body engine, which runs it since %s; it "
+            "takes up to %d, for example 'effect row 20'",
+            count, why, ENGINE_MOST);
+    if (!engine_version())
+        return session_error(
+            session,
+            "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian enter 'apt-get "
+            "install libchipmunk7'",
+            why);
+    *engine =
+        (struct scene_engine){.engine = {.run = run_row, .own = engine}, .effects = ENGINE_ROW(NULL, 0)};
+    engine->effects.feet = feet->on ? (double)feet->value[0] : HUGE_VAL;
+    engine->effects.bounce = bounce->on ? (double)bounce->value[0] : 0;
+    return true;
+}

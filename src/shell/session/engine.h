@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Rows that a rigid-body engine runs: those with an effect that the model lacks, and any row after 'set
+ * method engine'. The library's searches and studies then ask the engine, see struct dom_engine.
+ */
+#ifndef SHELL_ENGINE_H
+#define SHELL_ENGINE_H
+
+#include "engine/engine.h"
+#include "session/session.h"
+
+/* What 'method' may be. */
+enum { METHOD_MODEL, METHOD_ENGINE };
+
+/* What the engine found besides the answer of the library, for one run. */
+struct engine_report {
+    struct engine_hit *hit; /* of each domino that was hit, in m and s; of the caller */
+    struct engine_settled settled;
+    double seconds; /* until the row has fallen or stopped */
+};
+
+/* How a row is run by the engine. */
+struct scene_engine {
+    struct domq_engine engine;    /* for the row; its own is this */
+    struct engine_row effects;    /* the effects that the library lacks */
+    struct engine_report *report; /* unless NULL, takes what one run finds; not for studies */
+};
+
+/* Returns true if the engine runs the rows of this session. */
+bool session_engine(const struct session *session);
+
+/* Returns why: "feet is on", "method is engine". */
+const char *session_engine_why(const struct session *session);
+
+/*
+ * Prepares the engine. Reports an error if it is not installed, or if a row of so many dominoes or an effect
+ * that is on is not for it.
+ */
+bool scene_engine_make(struct session *session, size_t count, struct scene_engine *engine);
+
+/* Runs a row once with coarse steps, for its cost. */
+enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
+
+/* Runs a row again with the steps of the report, and visits each step: times in s, feet in m. */
+enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
+                                   engine_visit *visit, void *context);
+
+#endif
