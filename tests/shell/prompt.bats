@@ -45,6 +45,7 @@ same_at_the_prompt() { # FORMAT
 @test "^C drops the rest of the line" { prompt interrupt_rest; }
 @test "^C drops the rest of a file" { prompt interrupt_source; }
 @test "^C stops a search that writes no rows" { prompt interrupt_silent; }
+@test "^C in a budget: what is known by then, with its interval" { prompt interrupt_budget; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot at work on an animation, and leaves no file" { prompt interrupt_animation; }
 @test "^C while rows are written: the session and its lines are whole" { prompt interrupt_rows; }

@@ -182,6 +182,12 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     see "'set s VALUE'"
     hides PAGED
     "$DOMINO" -e help | diff - "$BATS_TEST_TMPDIR/file"
+    ask 'effect row 40; effect push 6; fall'
+    see '^PAGED$'
+    clear_screen
+    ask 'curve 0.1 0.9 4; print 6*7'
+    see '^42$'
+    hides PAGED
     press -l quit
     press Enter
     until_true gone
@@ -201,8 +207,8 @@ gone() { ! terminal has-session 2>/dev/null; }
     modes >"$BATS_TEST_TMPDIR/before"
     type_in help
     press Enter
-    see '^-- more --'
-    press q Enter
+    see_last ':' # less takes its place
+    press q
     see_last "$prompt"
     close_terminal
     export PAGER='stty raw -echo </dev/tty; kill -9 $$'
@@ -528,4 +534,29 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
         see 'count 112$'
         hint ''
     done
+}
+
+@test "long answers go through less, while they are computed; q and ^C end them, and the session goes on" {
+    command -v less || skip 'without less'
+    unset PAGER
+    open_session 80 24
+    modes >"$BATS_TEST_TMPDIR/before"
+    type_in 'curve 0.01 0.9 10000000; print 6*7'
+    press Enter
+    see '^ *0\.01 '
+    see_last ':'
+    press q
+    see '^42$'
+    see_last "$prompt"
+    type_in 'curve 0.01 0.9 10000000; print 8*8'
+    press Enter
+    see_last ':'
+    press C-c # ends the computation; less shows what there is
+    press q
+    see 'interrupted$'
+    see_last "$prompt"
+    hides '^64$'
+    ask 'print 9*9'
+    see '^81$'
+    modes | diff "$BATS_TEST_TMPDIR/before" -
 }

@@ -57,6 +57,8 @@ static bool goes_on(const char *line)
                                        " 1 2 2 : rmax",
                                        ", 2 : rmax",
                                        ", on : rmax",
+                                       " x = 2",
+                                       " s 0.1 0.9: rmax",
                                        " off",
                                        " exact",
                                        " double",

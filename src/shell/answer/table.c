@@ -97,6 +97,14 @@ static void field(FILE *out, const char *text, int width)
             width < 0 && blanks > 0 ? blanks : 0, "");
 }
 
+/* Writes the key of a column, which has a colour of its own where the terminal has colours. */
+static void key_field(const struct answer *a, const char *key, int width)
+{
+    fputs(a->bold ? "\033[36m" : "", a->out);
+    field(a->out, key, width);
+    fputs(a->bold ? "\033[m" : "", a->out);
+}
+
 /* ---- A table of rows ---- */
 
 /* Returns the width of a column in a table of rows; with few digits the head may be the widest. */
@@ -157,7 +165,7 @@ static void row_stacked(struct answer *a, const struct cell *cells)
         const char *said = table_text(a, measured_cell(a->measure[i], cells[i]), table_digits(a), text);
         if (*said == '\0')
             continue;
-        field(a->out, c->key, -key_width);
+        key_field(a, c->key, -key_width);
         fputs("  ", a->out);
         output_wrapped(a->out, pretty(a, said, letters), key_width + 2, a->width);
         said = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, a->measure[i], unit);
@@ -198,7 +206,11 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         } else {
             bool open = left && !a->columns[i + 2].key && words < 0; /* no blanks at the end of the line */
             fputs(i ? "  " : "", a->out);
-            field(a->out, shown, open ? 0 : left ? -wide : wide);
+            int width = open ? 0 : left ? -wide : wide;
+            if (line == KEYS)
+                key_field(a, shown, width);
+            else
+                field(a->out, shown, width);
         }
     }
     putc('\n', a->out);
@@ -225,7 +237,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         struct measure measure = measure_of(c->unit, cells[i].number);
-        field(a->out, pretty(a, c->key, line), -key_width);
+        key_field(a, pretty(a, c->key, line), -key_width);
         const char *said = table_text(a, measured_cell(measure, cells[i]), digits, text);
         if (a->width && terminal_columns(said) > number) /* too long beside its key, so below it */
             fprintf(a->out, "\n%*s%s", WORDS_INDENT / 2, "", bold);

@@ -27,18 +27,6 @@ static void say_train(const struct session *session, struct answer *answer)
         answer_say(answer, "%s", note);
 }
 
-/* Runs a command that gives a long text. */
-static bool run_pages(struct session *session, const struct command *c, struct call *call)
-{
-    struct pager pager;
-    FILE *out = session->out;
-    session->out = pager_begin(&pager, out);
-    bool done = c->run(session, call);
-    session->out = out;
-    pager_end(&pager, !session->safe, session->compute.interrupt);
-    return done;
-}
-
 /* Runs a command whose arguments have been read. */
 static bool run_call(struct session *session, const struct command *c, struct call *call)
 {
@@ -56,9 +44,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     double begun = terminal_clock();
     ticker_start();
     bool draws = session->format && c->picture && ending_of(session->redirected)->kind == ENDING_PICTURE;
-    bool done = draws      ? c->picture(session, call)
-                : c->pages ? run_pages(session, c, call)
-                           : c->run(session, call);
+    bool done = draws ? c->picture(session, call) : c->run(session, call);
     ticker_stop();
     call->answer = NULL;
     double seconds = terminal_clock() - begun;
@@ -79,6 +65,27 @@ static bool run_call(struct session *session, const struct command *c, struct ca
         /* Programs that read csv or json find it where it does not disturb. */
         bool people = answer.style.format->for_people && !session->redirected;
         fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * seconds);
+    }
+    return done;
+}
+
+/* Runs a command whose answer may be longer than the terminal: a help page, or any answer at the prompt. */
+static bool run_paged(struct session *session, const struct command *c, struct call *call)
+{
+    if (!c->pages && !(session->prompt_width && c->columns && !c->draws && !c->runs))
+        return run_call(session, c, call);
+    struct pager *pager;
+    FILE *out = session->out;
+    long errors = session->errors;
+    session->out = pager_begin(&pager, out, !session->safe, session->compute.interrupt);
+    bool done = run_call(session, c, call);
+    bool left = pager && ferror(session->out);
+    session->out = out;
+    pager_end(pager);
+    if (left) { /* the answer was not lost: it was read as far as the reader wanted */
+        session->write_error = 0;
+        if (dom_raised(session->compute.interrupt) && session->errors == errors)
+            session_status(session, DOM_INTERRUPTED);
     }
     return done;
 }
@@ -182,7 +189,7 @@ static void run_command(struct reader *r)
         session->command = c->name;
         struct call call = {.count = 0};
         if (command_allowed(session, c) && read_arguments(r, c, &call))
-            (void)(*r->at == '>' ? run_redirected(r, c, &call) : run_call(session, c, &call));
+            (void)(*r->at == '>' ? run_redirected(r, c, &call) : run_paged(session, c, &call));
         call_free(&call);
     }
     session->command = NULL;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors and notes of a session: where, what is wrong, what would be right. */
 #include "io/escape.h"
+#include "io/pager.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include "language/quad.h"
@@ -36,8 +37,8 @@ static void session_caret(const struct session *session)
     if (above) /* a long line goes on in the next row */
         at = (at - 1) % width + 1;
     if (!above)
-        fprintf(stderr, "%*s%.*s\n", CARET_INDENT, "", session->typed_length, session->typed);
-    fprintf(stderr, "%*s\n", above ? at : session->column + CARET_INDENT, "^");
+        fprintf(pager_messages(), "%*s%.*s\n", CARET_INDENT, "", session->typed_length, session->typed);
+    fprintf(pager_messages(), "%*s\n", above ? at : session->column + CARET_INDENT, "^");
 }
 
 /* Keeps the first message of a point of a sweep, which has no terminal. */
@@ -52,7 +53,7 @@ static void session_keep(const struct session *session, bool no_answer, const ch
     vsnprintf(h->text, sizeof h->text, format, arguments);
 }
 
-static void session_write(struct session *session, const char *format, va_list arguments)
+static void session_write(struct session *session, enum message what, const char *format, va_list arguments)
 {
     char line[1024], text[4 * sizeof line], shown[NAMES_SHOWN];
     const char *source = session->source;
@@ -71,10 +72,11 @@ static void session_write(struct session *session, const char *format, va_list a
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", session->command);
     vsnprintf(line + n, sizeof line - (size_t)n, format, arguments);
     escape_text(line, text, sizeof text);
+    FILE *out = pager_messages();
     bool colour = terminal_colour(stderr) && !session->source;
-    fputs(colour ? "\033[31m" : "", stderr);
-    output_wrapped(stderr, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
-    fputs(colour ? "\033[m\n" : "\n", stderr);
+    fputs(!colour ? "" : what == MESSAGE_NOTE ? "\033[33m" : "\033[31m", out);
+    output_wrapped(out, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
+    fputs(colour ? "\033[m\n" : "\n", out);
     session->fresh = false;
 }
 
@@ -85,7 +87,7 @@ bool session_report(struct session *session, enum message what, const char *form
     if (session->captured_error && what != MESSAGE_NOTE)
         session_keep(session, what == MESSAGE_NO_ANSWER, format, arguments);
     else
-        session_write(session, format, arguments);
+        session_write(session, what, format, arguments);
     va_end(arguments);
     session->errors += what != MESSAGE_NOTE;
     return false;
