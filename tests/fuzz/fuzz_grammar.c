@@ -252,6 +252,10 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
     case ARGUMENT_FILE:
         put(m, PICK(m, files));
         break;
+    case ARGUMENT_UNIT:
+        put(m, pick(m, 8) ? "to " : "ti ");
+        put_name(m, expression_units, NULL);
+        break;
     case ARGUMENT_EFFECT:
         *named = parameter_find(put_name(m, effect_names, NULL));
         break;
@@ -291,10 +295,42 @@ static void put_command(struct maker *m, const struct command *c, int depth)
     }
 }
 
+/* Writes a line without a command's name, or a definition: an expression, an assignment, a question. */
+static void put_form(struct maker *m)
+{
+    static const char *const heads[] = {"let x = ",
+                                        "x = ",
+                                        "let y = ",
+                                        "let f(s) = ",
+                                        "let f(a) = f(a)*",
+                                        "let k(a, b) = a*f(b) + ",
+                                        "k(1, ",
+                                        "f(",
+                                        "f(x) + ",
+                                        "let k(a,a) = ",
+                                        "? "};
+    switch (pick(m, 4)) {
+    case 0:
+        put_name(m, parameter_names, NULL);
+        put(m, pick(m, 4) ? " = " : " ? ");
+        break;
+    case 1:
+        put(m, PICK(m, heads));
+        break;
+    case 2:
+        put(m, pick(m, 2) ? "undo; redo; " : "undo; undo; ");
+        break;
+    default:
+        break;
+    }
+    put_expression(m, 0);
+    put(m, pick(m, 6) ? "" : pick(m, 2) ? ")" : " to mm");
+}
+
 static void put_line(struct maker *m)
 {
     static const char *const ends[] = {"\n", "\n", "\n", "\n", "\n", "\n",        "\n",   "\n",
-                                       "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " extra\n"};
+                                       "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " \\\n"};
     unsigned way = pick(m, 8);
     /* Settings that change how later lines are answered occur more often than one in fifty. */
     if (way == 0) {
@@ -304,7 +340,9 @@ static void put_line(struct maker *m)
             "effect row row.csv",       "effect friction 0.2", "effect floor 0.1", "effect placement 1 mm",
             "set r 1e6; effect row 60", "set s 1; set r 1",    "set h 1e9",        "set timing on"};
         put(m, PICK(m, settings));
-    } else
+    } else if (way == 1)
+        put_form(m);
+    else
         put_command(m, command_find(put_name(m, command_names, NULL)), 0);
     if (pick(m, 8) == 1) {
         put(m, pick(m, 2) ? " > " : " >> ");

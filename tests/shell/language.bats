@@ -164,9 +164,83 @@ END
         for i in {61..200}; do echo "let f$i(x) = ((f$((i - 1))(x)))"; done
         echo 'f60(7); f200(7); 41+1'
     } >"$BATS_TEST_TMPDIR/deep.dom"
-    run --separate-stderr "$DOMINO" -f "$BATS_TEST_TMPDIR/deep.dom"
+    run --separate-stderr "$DOMINO" --keep-going -f "$BATS_TEST_TMPDIR/deep.dom"
     same deep '7 42' "$(grep . <<<"$output" | paste -sd ' ' -)"
     [[ $stderr == *'nested too deeply'* ]]
     repeat=$(printf '(%.0s' {1..300})
     wrong "let f(x) = $repeat" 'nested too deeply'
+}
+
+@test "undo and redo: whatever changes the scene" {
+    cd "$BATS_TEST_TMPDIR"
+    printf 'set s 0.3\nset r 1.2\n' >two.dom
+    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n60, 8, 20\n80, 9, 30\n' >row.csv
+    local before change state
+    while IFS='|' read -r before change; do
+        state='show; diff; row'
+        "$DOMINO" --keep-going -e "$before; $state" >as_was 2>&1 || true
+        "$DOMINO" --keep-going -e "$before; $change > /dev/null; $state" >changed 2>&1 || true
+        "$DOMINO" --keep-going -e "$before; $change > /dev/null; undo > /dev/null; $state" >undone 2>&1 || true
+        "$DOMINO" --keep-going -e "$before; $change > /dev/null; undo > /dev/null; redo > /dev/null; $state" >redone 2>&1 || true
+        clean() { grep . "$1" | sed 's/^-e:[0-9:]* //'; }
+        same "$change" "$(clean as_was)" "$(clean undone)"
+        same "$change again" "$(clean changed)" "$(clean redone)"
+        ! cmp -s as_was changed || differ "$change" "$(clean as_was)" "$(clean changed)"
+    done <<'END'
+s = 0.5|s = 0.3
+s = 0.5|reset
+effect row row.csv|place 2 25 mm
+effect row row.csv; place 2 25 mm|reset
+effect row row.csv; place 2 25 mm|effect row 3
+set d 0.2|precision = quad
+set d 0.2|friction = 0.2
+friction = 0.1|effect friction off
+set d 0.2|let x = 3
+let x = 4|x = 3
+let x = 4|let x(a) = a
+set d 0.2|source two.dom
+set q hollow|design 1
+END
+}
+
+@test "undo: what it says, where it ends, and a change that is none" {
+    same 'says' 'undone: r = 2' "$("$DOMINO" -e 'r = 2; undo')"
+    same 'again' 'done again: r = 2' "$("$DOMINO" -e 'r = 2; undo > /dev/null; redo')"
+    same 'in order' '0.3 0.2 0.4' "$("$DOMINO" -e 's = 0.2; s = 0.3; print s; undo > /dev/null; print s; undo > /dev/null; print s' |
+        grep . | paste -sd ' ' -)"
+    same 'no change' 0.4 "$("$DOMINO" -e 's = 0.2; s = 0.2; undo > /dev/null; print s')"
+    wrong undo 'there is no change to take back'
+    wrong redo 'there is nothing to do again'
+    wrong 's = 0.2; undo > /dev/null; s = 0.3; redo' 'there is nothing to do again'
+    for i in {1..150}; do echo "seed = $i"; done >"$BATS_TEST_TMPDIR/many.dom"
+    for i in {1..100}; do echo 'undo > /dev/null'; done >>"$BATS_TEST_TMPDIR/many.dom"
+    same 'the last 100' 50 "$("$DOMINO" -f "$BATS_TEST_TMPDIR/many.dom" -e 'seed*1')"
+}
+
+@test "diff: what differs from the defaults" {
+    same none 'All parameters have their defaults, and no effect is on.' "$("$DOMINO" -e diff)"
+    same some 's r output friction' "$(json 's = 0.3; friction = 0.2; r = 2; diff' | values name | paste -sd ' ' -)"
+    same 'and gaps' "1 gap of the row was changed by 'place'; 'row' lists the row." \
+        "$("$DOMINO" -e 'effect row 3; place 2 20 mm; diff' | tail -n 1)"
+}
+
+@test "a line goes on below after a backslash" {
+    cd "$BATS_TEST_TMPDIR"
+    printf '2 + \\\n3 + \\  \n4\nset s \\\n  0.3; print s\n1 # no \\\n2\nset s x\n' >a.dom
+    run --separate-stderr "$DOMINO" a.dom
+    same joined '9 0.3 1 2' "$(grep . <<<"$output" | paste -sd ' ' -)"
+    [[ $stderr == a.dom:8:* ]] || same 'lines are counted' a.dom:8: "$stderr"
+    same stdin '9 0.3 1 2' "$("$DOMINO" <a.dom 2>/dev/null | grep . | paste -sd ' ' -)"
+    same 'at the end' 7 "$(printf '7 \\' | "$DOMINO")"
+}
+
+@test "every column of every answer has a meaning" {
+    local pages=0
+    for command in $("$DOMINO" -e 'complete '); do
+        "$DOMINO" --keep-going -e "help $command" 2>/dev/null >"$BATS_TEST_TMPDIR/page" || true
+        pages=$((pages + 1))
+        same "$command" '(nothing)' "$(sed -n '/^It answers/,/^[A-Z]* *$/p' "$BATS_TEST_TMPDIR/page" |
+            sed -n '2,$p' | awk '/^  [a-z]/ && NF < 2 || /^  [a-zA-Z_0-9]+ +[^ ]+ *$/')"
+    done
+    [ "$pages" -ge 40 ]
 }

@@ -269,6 +269,7 @@ const struct command effect_commands[] = {
          "off is not computed.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
      .see = "effects scene",
+     .changes = true,
      .run = run_set},
     {.name = "effects",
      .synonyms = "list switch",

@@ -5,8 +5,8 @@
 #include "interpreter/line.h"
 #include "io/io.h"
 #include "io/redirect.h"
-#include "io/terminal.h"
 #include "language/quad.h"
+#include "session/undo.h"
 #include <errno.h>
 #include <string.h>
 
@@ -42,139 +42,25 @@ bool run_set(struct session *session, const struct call *call)
     return true;
 }
 
-static const struct column show_columns[] = {
-    {"name", "", "the name that 'set' takes; or that 'let' gave", 9},
-    {"value", "", "the value now", 12},
-    {"unit", "", "h: heights of the domino", 5},
-    {"range", "", "the values that are allowed", 17},
-    {"default", "", "the value at the start", 8},
-    {"meaning", "", "what the parameter means", 24},
-    {NULL, NULL, NULL, 0},
-};
-
-enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
-
-/* Holds a parameter as it is shown: the cells of its row, and the words in them. */
-struct shown {
-    char range[64], value[EFFECT_SETTING], fallback[WIDE_TEXT];
-    struct cell cell[SHOW_COLUMNS];
-};
-
-/* Adds the name that a number has: "4 (solid)". */
-static void named(const struct parameter *p, domq_real value, char *text, size_t size)
+static bool step(struct session *session, const struct call *call, bool back)
 {
-    const char *name = parameter_word(p, value);
-    size_t used = strlen(text);
-    if (name)
-        snprintf(text + used, size - used, " (%s)", name);
-}
-
-static void shown_make(const struct session *session, const struct parameter *p, bool people,
-                       struct shown *shown)
-{
-    domq_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
-    bool number = !people && parameter_is_number(p);
-    bool on = !people && p->effect && value != EFFECT_OFF && !effect_file(session, p->which);
-    parameter_range(session, p, 0, shown->range, sizeof shown->range);
-    if (p->effect)
-        effect_setting(session, p->which, shown->value);
-    else
-        parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
-    parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
-    if (people && parameter_is_number(p)) {
-        named(p, value, shown->value, sizeof shown->value);
-        named(p, fallback, shown->fallback, sizeof shown->fallback);
-    }
-    const struct cell cells[] = {cell_word(p->name),
-                                 number || on ? cell_real(value) : cell_word(shown->value),
-                                 cell_word(people && p->effect ? "" : p->value->unit),
-                                 cell_word(shown->range),
-                                 number ? cell_real(fallback) : cell_word(shown->fallback),
-                                 cell_word(parameter_meaning(p))};
-    memcpy(shown->cell, cells, sizeof cells);
-}
-
-/* Lists for names.h the columns. */
-static const char *show_keys(const void *context, int k)
-{
-    (void)context;
-    return show_columns[k].key;
-}
-
-/* Leaves cells out of a row, bits 1 << column. */
-static void shown_fit(struct shown *shown, unsigned left_out)
-{
-    int n = 0;
-    for (int i = 0; i < SHOW_COLUMNS; i++)
-        if (!(left_out >> i & 1))
-            shown->cell[n++] = shown->cell[i];
-}
-
-/* Returns the columns that a table of these has before the meaning, which is wrapped or below. */
-static int shown_width(const struct column *columns)
-{
-    int width = 0;
-    for (const struct column *c = columns; c[1].key; c++)
-        width += c->width + 2;
-    return width;
-}
-
-/* Leaves out of a table what a narrow terminal has no room for; shown_fit leaves it out of a row. */
-static unsigned show_fit(const struct session *session, struct answer *a)
-{
-    static const char *const last[] = {"default", "range", "unit"};
-    int width = terminal_width(session->out);
-    unsigned left_out = 0;
-    for (size_t i = 0; width && i < sizeof last / sizeof *last && shown_width(a->columns) > width; i++) {
-        answer_leave_out(a, last[i]);
-        left_out |= 1U << names_exact(show_keys, NULL, last[i]);
-    }
-    return left_out;
-}
-
-/* Adds what 'let' defined: a variable has a value and a unit, a function its text. */
-static void variable_row(struct answer *a, const struct variable *v, unsigned left_out)
-{
-    char head[VARIABLE_HEAD], unit[48], value[WIDE_TEXT];
-    struct shown shown = {.range = ""};
-    struct cell number = cell_unbounded(v->value.value);
-    if (answer_for_people(a))
-        number = cell_word(quad_text(v->value.value, (int)a->style.digits, value));
-    const struct cell cells[] = {cell_word(variable_head(v, head)),
-                                 v->body ? cell_word(v->body) : number,
-                                 cell_word(expression_unit_text(v->value, unit, sizeof unit)),
-                                 cell_word(""),
-                                 cell_word(""),
-                                 cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'")};
-    memcpy(shown.cell, cells, sizeof cells);
-    shown_fit(&shown, left_out);
-    answer_row(a, shown.cell, NULL);
-}
-
-static bool run_show(struct session *session, const struct call *call)
-{
-    struct column *fitted = answer_columns(call->answer, show_columns);
-    struct shown shown;
-    unsigned left_out = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        if (pass == 1 && call->answer->style.format->for_people)
-            left_out = show_fit(session, call->answer);
-        for (const struct parameter *p = session_parameters; p->name; p++) {
-            if (call->parameter ? p != call->parameter : p->effect != NULL)
-                continue;
-            shown_make(session, p, call->answer->style.format->for_people, &shown);
-            for (int i = 0; pass == 0 && fitted[i + 1].key; i++) /* the last one is wrapped */
-                if (shown.cell[i].kind == CELL_WORD)
-                    column_fit(&fitted[i], shown.cell[i].word);
-            if (pass == 0)
-                continue;
-            shown_fit(&shown, left_out);
-            answer_row(call->answer, shown.cell, NULL);
-        }
-    }
-    for (size_t i = 0; !call->parameter && i < session->variables.count; i++)
-        variable_row(call->answer, &session->variables.list[i], left_out);
+    char text[NAMES_SHOWN];
+    if (!undo_step(session, back, text))
+        return session_error(session, back
+                                          ? "there is no change to take back"
+                                          : "there is nothing to do again; 'undo' takes a change back first");
+    answer_say(call->answer, "%s: %s", back ? "undone" : "done again", text);
     return true;
+}
+
+bool run_undo(struct session *session, const struct call *call)
+{
+    return step(session, call, true);
+}
+
+bool run_redo(struct session *session, const struct call *call)
+{
+    return step(session, call, false);
 }
 
 static bool run_reset(struct session *session, const struct call *call)
@@ -215,6 +101,7 @@ static bool run_save(struct session *session, const struct call *call)
         variables_save(&session->variables, file.file);
         wrong = redirect_close(&file, true);
     }
+    session->listed.saved = session->listed.saved || !wrong;
     return !wrong ||
            session_error(session, "cannot write '%s': %s", names_shown(call->word[0], shown), wrong);
 }
@@ -262,6 +149,7 @@ const struct command session_commands[] = {
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
      .shortest = "se",
+     .changes = true,
      .run = run_set},
     {.name = "show",
      .synonyms = "list settings values parameter",
@@ -273,7 +161,7 @@ const struct command session_commands[] = {
      ANSWER(show)},
     {.name = "reset",
      .shortest = "re",
-     .synonyms = "undo default clear restore",
+     .synonyms = "default clear restore",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME all effects are turned off, too, and the settings of the session are kept: "
@@ -281,7 +169,30 @@ const struct command session_commands[] = {
              "digits, angle, errors, timing, hints.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
+     .changes = true,
      .run = run_reset},
+    {.name = "diff",
+     .synonyms = "changes changed compare default settings",
+     .summary = "the parameters and effects that differ from their defaults",
+     .example = "set s 0.3; effect friction 0.2; diff",
+     .see = "show reset undo",
+     .rows = true,
+     .columns = show_columns,
+     .run = run_diff},
+    {.name = "undo",
+     .synonyms = "back revert restore previous",
+     .summary = "take back the last change",
+     .help = "A change is a line that changed a parameter, an effect, the row or a variable; a file that was "
+             "sourced is one. The last 100 can be taken back, one after the other.",
+     .example = "set s 0.3; undo; print s",
+     .see = "redo diff reset",
+     .run = run_undo},
+    {.name = "redo",
+     .synonyms = "again forward repeat",
+     .summary = "make again what undo took back",
+     .example = "set s 0.3; undo; redo; print s",
+     .see = "undo",
+     .run = run_redo},
     {.name = "print",
      .synonyms = "calculate calculator convert units feet inch evaluate",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},
@@ -316,6 +227,7 @@ const struct command session_commands[] = {
              "'show' lists all, and 'save' keeps them.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
      .see = "print set show",
+     .changes = true,
      .run = run_let},
     {.name = "save",
      .synonyms = "script store export keep file",
@@ -331,6 +243,7 @@ const struct command session_commands[] = {
      .see = "save",
      .files = true,
      .runs = true,
+     .changes = true,
      .run = run_source},
     {.name = "exit",
      .synonyms = "leave end close bye stop",

@@ -35,6 +35,12 @@ const char *conversion_word(const void *context, int k);
 bool read_conversion(struct reader *reader, struct call *call);
 bool read_definition(struct reader *reader, struct call *call);
 const char *definition_names(const void *context, int k);
+extern const struct column show_columns[];
+bool run_show(struct session *session, const struct call *call);
+bool run_diff(struct session *session, const struct call *call);
+
+bool run_undo(struct session *session, const struct call *call);
+bool run_redo(struct session *session, const struct call *call);
 bool run_print(struct session *session, const struct call *call);
 bool run_let(struct session *session, const struct call *call);
 

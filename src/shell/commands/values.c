@@ -155,7 +155,7 @@ static bool read_body(struct reader *r, struct variable *v)
     r->session->column = reader_column(r, e.end);
     if (!good)
         return session_error(r->session, "%s", e.message);
-    if (!command_ends(skip_blanks(e.end))) {
+    if (!command_ends(skip_blanks(e.end)) && *skip_blanks(e.end) != '>') {
         snprintf(word, sizeof word, "%.*s", (int)strcspn(skip_blanks(e.end), " \t;"), skip_blanks(e.end));
         return session_error(r->session, "the text of the function ends before '%s'",
                              names_shown(word, shown));

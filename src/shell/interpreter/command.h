@@ -94,6 +94,7 @@ struct command {
     const char *holds;   /* what is true if its answer is yes, see answer_holds; NULL: it decides nothing */
     bool runs;           /* runs other commands, whose answers go where its own would */
     bool files;          /* touches files: not in a safe session */
+    bool changes;        /* may change parameters, effects, the row or variables: 'undo' takes it back */
     bool pages;          /* gives a long text, which a terminal shows a page at a time */
     const char
         *shortest; /* the shortest beginning that means this command, though others begin so; or NULL */

@@ -7,6 +7,7 @@
 #include "io/terminal.h"
 #include "picture/ending.h"
 #include "session/parameters.h"
+#include "session/undo.h"
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -181,6 +182,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
 static void run_command(struct reader *r)
 {
     struct session *session = r->session;
+    const char *begin = r->at;
     long errors = session->errors;
     const struct command *c = read_form(r);
     if (!c && session->errors == errors)
@@ -188,9 +190,14 @@ static void run_command(struct reader *r)
     if (c) {
         session->command = c->name;
         struct call call = {.count = 0};
+        /* A file that is sourced is one change. */
+        bool changes = c->changes && session->depth == 0;
+        struct session *before = changes ? undo_begin(session) : NULL;
         if (command_allowed(session, c) && read_arguments(r, c, &call))
             (void)(*r->at == '>' ? run_redirected(r, c, &call) : run_paged(session, c, &call));
         call_free(&call);
+        if (changes)
+            undo_keep(session, before, begin, (size_t)(text_end(begin, ";") - begin));
     }
     session->command = NULL;
     session->column = 0;

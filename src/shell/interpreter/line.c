@@ -6,6 +6,35 @@
 #include <stdlib.h>
 #include <string.h>
 
+/*
+ * Adds the lines that continue this one, and counts them.  They end with the stream, and where the text would
+ * be too long.  Returns false where one has a NUL byte, or there is no memory.
+ */
+static bool line_join(char **text, size_t *room, FILE *in, long *more)
+{
+    char *next = NULL;
+    size_t size = 0, used = strlen(*text);
+    ssize_t length = 0;
+    bool goes_on = true, good = true;
+    while (goes_on && good && used <= TEXT_MOST && (length = text_read(&next, &size, in)) != -1) {
+        ++*more;
+        good = strlen(next) == (size_t)length;
+        goes_on = good && text_continues(next);
+        size_t n = strlen(next);
+        if (good && used + n >= *room) {
+            char *larger = realloc(*text, used + n + 1);
+            good = larger != NULL;
+            *text = good ? larger : *text;
+            *room = good ? used + n + 1 : *room;
+        }
+        if (good)
+            memcpy(*text + used, next, n + 1);
+        used += n;
+    }
+    free(next);
+    return good;
+}
+
 void line_stream(struct session *session, FILE *in, const char *name)
 {
     char *text = NULL;
@@ -18,12 +47,16 @@ void line_stream(struct session *session, FILE *in, const char *name)
     session->command = NULL;
     errno = 0;
     while (!session->quit && (length = text_read(&text, &size, in)) != -1) {
-        long errors = session->errors;
+        long errors = session->errors, more = 0;
         session->line++;
-        if (strlen(text) != (size_t)length)
-            session_error(session, "the line has a NUL byte; commands are text");
-        else
+        bool whole = strlen(text) == (size_t)length;
+        if (whole && text_continues(text))
+            whole = line_join(&text, &size, in, &more);
+        if (whole)
             command_run_text(session, text);
+        else
+            session_error(session, "the line has a NUL byte; commands are text");
+        session->line += more;
         if (session_stops(session, errors))
             break;
         errno = 0;

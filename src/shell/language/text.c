@@ -108,6 +108,17 @@ const char *text_end(const char *c, const char *ends)
     return c;
 }
 
+bool text_continues(char *line)
+{
+    size_t n = strlen(line);
+    while (n > 0 && (line[n - 1] == ' ' || line[n - 1] == '\t' || line[n - 1] == '\r'))
+        n--;
+    if (n == 0 || line[n - 1] != '\\' || *text_end(line, "") == '#')
+        return false;
+    line[n - 1] = '\0';
+    return true;
+}
+
 int text_column(const struct text *text, const char *place)
 {
     return text->column[place - text->line];

@@ -44,6 +44,9 @@ const char *text_quote(const char *c);
  */
 const char *text_end(const char *c, const char *ends);
 
+/* Returns true if the line goes on below: its last letter is a '\\' outside of comments, which is removed. */
+bool text_continues(char *line);
+
 /* Returns the column of a place in the line, from 1. */
 int text_column(const struct text *text, const char *place);
 

@@ -2,6 +2,7 @@
 /* The prompt: Readline's callback interface under pselect, so that no signal is missed. */
 #include "interpreter/command.h"
 #include "io/terminal.h"
+#include "language/text.h"
 #include "prompt/hint.h"
 #include "prompt/input.h"
 #include <errno.h>
@@ -36,11 +37,25 @@ static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SI
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
+/* Readline's handler takes no context. */
+static struct session *prompt_session;
+
+/* The lines so far that end with a '\\'; and whether leaving was asked about. */
+static char *begun;
+static bool asked;
+
+static void prompt_set(struct session *session);
+
 /* Drops the line after ^C; on an empty line says how to leave. */
 static void prompt_interrupt(void)
 {
     interrupted = 0;
-    bool empty = rl_end == 0;
+    bool empty = rl_end == 0 && !begun;
+    if (begun) {
+        free(begun);
+        begun = NULL;
+        prompt_set(prompt_session);
+    }
     rl_free_line_state();
     rl_callback_sigcleanup();
     fputs("^C\n", rl_outstream);
@@ -69,8 +84,35 @@ static void prompt_suspend(const sigset_t *awake)
 
 /* ---- Lines ---- */
 
-/* Readline's handler takes no context. */
-static struct session *prompt_session;
+/* Returns the line with those before it that it continues; NULL: another one continues it, or no memory. */
+static char *line_whole(struct session *session, char *text)
+{
+    char *whole = text;
+    if (begun && (whole = malloc(strlen(begun) + strlen(text) + 1)) != NULL) {
+        strcpy(whole, begun);
+        strcat(whole, text);
+        free(text);
+    }
+    bool before = begun != NULL;
+    free(begun);
+    begun = whole && text_continues(whole) ? whole : NULL;
+    if (before || begun)
+        prompt_set(session);
+    return begun ? NULL : whole;
+}
+
+/* Keeps the session from ending with changes of the row that are in no file, once. */
+static void leave_ask(struct session *session)
+{
+    if (asked || !row_unsaved(session))
+        return;
+    asked = true;
+    session->quit = false;
+    session_note(
+        session,
+        "gaps of the row were changed and are in no file: 'save FILE' or 'row > FILE.csv' keeps them, "
+        "'quit' or ^D again leaves without them");
+}
 
 static void on_line(char *text)
 {
@@ -78,7 +120,8 @@ static void on_line(char *text)
     if (!text) {
         putc('\n', session->out);
         session->quit = true;
-    } else {
+        leave_ask(session);
+    } else if ((text = line_whole(session, text)) != NULL) {
         /* A ^C before the line does not concern the line; a signal that ends the session does. */
         interrupted = 0;
         if (ended)
@@ -88,6 +131,10 @@ static void on_line(char *text)
         command_run_text(session, text);
         free(text);
         interrupted = 0;
+        if (session->quit)
+            leave_ask(session);
+        else
+            asked = false;
         fflush(session->out);
     }
     if (session->quit)
@@ -98,10 +145,21 @@ static void on_line(char *text)
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
+    if (begun) {
+        session->prompt_width = 0; /* the place in the joined line is none in this one */
+        snprintf(text, size, "  ...%s ", mark);
+        return text;
+    }
     bool colour = terminal_colour(session->out);
     snprintf(text, size, colour ? "\001\033[1m\002domino%s\001\033[m\002 " : "domino%s ", mark);
     session->prompt_width = (int)strlen("domino> ");
     return text;
+}
+
+static void prompt_set(struct session *session)
+{
+    char text[64];
+    rl_set_prompt(prompt_text(session, text, sizeof text));
 }
 
 static void readline_begin(void)
@@ -168,6 +226,8 @@ void line_prompt(struct session *session)
         }
     }
     rl_callback_handler_remove();
+    free(begun);
+    begun = NULL;
     session->compute.interrupt = NULL;
     session->prompt_width = 0;
     for (int i = 0; i < WATCHED; i++)

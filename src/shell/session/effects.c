@@ -368,5 +368,6 @@ bool scene_row_place(struct session *session, size_t k, domq_real gap)
     listed->placed = more;
     listed->placed[i] = (struct placed){k, gap};
     listed->changes += i == listed->changes;
+    listed->saved = false;
     return true;
 }

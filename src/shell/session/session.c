@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/session.h"
 #include <stdlib.h>
+#include <string.h>
 
 void session_init(struct session *session, FILE *out)
 {
@@ -15,10 +16,33 @@ void session_init(struct session *session, FILE *out)
 
 void listed_free(struct listed_row *row)
 {
-    free(row->domino);
-    free(row->path);
+    if (!row->holders || --*row->holders == 0) {
+        free(row->domino);
+        free(row->path);
+        free(row->holders);
+    }
     free(row->placed);
     *row = (struct listed_row){.domino = NULL};
+}
+
+bool listed_share(struct listed_row *to, struct listed_row *from)
+{
+    size_t size = from->changes * sizeof *from->placed;
+    *to = (struct listed_row){.domino = NULL};
+    if (from->domino && !from->holders && (from->holders = malloc(sizeof *from->holders)) != NULL)
+        *from->holders = 1;
+    struct placed *placed = size ? malloc(size) : NULL;
+    if ((from->domino && !from->holders) || (size && !placed)) {
+        free(placed);
+        return false;
+    }
+    *to = *from;
+    to->placed = placed;
+    if (size)
+        memcpy(placed, from->placed, size);
+    if (from->holders)
+        ++*from->holders;
+    return true;
 }
 
 void effects_apply(struct session *session)
@@ -42,6 +66,9 @@ void session_close(struct session *session)
 {
     effects_reset(session);
     variables_free(&session->variables);
+    if (session->undo)
+        session->undo_free(session->undo);
+    session->undo = NULL;
 }
 
 domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness)

@@ -45,6 +45,8 @@ struct listed_row {
         domq_real gap;
     } * placed;
     size_t changes;
+    bool saved;      /* no gap was changed since the row was written to a file */
+    size_t *holders; /* of the dominoes and the path: states of the session that share them; NULL: one */
 };
 
 /* The place of a walk through the cycles: at an event of a cycle, or between two. */
@@ -73,6 +75,8 @@ struct session {
     struct effect_state effect[EFFECT_COUNT];
     struct listed_row listed; /* the row, where it is not counted */
     struct variables variables;
+    struct undo *undo; /* earlier states; NULL: none */
+    void (*undo_free)(struct undo *undo);
     const struct scope *scope; /* the function that is being evaluated; NULL: none */
     struct walk walk;
     FILE *out;          /* where answers go: standard output, or the file after '>' */
@@ -118,6 +122,15 @@ void effects_reset(struct session *session);
 
 /* Copies the values of the effects to the session's train. */
 void effects_apply(struct session *session);
+
+/* Returns true if changed gaps of the row are in no file yet. */
+static inline bool row_unsaved(const struct session *session)
+{
+    return session->listed.changes > 0 && !session->listed.saved;
+}
+
+/* Copies a row that shares its dominoes with the other one; each is freed on its own.  False: no memory. */
+bool listed_share(struct listed_row *to, struct listed_row *from);
 
 /* Frees a listed row. */
 void listed_free(struct listed_row *row);

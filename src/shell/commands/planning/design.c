@@ -311,6 +311,7 @@ const struct command design_commands[] = {
      .see = "verdict fall row assert solve",
      .principal = "steps",
      .holds = "a row fits the wishes",
+     .changes = true,
      ANSWER(design)},
     {.name = "solve",
      .argument =

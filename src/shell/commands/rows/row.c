@@ -54,6 +54,7 @@ static bool run_row(struct session *session, const struct call *call)
                      cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass));
     }
     free(scene.domino);
+    session->listed.saved = session->listed.saved || session->redirected;
     return true;
 }
 
@@ -380,6 +381,7 @@ const struct command row_commands[] = {
          "FILE.csv'.",
      .example = "effect row 5; place 3 25 mm; fall",
      .see = "row fall mend",
+     .changes = true,
      .run = run_place},
     {.name = "row",
      .synonyms = "list export csv spacing",
