@@ -40,9 +40,10 @@ enum { WATCHED = sizeof watched / sizeof *watched };
 /* Readline's handler takes no context. */
 static struct session *prompt_session;
 
-/* The lines so far that end with a '\\'; and whether leaving was asked about. */
+/* The lines so far that end with a '\\'; whether leaving was asked about; and
+ * whether the line that runs was typed in several. */
 static char *begun;
-static bool asked;
+static bool asked, joined;
 
 static void prompt_set(struct session *session);
 
@@ -51,11 +52,6 @@ static void prompt_interrupt(void)
 {
     interrupted = 0;
     bool empty = rl_end == 0 && !begun;
-    if (begun) {
-        free(begun);
-        begun = NULL;
-        prompt_set(prompt_session);
-    }
     rl_free_line_state();
     rl_callback_sigcleanup();
     fputs("^C\n", rl_outstream);
@@ -63,6 +59,11 @@ static void prompt_interrupt(void)
         fputs("'quit' or ^D leaves\n", rl_outstream);
     rl_replace_line("", 1);
     rl_on_new_line();
+    if (begun) {
+        free(begun);
+        begun = NULL;
+        prompt_set(prompt_session);
+    }
     rl_redisplay();
 }
 
@@ -94,6 +95,7 @@ static char *line_whole(struct session *session, char *text)
         free(text);
     }
     bool before = begun != NULL;
+    joined = before;
     free(begun);
     begun = whole && text_continues(whole) ? whole : NULL;
     if (before || begun)
@@ -127,7 +129,7 @@ static void on_line(char *text)
         if (ended)
             interrupted = ended;
         history_keep(session, text);
-        session->fresh = !strchr(text, '\n');
+        session->fresh = !joined && !strchr(text, '\n');
         command_run_text(session, text);
         free(text);
         interrupted = 0;
