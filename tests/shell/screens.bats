@@ -47,6 +47,20 @@ golden_screens() { # NAME
     done
 }
 
+@test "a terminal that is too small for a picture gets one line that says so, and a file has the picture" {
+    for size in '20 6' '30 24' '80 12'; do
+        read -r columns rows <<<"$size"
+        for scene in draw 'plot growth' 'effect row 6; draw'; do
+            NO_COLOR=1 on_terminal "$columns" "$rows" '' "$scene" >"$BATS_TEST_TMPDIR/screen" && false
+            grep -q "the terminal has $columns x $rows characters, and a picture needs 31 x 13;" "$BATS_TEST_TMPDIR/screen"
+            same "$scene" 1 "$(wc -l <"$BATS_TEST_TMPDIR/screen")"
+        done
+    done
+    on_terminal 20 6 '' "draw > $BATS_TEST_TMPDIR/draw.txt"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/draw.txt")" -gt 13 ]
+    on_terminal 20 6 '' 'set output csv; draw' | grep -q ,
+}
+
 @test "colours are added to the same characters, as many as the terminal has" {
     local scene='effect row 6; effect friction 0.1; plot fall'
     plain() { sed 's/\x1b\[[0-9;]*m//g; s/<asked>//'; }

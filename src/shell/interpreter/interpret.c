@@ -6,6 +6,7 @@
 #include "io/redirect.h"
 #include "io/terminal.h"
 #include "picture/ending.h"
+#include "picture/picture.h"
 #include "session/parameters.h"
 #include "session/undo.h"
 #include <limits.h>
@@ -45,7 +46,10 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     double begun = terminal_clock();
     ticker_start();
     bool draws = session->format && c->picture && ending_of(session->redirected)->kind == ENDING_PICTURE;
-    bool done = draws ? c->picture(session, call) : c->run(session, call);
+    bool shown = c->draws && !c->files && answer.style.format->for_people && !session->redirected;
+    bool done = shown && !picture_fits(session, c->name) ? false
+                : draws                                  ? c->picture(session, call)
+                                                         : c->run(session, call);
     ticker_stop();
     call->answer = NULL;
     double seconds = terminal_clock() - begun;

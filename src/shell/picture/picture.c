@@ -13,7 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23 };
+enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
 
 bool picture_is_text(const struct session *session)
 {
@@ -23,9 +23,20 @@ bool picture_is_text(const struct session *session)
 void picture_room(const struct session *session, int *width, int *height)
 {
     terminal_size(session->out, width, height);
-    *width = *width > 30 ? *width - 1 : TEXT_WIDTH;
-    *height = *height > 12 ? *height - 1 : TEXT_HEIGHT;
+    *width = *width >= LEAST_WIDTH ? *width - 1 : TEXT_WIDTH;
+    *height = *height >= LEAST_HEIGHT ? *height - 1 : TEXT_HEIGHT;
     *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
+}
+
+bool picture_fits(struct session *session, const char *command)
+{
+    int width, height;
+    terminal_size(session->out, &width, &height);
+    return width == 0 || height == 0 || (width >= LEAST_WIDTH && height >= LEAST_HEIGHT) ||
+           session_error(session,
+                         "the terminal has %d x %d characters, and a picture needs %d x %d; enlarge it, or "
+                         "enter '%s > %s.txt'",
+                         width, height, LEAST_WIDTH, LEAST_HEIGHT, command, command);
 }
 
 bool program_there(const char *name)

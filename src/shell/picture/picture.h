@@ -40,6 +40,9 @@ bool picture_end(struct session *session, struct picture *picture, bool whole);
  * kind of picture. */
 bool picture_is_text(const struct session *session);
 
+/* Reports an error if the terminal is too small for the picture of a command; files have room. */
+bool picture_fits(struct session *session, const char *command);
+
 /* Finds the columns and rows of a picture in characters; the line of the next prompt is not counted. */
 void picture_room(const struct session *session, int *width, int *height);
 
