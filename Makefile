@@ -180,7 +180,7 @@ $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/
 # Where the quotes and comments of a line end.
 $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # What completion offers, by the tables of commands.
-$(B)/unit/test_complete: $(filter-out %/main.o,$(call OBJ,$(SHELL_C)))
+$(B)/unit/test_complete: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
 $(B)/unit/test_complete: GSL := $(B)/libdomino.a $(GSL) -lreadline
 # Where the dominoes of a picture are.
 $(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)

@@ -965,6 +965,9 @@ sweep fuel |exact paper
 sweep h 40 mm 60 mm 3 den|density
 count 2*sq|2*sqrt(
 print an|ans
+0.9*rm|0.9*rmax
+r = 0.9*rm|0.9*rmax
+rmax.r_max_e|rmax.r_max_exact
 foo |(nothing)
 fuel |(nothing)
 END

@@ -56,24 +56,14 @@ static bool goes_on(const char *line)
                                        " 0.1 0.9 9 : rmax",
                                        " 1 2 2 : rmax",
                                        ", 2 : rmax",
-                                       ", on : rmax",
                                        " x = 2",
                                        " s 0.1 0.9: rmax",
-                                       " off",
-                                       " exact",
-                                       " double",
-                                       " json",
-                                       " deg",
                                        " s 0.3",
                                        " friction 0.2",
                                        " barrier",
                                        " friction a.csv",
                                        " a",
                                        " a b",
-                                       ", paper : rmax",
-                                       ", exact : rmax",
-                                       ", double : rmax",
-                                       ", float : rmax",
                                        " 5 : rmax = 1",
                                        " mass",
                                        " row.csv",
@@ -82,8 +72,6 @@ static bool goes_on(const char *line)
                                        " s 0.1 0.9 9 : rmax",
                                        " d : rmax = 1",
                                        " 1 mm",
-                                       " exact, paper : rmax",
-                                       " float, double : rmax",
                                        " 9 : rmax",
                                        " 1 : rmax",
                                        ": rmax",
@@ -113,13 +101,24 @@ static bool goes_on(const char *line)
         if (parses(whole))
             return true;
     }
+    /* The words of parameters, as a value, and in a list. */
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        for (int k = 0; parameter_offered(p, k); k++) {
+            static const char *const forms[] = {"%s %s", "%s, %s : rmax", "%s %s, %s : rmax"};
+            const char *word = parameter_offered(p, k);
+            for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+                snprintf(whole, sizeof whole, forms[i], line, word, word);
+                if (parses(whole))
+                    return true;
+            }
+        }
     return false;
 }
 
 /* Checks all that is offered after a line, and after that. */
 static void explore(const char *line, int depth)
 {
-    static const char *const numbers[] = {"0.3 ", "2 "};
+    static const char *const numbers[] = {"0.3 "};
     struct offers *o = calloc(1, sizeof *o);
     char longer[2 * LINE];
     assert_non_null(o);

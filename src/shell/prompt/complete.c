@@ -9,6 +9,7 @@
 
 #include <readline/readline.h>
 
+#define NAME_LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"
 #define UNIT_LETTERS "abcdefghijklmnopqrstuvwxyz"
 
 /* The candidates at the cursor: lists of names, the values of an argument, files. */
@@ -104,6 +105,8 @@ static struct offer offer_at(const struct typed *t)
         return offer;
     if (own)
         offer_list(&offer, own->choices, t->before);
+    else if (!c && t->last[strspn(t->last, NAME_LETTERS)]) /* a line may be an expression */
+        offer.value = (struct argument){.kind = ARGUMENT_ANY};
     else if (k < 0)
         offer_list(&offer, t->sweep ? names_after_colon(t->sweep) : command_names, NULL);
     else if (c && k > 0 && c->argument[1].offers)
