@@ -134,7 +134,7 @@ static void check_train(struct point *point, struct answers *answers)
         double rr = 1 / (double)(point->input.r * point->input.r);
         double room = (double)(point->input.s * (point->input.s + 2 * point->input.d));
         if (!(fabs(rr / room - 1) <= 32 * library_unit(point->sweep->precision)))
-            mistake(point, REF_THETA_LEAVE, answers, "falls_off");
+            mistake(point, REF_THETA_LEAVE, answers, "detaches");
         compare_all(point, REF_THETA_C, REF_THETA_F, answers);
     } else {
         compare_all(point, REF_THETA_C, REF_THETA_LEAVE, answers);

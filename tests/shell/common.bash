@@ -6,7 +6,7 @@ bats_require_minimum_version 1.5.0
 
 # The command table of the calculator: a call of each command, and the keys of its answer in their order.
 # shellcheck disable=SC2034
-commands='thetac|theta_c theta_u theta_inf theta_f theta_leave falls_off
+commands='thetac|theta_c theta_u theta_inf theta_f theta_leave detaches
 theta1 0.1|theta theta_1 slope arm_a arm_b
 chain 0.1|i theta_i slope_i arm_a arm_b weight
 energy 0.1|theta dH J J0
@@ -59,10 +59,18 @@ session() { # WAY COMMANDS
     esac
 }
 
-json() { "$DOMINO" --keep-going -e "set output json; $1"; }
+json() {
+    "$DOMINO" --keep-going -e "set output json; $1" | bare
+    return "${PIPESTATUS[0]}"
+}
+
+# Leaves out of json what says which command answered: the key, and objects without an answer.
+bare() {
+    sed -uE '/^\{"command":"[a-z0-9]*"\}$/d; /^\{"command":[^,]*,"error":/d; s/^\{"command":"[a-z0-9]*",/{/'
+}
 
 # Print, of json answers on stdin, the keys of the first answer; and the value of a key in each answer that has it.
-keys() { head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
+keys() { bare | head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
 values() { sed -En "s/^(.*,|\{)\"$1\":(\"[^\"]*\"|[^,}]*).*/\2/p" | tr -d '"'; }
 
 # Checks before every test that there is a program that answers: without one, a test that something is not done
@@ -76,12 +84,13 @@ expects() { # WHAT EXPECTED
     [[ $2 == *[![:space:]]* ]] || { printf '%s: the expectation is empty\n' "$1" && false; }
 }
 
-# Checks that two texts are equal, and prints the difference.
+# Checks that two texts are equal, and prints the difference.  Which command wrote an object does not matter.
 same() { # WHAT EXPECTED OBTAINED
     expects "$1" "$2" || return
-    local expected=$2
+    local expected=$2 obtained=$3
     [ "$2" != '(nothing)' ] || expected=''
-    [ "$expected" = "$3" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
+    if [[ $2$3 == *'{"command":'* ]]; then expected=$(bare <<<"$expected") obtained=$(bare <<<"$3"); fi
+    [ "$expected" = "$obtained" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
 }
 
 # Checks that two answers exist and differ: so what is compared elsewhere depends on the question.

@@ -13,7 +13,7 @@ setup() {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; effect row 5; fall > fall.csv; rmax > r.JSON; verdict > v.txt; verdict > v"
         same "$output: csv" "$("$DOMINO" -e 'set output csv; effect row 5; fall')" "$(cat fall.csv)"
-        same "$output: json" "$("$DOMINO" -e 'set output json; rmax')" "$(cat r.JSON)"
+        same "$output: json" "$("$DOMINO" -e 'effect row 5; set output json; rmax')" "$(cat r.JSON)"
         for name in v.txt v; do
             same "$output: $name" "$("$DOMINO" -e "set output $output; effect row 5; verdict")" "$(cat $name)"
         done
@@ -58,7 +58,7 @@ setup() {
         wrong "draw > $name" "no format has the ending of '$name'; use .svg, .png, .pdf or .txt"
     done
     wrong 'plot growth > a.b' "no format has the ending of 'a.b'; use .svg, .png, .pdf or .txt, or .csv or .json for its data"
-    for what in help 'set s 0.3' 'apropos barrier'; do
+    for what in 'set s 0.3' reset; do
         wrong "$what > a.csv" "'a.csv' is the name of data, and '${what%% *}' answers with none"
     done
     wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "is the name of a picture, and 'placement' draws none"

@@ -10,7 +10,7 @@ load common
 bad() { # COMMAND COLUMN MESSAGE
     local script=$BATS_TEST_TMPDIR/bad.dom shown way place
     printf 'set s 0.3; set output json; show\n%s\nshow; fuel\n' "$1" >"$script"
-    shown=$(sed 2d "$script" | "$DOMINO" 2>&1)
+    shown=$(sed 2d "$script" | "$DOMINO" 2>&1 | bare)
     [ "$(wc -l <<<"$shown")" -gt 20 ] || same "$1: what is shown" 'all parameters' "$shown"
     for way in -e stdin "$script"; do
         place=$way:2:
@@ -23,7 +23,8 @@ bad() { # COMMAND COLUMN MESSAGE
         *) run -1 --separate-stderr "$DOMINO" --keep-going -f "$script" ;;
         esac
         if [ "$2" -gt 0 ]; then place=$place$2:; fi
-        same "$1 ($way): stdout" "$shown" "$output"
+        same "$1 ($way): stdout" "$shown" "$(bare <<<"$output")"
+        same "$1 ($way): an object" 1 "$(grep -c '^{"command":[^,]*,"error":".*"source":".*","line":[12],"column":.*}$' <<<"$output")"
         same "$1 ($way): lines on stderr" 1 "$(wc -l <<<"$stderr")"
         same "$1 ($way): place" "$place" "${stderr%% *}"
         expects "$1" "$3"

@@ -457,7 +457,7 @@ $prompt" "$(screen | tail -n 2)"
         see 'out of range'
         press -l thetac
         press Enter
-        see falls_off
+        see detaches
         same "$setting" '(nothing)' "$(screen -e | grep $'\033')"
         close_terminal
     done

@@ -14,11 +14,14 @@ struct column {
     int width;           /* of words, or of few digits, in a table of rows; 0 for a number */
 };
 
-enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160 };
+enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160, ANSWER_HEAD = 1024 };
 
 struct answer {
     FILE *out; /* NULL: the answer is only kept */
     struct output_style style;
+    const char *command; /* its name, for programs */
+    const char *note;    /* unless NULL and not of_row, what programs should know about the whole answer */
+    char *head; /* the last head that csv wrote into this file, ANSWER_HEAD bytes; NULL: none is kept */
     const struct column *columns;      /* ends with a NULL key */
     struct column own[ANSWER_COLUMNS]; /* room for columns that this one answer has: see answer_columns */
     bool rows;                         /* a table with a head, rather than a line a column */
@@ -50,6 +53,12 @@ struct answer {
 static inline bool answer_bounded(const struct answer *answer, int i)
 {
     return (answer->bounded >> i & 1) != 0;
+}
+
+/* Returns the note that programs get, or NULL. */
+static inline const char *answer_note(const struct answer *answer)
+{
+    return answer->of_row ? NULL : answer->note;
 }
 
 #endif

@@ -136,6 +136,11 @@ bool cell_finite(const struct output_style *style, struct cell cell)
     return !number || isfinite(rounded(style_of(style, cell), cell.number));
 }
 
+bool cell_vanishes(const struct output_style *style, struct cell cell)
+{
+    return cell.kind == CELL_REAL && cell.number != 0 && rounded(style_of(style, cell), cell.number) == 0;
+}
+
 const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT])
 {
     if (cell.kind == CELL_FLAG)

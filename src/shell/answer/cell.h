@@ -14,6 +14,7 @@ struct output_style {
     unsigned output; /* which of the formats, as the session has it; session_style finds the format */
     const struct format *format;
     enum angle angle;
+    unsigned header;  /* csv begins with the names of its columns */
     domq_real digits; /* in a table */
     enum dom_precision precision;
     int tol_digits;  /* that the session's tolerance promises */
@@ -41,6 +42,9 @@ struct cell cell_word(const char *word);
 
 /* Returns true unless the number is none, or too large, in the arithmetic in which csv and json write it. */
 bool cell_finite(const struct output_style *style, struct cell cell);
+
+/* Returns true for a number that is not 0, and is 0 in that arithmetic. */
+bool cell_vanishes(const struct output_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* enough for any cell that is not a word */
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A line of names, then a line a row, with commas between (RFC 4180). */
 #include "answer/format.h"
+#include <ctype.h>
 #include <string.h>
 
 static void cell_write(const struct answer *a, struct cell cell)
@@ -19,14 +20,34 @@ static void cell_write(const struct answer *a, struct cell cell)
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)cells;
+    char head[ANSWER_HEAD];
+    size_t n = 0;
     a->reasoned = a->reasoned || reason;
-    for (int i = 0; a->columns[i].key; i++) {
+    for (int i = 0; a->columns[i].key && n < sizeof head; i++) {
         const struct column *c = &a->columns[i];
-        fprintf(a->out, a->units && *c->unit ? "%s%s (%s)" : "%s%s", i ? "," : "", c->key, c->unit);
-        if (answer_bounded(a, i))
-            fprintf(a->out, ",%s_error", c->key);
+        n += (size_t)snprintf(head + n, sizeof head - n, a->units && *c->unit ? "%s%s (%s)" : "%s%s",
+                              i ? "," : "", c->key, c->unit);
+        if (answer_bounded(a, i) && n < sizeof head)
+            n += (size_t)snprintf(head + n, sizeof head - n, ",%s_error", c->key);
     }
-    fputs_unlocked(a->reasoned ? ",reason\n" : "\n", a->out);
+    if (n < sizeof head)
+        snprintf(head + n, sizeof head - n, "%s%s", a->reasoned ? ",reason" : "",
+                 answer_note(a) ? ",note" : "");
+    /* Rows with the columns of the rows above go on below them. */
+    bool again = a->head && strcmp(a->head, head) == 0;
+    if (a->style.header && !again)
+        fprintf(a->out, "%s\n", head);
+    if (a->head)
+        memcpy(a->head, head, sizeof head);
+}
+
+/* Numbers and empty cells begin with no letter. */
+static bool csv_is_head(const char *line)
+{
+    for (const char *cell = line; *cell; cell += strcspn(cell, ","), cell += *cell == ',')
+        if (!isalpha((unsigned char)*cell))
+            return false;
+    return *line;
 }
 
 static void csv_row(struct answer *a, const struct cell *cells, const char *reason)
@@ -44,6 +65,10 @@ static void csv_row(struct answer *a, const struct cell *cells, const char *reas
         cell_write(a, cell_word(reason));
     } else if (reason && !*a->unsaid)
         snprintf(a->unsaid, sizeof a->unsaid, "%s", reason);
+    if (answer_note(a)) {
+        putc_unlocked(',', a->out);
+        cell_write(a, cell_word(answer_note(a)));
+    }
     putc_unlocked('\n', a->out);
 }
 
@@ -52,4 +77,4 @@ static const char *csv_end(struct answer *a)
     return *a->unsaid ? a->unsaid : NULL;
 }
 
-const struct format format_csv = {.begin = csv_begin, .row = csv_row, .end = csv_end};
+const struct format format_csv = {.begin = csv_begin, .row = csv_row, .is_head = csv_is_head, .end = csv_end};

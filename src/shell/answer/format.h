@@ -9,6 +9,14 @@
 #include "answer/answer.h"
 #include <stdarg.h>
 
+/* What went wrong, and where, for programs that read answers. */
+struct failure {
+    const char *command; /* the one that ran; NULL where there was none */
+    const char *text, *source;
+    long line;
+    int column; /* from 1; 0: the whole line */
+};
+
 struct format {
     bool for_people; /* sentences, headings and units stand around the rows; else programs read them */
     bool escapes;    /* the format has its own way to write control characters, which a program reads back */
@@ -18,6 +26,12 @@ struct format {
     void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
     /* Writes a sentence; NULL: the format has no place for one. */
     void (*note)(struct answer *answer, const char *format, va_list arguments);
+    /* Writes that a command without an answer is done; NULL: nothing. */
+    void (*done)(FILE *out, const char *command);
+    /* Writes an error, beside that on standard error; NULL: nothing. */
+    void (*failed)(FILE *out, const struct failure *failure);
+    /* Returns true if a line of a file names columns; NULL: no line does. */
+    bool (*is_head)(const char *line);
     /* Writes the end, after the last row. Returns the text for which the format has no place, or NULL. */
     const char *(*end)(struct answer *answer);
 };

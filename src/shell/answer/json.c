@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An object a row, on a line of its own. */
+/* An object a row, on a line of its own; an object for each command, also for errors and where there is no
+ * row. */
 #include "answer/format.h"
 #include "io/escape.h"
 
@@ -15,8 +16,9 @@ static void cell_write(const struct answer *a, struct cell cell)
 static void json_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     char text[CELL_TEXT];
+    fprintf(a->out, "{\"command\":\"%s\"", a->command);
     for (int i = 0; a->columns[i].key; i++) {
-        fprintf(a->out, "%c\"%s\":", i ? ',' : '{', a->columns[i].key);
+        fprintf(a->out, ",\"%s\":", a->columns[i].key);
         cell_write(a, cells[i]);
         if (answer_bounded(a, i))
             fprintf(a->out, ",\"%s_error\":%s", a->columns[i].key,
@@ -26,7 +28,28 @@ static void json_row(struct answer *a, const struct cell *cells, const char *rea
         fputs_unlocked(",\"reason\":", a->out);
         cell_write(a, cell_word(*reason ? reason : NULL));
     }
+    if (answer_note(a)) {
+        fputs_unlocked(",\"note\":", a->out);
+        cell_write(a, cell_word(answer_note(a)));
+    }
     fputs_unlocked("}\n", a->out);
 }
 
-const struct format format_json = {.escapes = true, .row = json_row};
+static void json_done(FILE *out, const char *command)
+{
+    fprintf(out, "{\"command\":\"%s\"}\n", command);
+}
+
+static void json_failed(FILE *out, const struct failure *f)
+{
+    fprintf(out, f->command ? "{\"command\":\"%s\"" : "{\"command\":null", f->command);
+    fputs(",\"error\":", out);
+    escape_json(out, f->text);
+    fputs(",\"source\":", out);
+    escape_json(out, f->source);
+    fprintf(out, f->column ? ",\"line\":%ld,\"column\":%d}\n" : ",\"line\":%ld,\"column\":null}\n", f->line,
+            f->column);
+}
+
+const struct format format_json = {
+    .escapes = true, .row = json_row, .done = json_done, .failed = json_failed};

@@ -26,7 +26,7 @@ static const struct column thetac_columns[] = {
     {"theta_inf", "rad", "far followers rest: cos theta_inf = d/(s+d) (40; A16)", 0},
     {"theta_f", "rad", "last angle that a follower reaches: (42; A18), or theta_inf", 0},
     {"theta_leave", "rad", "a follower detaches when its leader is here", 0},
-    {"falls_off", "", "yes if followers are too short to lean to the end (41; A17)", 9},
+    {"detaches", "", "yes if followers are too short to lean to the end (41; A17)", 9},
     {NULL, NULL, NULL, 0},
 };
 

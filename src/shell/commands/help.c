@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, all of it from the tables of commands and parameters. */
 #include "answer/format.h"
+#include "commands/help_rows.h"
 #include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -234,8 +235,25 @@ static void help_command(struct session *session, const struct command *c)
     }
 }
 
+/* Answers with a row for the topic, or for each one. */
+static void help_rows(struct answer *a, const char *topic)
+{
+    help_rows_begin(a);
+    for (const struct command_group *g = command_groups(); g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (!topic || strcmp(c->name, topic) == 0)
+                help_row_command(a, c);
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (!topic || strcmp(p->name, topic) == 0)
+            help_row_parameter(a, p);
+}
+
 static bool run_help(struct session *session, const struct call *call)
 {
+    if (!answer_for_people(call->answer)) {
+        help_rows(call->answer, call->count ? topic_names(NULL, (int)call->number[0]) : NULL);
+        return true;
+    }
     if (call->count == 0) {
         help_list(session->out);
         return true;
@@ -284,20 +302,28 @@ static enum mention parameter_mentions(const struct parameter *p, const char *wo
 }
 
 /* Lists the commands, parameters and effects that mention the word so; returns how many there are. */
-static int apropos_list(FILE *out, const char *word, enum mention how)
+static int apropos_list(struct session *session, struct answer *a, const char *word, enum mention how)
 {
+    FILE *out = session->out;
+    bool people = answer_for_people(a);
     char typed[USAGE_SIZE];
     int found = 0, column = summary_column();
     for (const struct command_group *g = command_groups(); g->title; g++)
         for (const struct command *c = g->commands; c->name; c++)
             if (command_mentions(c, word) == how) {
-                help_entry(out, command_usage(c, typed), column, c->summary);
+                if (people)
+                    help_entry(out, command_usage(c, typed), column, c->summary);
+                else
+                    help_row_command(a, c);
                 found++;
             }
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (parameter_mentions(p, word) == how) {
             snprintf(typed, sizeof typed, "%s %s", p->effect ? "effect" : "set", p->name);
-            help_entry(out, typed, column, parameter_meaning(p));
+            if (people)
+                help_entry(out, typed, column, parameter_meaning(p));
+            else
+                help_row_parameter(a, p);
             found++;
         }
     return found;
@@ -307,22 +333,34 @@ static bool run_apropos(struct session *session, const struct call *call)
 {
     const char *word = call->word[0];
     char shown[NAMES_SHOWN];
-    int found = apropos_list(session->out, word, MENTION_TOPIC);
-    found += apropos_list(session->out, word, MENTION_DETAIL);
+    if (!answer_for_people(call->answer))
+        help_rows_begin(call->answer);
+    int found = apropos_list(session, call->answer, word, MENTION_TOPIC);
+    found += apropos_list(session, call->answer, word, MENTION_DETAIL);
     return found > 0 || session_error(session,
                                       "nothing is about '%s'; try another word, such as 'picture' or 'gap', "
                                       "or 'help', which lists all commands",
                                       names_shown(word, shown));
 }
 
-static void print_candidate(const char *candidate, void *out)
+static const struct column complete_columns[] = {
+    {"line", "", "a way to go on", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static void print_candidate(const char *candidate, void *answer)
 {
-    fprintf(out, "%s\n", candidate);
+    struct answer *a = answer;
+    if (answer_for_people(a))
+        fprintf(a->out, "%s\n", candidate);
+    else
+        answer_cells(a, cell_word(candidate));
 }
 
 static bool run_complete(struct session *session, const struct call *call)
 {
-    complete_line(session, call->count ? call->word[0] : "", !session->safe, print_candidate, session->out);
+    answer_columns(call->answer, complete_columns);
+    complete_line(session, call->count ? call->word[0] : "", !session->safe, print_candidate, call->answer);
     return true;
 }
 

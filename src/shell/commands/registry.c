@@ -15,6 +15,7 @@ const struct command_group all_commands[] = {
     {"Rows with random errors", study_commands},
     {"What accuracy costs", cost_commands},
     {"The session", session_commands},
+    {"Scripts and records", script_commands},
     {"Help", help_commands},
     {NULL, NULL},
 };

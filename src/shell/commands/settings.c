@@ -2,12 +2,9 @@
 /* Commands about the session itself. */
 #include "answer/format.h"
 #include "commands/tables.h"
-#include "interpreter/line.h"
-#include "io/io.h"
 #include "io/redirect.h"
 #include "language/quad.h"
 #include "session/undo.h"
-#include <errno.h>
 #include <string.h>
 
 /* Reports the values that 'on' chose, since they were not typed; with csv and json on standard error. */
@@ -104,26 +101,6 @@ static bool run_save(struct session *session, const struct call *call)
     session->listed.saved = session->listed.saved || !wrong;
     return !wrong ||
            session_error(session, "cannot write '%s': %s", names_shown(call->word[0], shown), wrong);
-}
-
-static bool run_source(struct session *session, const struct call *call)
-{
-    char shown[NAMES_SHOWN];
-    const char *name = call->word[0];
-    if (session->depth == SOURCE_DEPTH)
-        return session_error(session, "files are nested %d deep; check whether one of them sources itself",
-                             SOURCE_DEPTH);
-    FILE *in = io_read(name, session->compute.interrupt);
-    if (!in && errno == ECANCELED)
-        return session_status(session, DOM_INTERRUPTED);
-    if (!in)
-        return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
-    long errors = session->errors;
-    session->depth++;
-    line_stream(session, in, name);
-    session->depth--;
-    fclose(in);
-    return session->errors == errors;
 }
 
 static bool run_quit(struct session *session, const struct call *call)
@@ -236,15 +213,6 @@ const struct command session_commands[] = {
      .see = "source",
      .files = true,
      .run = run_save},
-    {.name = "source",
-     .synonyms = "script load open read batch import file",
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "run the commands in FILE",
-     .see = "save",
-     .files = true,
-     .runs = true,
-     .changes = true,
-     .run = run_source},
     {.name = "exit",
      .synonyms = "leave end close bye stop",
      .summary = "the same as quit",

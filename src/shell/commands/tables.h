@@ -10,7 +10,7 @@ extern const struct command_group all_commands[];
 
 extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
     session_commands[], help_commands[], draw_commands[], plot_commands[], effect_commands[], row_commands[],
-    study_commands[], sweep_commands[], design_commands[], prove_commands[];
+    study_commands[], sweep_commands[], design_commands[], prove_commands[], script_commands[];
 
 /* The last members of a row: columns and function of a command that answers. */
 #define ANSWER(name_) .columns = name_##_columns, .run = run_##name_

@@ -119,10 +119,16 @@ bool run_print(struct session *session, const struct call *call)
     int digits = (int)call->answer->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
         digits = 15; /* a whole number is shown whole */
+    struct cell cell = cell_unbounded(q.value);
     if (answer_for_people(call->answer))
         answer_say(call->answer, "%s%s%s", quad_text(q.value, digits, number), *unit ? " " : "", unit);
-    else
-        answer_cells(call->answer, cell_unbounded(q.value), cell_word(unit));
+    else if (cell_vanishes(&call->answer->style, cell)) {
+        char reason[ANSWER_REASON];
+        snprintf(reason, sizeof reason, "the value is nearer to 0 than %s precision can hold",
+                 domq_arithmetic(session->compute.precision)->name);
+        answer_row(call->answer, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
+    } else
+        answer_cells(call->answer, cell, cell_word(unit));
     return true;
 }
 

@@ -67,15 +67,19 @@ char *read_word(struct reader *r, bool quotes)
     return pass_word(r, quotes, &word) ? copy_word(word.begin, word.end, word.quoted) : NULL;
 }
 
-/* A file name keeps its bytes: Greek letters in it are not replaced, as they are in commands. */
-char *read_file(struct reader *r)
+char *read_text(struct reader *r)
 {
     struct place word;
     if (!pass_word(r, true, &word))
         return NULL;
     const struct text *t = r->text;
-    char *name = copy_word(t->typed + t->from[word.begin - t->line], t->typed + t->from[word.end - t->line],
-                           word.quoted);
+    return copy_word(t->typed + t->from[word.begin - t->line], t->typed + t->from[word.end - t->line],
+                     word.quoted);
+}
+
+char *read_file(struct reader *r)
+{
+    char *name = read_text(r);
     if (!name || *name != '~')
         return name;
     char *path = tilde_expand_word(name);

@@ -27,7 +27,10 @@ bool command_ends(const char *c);
 char *read_word(struct reader *reader, bool quotes);
 extern const char unclosed[];
 
-/* Reads a file name; '~' is the home folder. */
+/* Reads a word that keeps its bytes: Greek letters in it are not replaced, as they are in commands. */
+char *read_text(struct reader *reader);
+
+/* Reads such a word as a file name; '~' is the home folder. */
 char *read_file(struct reader *reader);
 
 /* Reads the i-th value of a parameter: one of its words, or an expression. name: the source for messages. */

@@ -2,6 +2,7 @@
 /* Runs lines: the commands in them, with their answers in the files after '>'. */
 #include "answer/format.h"
 #include "interpreter/forms.h"
+#include "io/io.h"
 #include "io/pager.h"
 #include "io/redirect.h"
 #include "io/terminal.h"
@@ -12,6 +13,9 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+
+#define TRAIN_NOTE "the endless train at these parameters, not the row: 'fall' runs that."
 
 /*
  * Reports to a person that the answer is not about the row: below the answer, or on standard error if a
@@ -19,8 +23,7 @@
  */
 static void say_train(const struct session *session, struct answer *answer)
 {
-    static const char note[] =
-        "(This is the endless train at these parameters, not the row: 'fall' runs that.)";
+    static const char note[] = "(This is " TRAIN_NOTE ")";
     if (!answer_for_people(answer))
         return;
     if (session->redirected && ending_of(session->redirected)->kind == ENDING_PICTURE)
@@ -36,6 +39,9 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     struct answer answer = {
         .out = session->out,
         .style = session_style(session),
+        .command = c->name,
+        .note = c->train && session->effect[DOM_EFFECT_row].on ? TRAIN_NOTE : NULL,
+        .head = session->head,
         .columns = c->columns,
         .rows = c->rows,
         .gap = session->answered && session->source,
@@ -60,6 +66,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     if (unsaid)
         session_note(session, "%s", unsaid);
     session->answered = session->answered || (done && c->columns);
+    session->wrote = answer.begun;
     session->write_error = answer.lost ? answer.lost : session->write_error;
     if (done && c->principal) {
         session->ans.printed = false;
@@ -108,7 +115,7 @@ static bool ending_fits(struct session *session, const struct command *c, const 
                              "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
                              names_shown(path, shown), c->name);
     case ENDING_DATA:
-        return c->columns || c->runs ||
+        return c->columns || c->runs || c->pages ||
                session_error(session,
                              "'%s' is the name of data, and '%s' answers with none; '%s > FILE.txt' "
                              "writes what it says",
@@ -124,6 +131,24 @@ static bool ending_fits(struct session *session, const struct command *c, const 
         break;
     }
     return true;
+}
+
+/* Finds the last head in a file, which the answer is appended to. */
+static void head_find(const struct session *session, const char *path, char head[ANSWER_HEAD])
+{
+    struct stat status;
+    const struct format *format = session_style(session).format;
+    bool file = format->is_head && stat(path, &status) == 0 && S_ISREG(status.st_mode);
+    FILE *in = file ? io_read(path, session->compute.interrupt) : NULL;
+    char *line = NULL;
+    size_t size = 0;
+    *head = '\0';
+    while (in && text_read(&line, &size, in) != -1)
+        if (format->is_head(line))
+            snprintf(head, ANSWER_HEAD, "%s", line);
+    free(line);
+    if (in)
+        fclose(in);
 }
 
 /* Runs a command whose answer goes to the file after '>' or '>>', in the format of the file's ending. */
@@ -157,6 +182,8 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         const char *redirected = session->redirected;
         const struct ending *ending = ending_of(path);
         bool answered = session->answered;
+        char head[ANSWER_HEAD];
+        memcpy(head, session->head, sizeof head);
         int write_error = session->write_error; /* of standard output */
         session->write_error = 0;
         session->out = redirect.file;
@@ -166,11 +193,15 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         session->format = ending->kind == ENDING_PICTURE
                               ? &format_table /* for people, also with 'set output csv' */
                               : ending->format;
+        *session->head = '\0';
+        if (append)
+            head_find(session, path, session->head);
         done = run_call(session, c, call);
         session->out = out;
         session->redirected = redirected;
         session->format = format;
         session->answered = answered;
+        memcpy(session->head, head, sizeof head);
         wrong = redirect_close(&redirect, done);
         if (wrong && session->write_error)
             wrong = strerror(session->write_error);
@@ -192,19 +223,39 @@ static void run_command(struct reader *r)
     if (!c && session->errors == errors)
         c = read_command(r);
     if (c) {
+        /* A program that waits for an answer gets one also where there is none to give. */
+        const struct format *format = session_style(session).format;
         session->command = c->name;
         struct call call = {.count = 0};
         /* A file that is sourced is one change. */
         bool changes = c->changes && session->depth == 0;
         struct session *before = changes ? undo_begin(session) : NULL;
-        if (command_allowed(session, c) && read_arguments(r, c, &call))
-            (void)(*r->at == '>' ? run_redirected(r, c, &call) : run_paged(session, c, &call));
+        bool file = false, done = command_allowed(session, c) && read_arguments(r, c, &call);
+        if (done) {
+            file = *r->at == '>';
+            done = file ? run_redirected(r, c, &call) : run_paged(session, c, &call);
+        }
+        bool same = session_style(session).format == format; /* 'set output' itself answers nothing */
+        if (done && same && format->done && (file || c->runs || !session->wrote))
+            format->done(session->out, c->name);
         call_free(&call);
         if (changes)
             undo_keep(session, before, begin, (size_t)(text_end(begin, ";") - begin));
     }
     session->command = NULL;
     session->column = 0;
+}
+
+/* Writes what is pending of the records, so that a crash loses nothing of them. */
+static void records_flush(struct session *session)
+{
+    struct recording *r = &session->recording;
+    fflush(session->standard);
+    const char *wrong = record_flush(&r->log), *wrong_tee = record_flush(&r->tee);
+    session->column = 0;
+    if (wrong || wrong_tee)
+        session_error(session, "the record ends here, since its file cannot be written: %s",
+                      wrong ? wrong : wrong_tee);
 }
 
 static void run_line(struct session *session, const char *line, size_t length)
@@ -220,6 +271,9 @@ static void run_line(struct session *session, const char *line, size_t length)
         return;
     }
     struct reader r = {.session = session, .text = &text, .at = text.line};
+    /* What a file commands is in that file. */
+    if (session->recording.log.file && session->depth == 0)
+        fprintf(session->recording.log.file, "%.*s\n", (int)length, line);
     session->typed = line;
     session->typed_length = (int)(length < INT_MAX ? length : INT_MAX);
     session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
@@ -237,6 +291,8 @@ static void run_line(struct session *session, const char *line, size_t length)
             break;
         r.at = end + 1;
     }
+    if (session->recording.stream)
+        records_flush(session);
     session->typed = NULL;
     text_free(&text);
 }

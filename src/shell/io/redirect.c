@@ -11,6 +11,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+/* The files that are being written and appear when they are complete, the latest first. */
+static struct redirect *opened;
+
+/* Returns true if an answer that is being written will take the place of this one. */
+static bool is_open(const char *path)
+{
+    for (const struct redirect *r = opened; r; r = r->below)
+        if (strcmp(r->path, path) == 0)
+            return true;
+    return false;
+}
+
 /* ---- A draft does not survive the program ---- */
 
 /* The drafts that there are, the latest first; changed only while all signals are blocked. */
@@ -165,6 +177,10 @@ const char *redirect_open(struct redirect *r, const char *path, bool append,
         exists && fstat(STDOUT_FILENO, &out) == 0 && out.st_dev == now.st_dev && out.st_ino == now.st_ino;
     if (!r->path || (exists && access(path, W_OK) != 0))
         goto failed;
+    if (is_open(r->path)) {
+        free(r->path);
+        return "the answer of a command around this one goes there; choose another file";
+    }
     if (ours) {
         fflush(stdout);
         r->file = fdopen(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0), "a");
@@ -178,6 +194,10 @@ const char *redirect_open(struct redirect *r, const char *path, bool append,
         r->copy = !r->file && (exists || append);
         if (r->copy)
             r->file = draft_apart(r->path, exists);
+    }
+    if (r->file && (r->draft || r->copy)) {
+        r->below = opened;
+        opened = r;
     }
     if (r->file)
         return NULL;
@@ -252,6 +272,8 @@ static bool redirect_copy(const struct redirect *r)
 
 const char *redirect_close(struct redirect *r, bool keep)
 {
+    if (opened == r)
+        opened = r->below;
     errno = 0;
     bool whole = !ferror(r->file) && fflush(r->file) == 0;
     if (!whole && dom_raised(r->interrupt))

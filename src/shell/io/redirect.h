@@ -13,6 +13,7 @@ struct redirect {
     bool copy, append;  /* copy: file is a draft without a name, to be copied into path */
     const volatile sig_atomic_t *interrupt;
     struct redirect *outer; /* has a draft, too, and was opened before */
+    struct redirect *below; /* was opened before, and appears when it is complete */
 };
 
 /* Opens a file to write; an interrupt ends its waits, see io.h.  NULL, or why the file cannot be written:

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors and notes of a session: where, what is wrong, what would be right. */
+#include "answer/format.h"
 #include "io/escape.h"
 #include "io/pager.h"
 #include "io/terminal.h"
@@ -53,6 +54,17 @@ static void session_keep(const struct session *session, bool no_answer, const ch
     vsnprintf(h->text, sizeof h->text, format, arguments);
 }
 
+/* Writes an error for the program that reads the answers, if their format has a place for one. */
+static void session_tell(const struct session *session, const char *text)
+{
+    const struct format *format = session_format(session);
+    const struct failure failure = {session->command, text, session->source, session->line, session->column};
+    if (!format->failed || !session->source)
+        return;
+    format->failed(session->standard, &failure);
+    fflush(session->standard);
+}
+
 static void session_write(struct session *session, enum message what, const char *format, va_list arguments)
 {
     char line[1024], text[4 * sizeof line], shown[NAMES_SHOWN];
@@ -71,7 +83,11 @@ static void session_write(struct session *session, enum message what, const char
     if (session->command)
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", session->command);
     vsnprintf(line + n, sizeof line - (size_t)n, format, arguments);
+    if (what != MESSAGE_NOTE)
+        session_tell(session, line + n);
     escape_text(line, text, sizeof text);
+    if (session->recording.log.file)
+        fprintf(session->recording.log.file, "# %s\n", text);
     FILE *out = pager_messages();
     bool colour = terminal_colour(stderr) && !session->source;
     fputs(!colour ? "" : what == MESSAGE_NOTE ? "\033[33m" : "\033[31m", out);

@@ -105,11 +105,9 @@ static void precision_put(struct session *session, domq_real precision)
 #define MORE_g .synonyms = "weight moon planet",
 
 /* Formats by number, in the order of their list. */
-#define FORMAT_NUMBER(name)  FORMAT_##name,
-#define FORMAT_WORD(name)    {#name, FORMAT_##name},
-#define FORMAT_POINTER(name) &format_##name,
+#define FORMAT_NUMBER(name) FORMAT_##name,
+#define FORMAT_WORD(name)   {#name, FORMAT_##name},
 enum { FORMATS(FORMAT_NUMBER) };
-static const struct format *const formats[] = {FORMATS(FORMAT_POINTER)};
 
 /* Rows whose commas are a macro's are not rows to clang-format. */
 /* clang-format off */
@@ -161,6 +159,9 @@ const struct parameter session_parameters[] = {
     {ROW("output", style.output, "", "how answers are written", .usual = 0),
      .synonyms = "format csv json spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
+    {ROW("header", style.header, "", "whether csv begins with the names of its columns", .usual = 1),
+     .synonyms = "csv columns names first line",
+     .words = SWITCH, .words_only = true, .setting = true},
     {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
          .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
      .synonyms = "accuracy decimals", .setting = true},
@@ -369,7 +370,7 @@ struct output_style session_style(const struct session *session)
 {
     struct output_style style = session->style;
     int bits = domq_arithmetic(session->compute.precision)->bits;
-    style.format = session->format ? session->format : formats[style.output];
+    style.format = session->format ? session->format : session_format(session);
     style.precision = session->compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
     style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);

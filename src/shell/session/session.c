@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/session.h"
+#include "answer/format.h"
+#include "io/terminal.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,8 +10,10 @@ void session_init(struct session *session, FILE *out)
     *session = (struct session){.train = domq_train_default(),
                                 .compute = domq_compute_default(),
                                 .scale = domq_scale_default(),
-                                .out = out};
+                                .out = out,
+                                .standard = out};
     session->style.digits = DIGITS_DEFAULT;
+    session->style.header = true;
     session->seed = SEED_DEFAULT;
     session->hints = 1;
 }
@@ -45,6 +49,14 @@ bool listed_share(struct listed_row *to, struct listed_row *from)
     return true;
 }
 
+const struct format *session_format(const struct session *session)
+{
+#define FORMAT_POINTER(name) &format_##name,
+    static const struct format *const formats[] = {FORMATS(FORMAT_POINTER)};
+#undef FORMAT_POINTER
+    return formats[session->style.output];
+}
+
 void effects_apply(struct session *session)
 {
 #define APPLY(name, member, status)                                                                          \
@@ -62,8 +74,22 @@ void effects_reset(struct session *session)
     effects_apply(session);
 }
 
+void recording_end(struct session *session)
+{
+    struct recording *r = &session->recording;
+    if (r->stream) {
+        terminal_lend(NULL, NULL);
+        fclose(r->stream);
+        session->out = session->standard = r->alone;
+        r->stream = NULL;
+    }
+    record_close(&r->log);
+    record_close(&r->tee);
+}
+
 void session_close(struct session *session)
 {
+    recording_end(session);
     effects_reset(session);
     variables_free(&session->variables);
     if (session->undo)

@@ -8,6 +8,7 @@
 
 #include "answer/output.h"
 #include "domino_quad.h"
+#include "io/record.h"
 #include "language/variables.h"
 #include "session/engine_effects.h"
 
@@ -63,6 +64,13 @@ struct walk {
     enum dom_status verdict; /* DOM_OK, or DOM_STOPS */
 };
 
+/* What 'log' and 'tee' have begun. */
+struct recording {
+    struct record log, tee;
+    FILE *stream; /* writes to standard output and to the records; NULL: there are none */
+    FILE *alone;  /* standard output while there are */
+};
+
 struct session {
     struct domq_train train;
     struct domq_compute compute; /* without bounds of errors: see session_compute */
@@ -79,8 +87,10 @@ struct session {
     void (*undo_free)(struct undo *undo);
     const struct scope *scope; /* the function that is being evaluated; NULL: none */
     struct walk walk;
-    FILE *out;          /* where answers go: standard output, or the file after '>' */
-    const char *source; /* name of the script for messages; NULL at the prompt */
+    FILE *out;              /* where answers go: standard output, or the file after '>' */
+    FILE *standard;         /* standard output, also while answers go to a file */
+    char head[ANSWER_HEAD]; /* the last head that csv wrote into `out`; "" for none */
+    const char *source;     /* name of the script for messages; NULL at the prompt */
     long line;
     int column;        /* of what a message is about, from 1; 0 for none */
     int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
@@ -93,11 +103,13 @@ struct session {
     const char *command;         /* the one that runs, for messages */
     struct captured_error
         *captured_error; /* unless NULL, takes the first message: this session is a point of a sweep */
-    struct shard shard;  /* parts is 0 where the whole is asked for */
-    bool bail;           /* the first error ends the session */
-    bool safe;           /* commands may not touch files */
+    struct recording recording;
+    struct shard shard; /* parts is 0 where the whole is asked for */
+    bool bail;          /* the first error ends the session */
+    bool safe;          /* commands may not touch files */
     bool quit;
     bool answered; /* something was answered before */
+    bool wrote;    /* the last command wrote rows */
     int depth;     /* of nested source commands */
     long errors;
     int write_error; /* errno of the first answer that could not be written; 0 for none */
@@ -108,6 +120,12 @@ struct session {
         struct quantity value;
     } ans;
 };
+
+/* Returns the format that 'set output' has chosen. */
+const struct format *session_format(const struct session *session);
+
+/* Closes the records, so that answers go to standard output alone. */
+void recording_end(struct session *session);
 
 enum { SEED_DEFAULT = 1, DIGITS_DEFAULT = 6 };
 

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Commands for scripts and their records: source, echo, log, tee. */
+#include "commands/tables.h"
+#include "interpreter/arguments.h"
+#include "interpreter/line.h"
+#include "io/escape.h"
+#include "io/io.h"
+#include "io/record.h"
+#include "io/terminal.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool run_source(struct session *session, const struct call *call)
+{
+    char shown[NAMES_SHOWN];
+    const char *name = call->word[0];
+    bool standard = strcmp(name, "-") == 0;
+    if (session->depth == SOURCE_DEPTH)
+        return session_error(session, "files are nested %d deep; check whether one of them sources itself",
+                             SOURCE_DEPTH);
+    FILE *in = standard ? io_stdin(session->compute.interrupt) : io_read(name, session->compute.interrupt);
+    if (!in && errno == ECANCELED)
+        return session_status(session, DOM_INTERRUPTED);
+    if (!in)
+        return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
+    long errors = session->errors;
+    session->depth++;
+    line_stream(session, in, standard ? "stdin" : name);
+    session->depth--;
+    if (!standard)
+        fclose(in);
+    return session->errors == errors;
+}
+
+/* ---- Text ---- */
+
+/* Reads the rest of the command as one text; between quotes it may have ';', '>' and '#'. */
+static bool echo_read(struct reader *r, struct call *call)
+{
+    const char *begin = r->at, *end = text_end(begin, ";>");
+    const char *quote = *begin == '"' ? text_quote(begin) : NULL;
+    if (*begin == '"' && !quote)
+        return session_error(r->session, "%s", unclosed);
+    if (quote && skip_blanks(quote) >= end) {
+        call->word[call->count] = read_text(r);
+    } else {
+        while (end > begin && strchr(" \t\r\f\v", end[-1]))
+            end--;
+        const struct text *t = r->text;
+        int from = t->from[begin - t->line];
+        call->word[call->count] = strndup(t->typed + from, (size_t)(t->from[end - t->line] - from));
+        r->at = end;
+    }
+    return call->word[call->count] || session_status(r->session, DOM_NO_MEMORY);
+}
+
+static const struct column echo_columns[] = {
+    {"text", "", "the text", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_echo(struct session *session, const struct call *call)
+{
+    const char *text = call->count ? call->word[0] : "";
+    if (!answer_for_people(call->answer))
+        return answer_cells(call->answer, cell_word(text));
+    char *shown = escape_copy(text);
+    if (!shown)
+        return session_status(session, DOM_NO_MEMORY);
+    fprintf(session->out, "%s\n", shown);
+    free(shown);
+    return true;
+}
+
+/* ---- Records ---- */
+
+/* Makes answers go to the records, too, or to standard output alone where none is open. */
+static bool records_join(struct session *session)
+{
+    struct recording *r = &session->recording;
+    bool open = r->log.file || r->tee.file;
+    if (open && !r->stream) {
+        FILE *stream = record_stream(session->standard, &r->log, &r->tee);
+        if (!stream)
+            return session_status(session, DOM_NO_MEMORY);
+        r->stream = stream;
+        r->alone = session->standard;
+        session->out = session->standard = stream;
+        terminal_lend(stream, r->alone);
+    } else if (!open)
+        recording_end(session);
+    return true;
+}
+
+static bool record_begin(struct session *session, struct record *record, const char *path, bool log)
+{
+    char shown[NAMES_SHOWN];
+    if (session->redirected)
+        return session_error(session, "answers go to '%s' here; begin a record before",
+                             names_shown(session->redirected, shown));
+    fflush(session->out);
+    if (strcmp(path, "off") == 0) {
+        record_close(record);
+        return records_join(session);
+    }
+    struct record next = {.file = NULL};
+    const char *wrong = record_open(&next, path, log, session->compute.interrupt);
+    if (wrong)
+        return session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    record_close(record);
+    *record = next;
+    record->comments = log;
+    if (log)
+        fputs("# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n", record->file);
+    return records_join(session);
+}
+
+static bool run_log(struct session *session, const struct call *call)
+{
+    return record_begin(session, &session->recording.log, call->word[0], true);
+}
+
+static bool run_tee(struct session *session, const struct call *call)
+{
+    return record_begin(session, &session->recording.tee, call->word[0], false);
+}
+
+const struct command script_commands[] = {
+    {.name = "source",
+     .synonyms = "script load open read batch import file",
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "run the commands in FILE; '-' is standard input",
+     .see = "save",
+     .files = true,
+     .runs = true,
+     .changes = true,
+     .run = run_source},
+    {.name = "echo",
+     .synonyms = "write text say message",
+     .argument = {{.name = "TEXT", .kind = ARGUMENT_WORDS, .read = echo_read, .optional = true}},
+     .summary = "write TEXT, as a heading or to mark the end of an answer",
+     .help = "Put TEXT between double quotes if it has ';', '>' or ' #'.",
+     .example = "echo hollow dominoes; set q hollow; print rmax",
+     .see = "print",
+     .unswept = "it computes nothing",
+     ANSWER(echo)},
+    {.name = "log",
+     .synonyms = "record transcript protocol journal file",
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "append all commands and answers to FILE; 'log off' ends that",
+     .help = "Answers and errors are comments there, so that 'source FILE' runs the commands again. A file "
+             "named off is './off'.",
+     .see = "tee save",
+     .files = true,
+     .run = run_log},
+    {.name = "tee",
+     .synonyms = "record copy output file",
+     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "write all answers into FILE, too; 'tee off' ends that",
+     .help = "FILE begins anew. With 'set output csv' or json the file has the data of all answers. "
+             "'COMMAND > FILE' writes one answer, and into FILE alone.",
+     .see = "log",
+     .files = true,
+     .run = run_tee},
+    {.name = NULL},
+};
