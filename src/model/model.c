@@ -239,10 +239,28 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
+/* Returns r_max in double, near which a finer kernel finds the rest of its digits; 0 where it does not end at
+ * the barrier. */
+static dom_real limit_near(const struct question *q)
+{
+    struct request coarse = q->request;
+    struct dom_limit limit;
+    if (q->status != DOM_OK || q->kernel != &kernel_quad ||
+        dynamics_first(coarse.effect) < DOM_DYNAMICS_COUNT)
+        return 0;
+    coarse.precision = DOM_DOUBLE;
+    coarse.errors = false;
+    coarse.tol = dom_arithmetic(DOM_DOUBLE)->tol_floor;
+    bool found = kernel_double.limit_rmax(&coarse, &limit) == DOM_OK && limit.ends == DOM_END_BARRIER &&
+                 limit.r_max > 1;
+    return found ? limit.r_max : 0;
+}
+
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
     struct question q = question_of_limit(train, compute);
+    q.request.near = limit_near(&q);
     return FIND(q, limit_rmax, limit->error, limit);
 }
 

@@ -17,6 +17,7 @@ struct request {
     enum dom_precision precision;
     enum dom_method method;
     bool errors;
+    dom_real near; /* r_max to the digits of a coarser kernel, which found it; 0: unknown */
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };

@@ -124,7 +124,14 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
     struct margin_context c = margin_of_train(train);
     struct limit found;
     limit_begin(&c);
-    enum dom_status status = limit_find(&c, &found);
+    enum dom_status status = c.status;
+    bool known = false;
+    if (status == DOM_OK && train->near > 0) { /* that this root is the first one is known, too */
+        found = (struct limit){.ends = DOM_END_BARRIER};
+        status = root_near(&c, (real)train->near, &found.r_max, &known);
+    }
+    if (!known && status == DOM_OK)
+        status = limit_find(&c, &found);
     return status == DOM_OK ? limit_public(&c, &found, limit) : status;
 }
 

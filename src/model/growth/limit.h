@@ -17,6 +17,34 @@ struct edge {
     struct margin margin;
 };
 
+/* What is known of the margin between two samples, the first of which is not negative. */
+enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL /* decreasing through 0 at most once */ };
+
+/* Finds the bounds between two growths. */
+KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);
+
+/* Finds what is known between lo and hi. hi->margin is computed unless its kinetic energy is known. */
+KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
+                                  enum known *known);
+
+/* Returns -d ln K / d ln r, roughly. */
+KERNEL real margin_falls(const struct margin_context *c, real r);
+
+/* Finds a root of the margin between lo and hi, where it has different signs, by following one top of the
+ * barrier. */
+KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
+                                    real *r);
+
+/* Finds the root next to `near`, which is a root to half of the digits of this arithmetic. *found is false if
+ * it is not there. */
+KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
+
+/*
+ * Finds a root from a guess, for an endless train without friction, and proves that it is the first after
+ * *from. If *found is false, the margin is positive up to *from, which has moved up.
+ */
+KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
+
 /* Finds the root of the margin between lo and hi, where it has different signs. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r);

@@ -159,18 +159,25 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
 
 #define ROUGH ((real)1e-3)
 
-KERNEL struct margin margin_sign(struct margin_context *c, real r)
+/* Finds the sign of the margin; how: MARGIN_SIGN or MARGIN_TOPS, without friction. */
+static struct margin margin_as(struct margin_context *c, real r, int how)
 {
     struct margin m = {.kinetic = REAL_NAN};
-    real tol = fmax(ROUGH, c->geometry.tol);
-    c->how = c->geometry.dynamics->conservative ? MARGIN_SIGN : MARGIN_SURE;
-    if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
-        return m;
+    const real asked_tol = c->geometry.tol;
+    real tol = fmax(ROUGH, asked_tol);
+    bool conservative = c->geometry.dynamics->conservative;
+    c->how = conservative ? how : MARGIN_SURE;
+    for (;; tol = fmax(tol * ROUGH, asked_tol)) {
+        if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
+            return m;
+        if (c->status != DOM_OK || !conservative || tol <= asked_tol)
+            break;
+    }
     c->how = MARGIN_SURE;
     /* The tolerance is refined as in barrier_verdict: a difference of two nearly equal numbers must be known
      * as well as they are, so that no tolerance changes the verdict. If the arithmetic has no finer
      * tolerance, the present value counts. */
-    real asked = c->geometry.tol, fine;
+    real asked = asked_tol, fine;
     if (margin_to(c, r, asked, &m) != DOM_OK)
         return m;
     while ((fine = balance_tol(asked, fabs(margin_value(&m)), fabs(m.kinetic))) < asked / 4) {
@@ -183,6 +190,16 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r)
         asked = fine;
     }
     return m;
+}
+
+KERNEL struct margin margin_sign(struct margin_context *c, real r)
+{
+    return margin_as(c, r, MARGIN_SIGN);
+}
+
+KERNEL struct margin margin_tops(struct margin_context *c, real r)
+{
+    return margin_as(c, r, MARGIN_TOPS);
 }
 
 KERNEL void margin_follow_begin(struct margin_context *c)
@@ -209,6 +226,8 @@ KERNEL real margin_follow(real r, void *context)
         share = margin_share(&m);
         next = fmax(tol, ROUGH * share * share);
     } while (rough > tol && fabs(share) < 8 * rough);
+    c->followed_value = margin_value(&m);
+    c->followed_tol = rough;
     if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* finer sums would not change the margin */
         share = 0;
     last[0] = last[1];

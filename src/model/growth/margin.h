@@ -36,6 +36,7 @@ struct margin_context {
         MARGIN_SURE, /* find the barrier by a search for all tops */
         /* use an upper bound of the barrier, or one of its tops, if the sign of the margin is the same */
         MARGIN_SIGN,
+        MARGIN_TOPS,   /* the same, without that upper bound */
         MARGIN_FOLLOW, /* follow one top, from r to r */
     } how;
     struct barrier barrier; /* result of the last search */
@@ -46,6 +47,7 @@ struct margin_context {
     real share;             /* margin_share at that barrier */
     real error;             /* error bound of the last margin, if `errors` is set */
     bool errors;
+    real followed_value, followed_tol; /* the last margin that was followed, and its tolerance */
     real coarse;   /* if > 0, the narrowest strip of a scan of r that only has to find a bound */
     bool locked;   /* friction locked at the last r */
     size_t effort; /* work of the whole search, as geometry.effort counts it */
@@ -77,6 +79,9 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
  * tails of all their sums together are less than half of it.
  */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
+
+/* Returns the margin as margin_sign does. If it is positive, its barrier is right to its tolerance. */
+KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*
  * Returns margin_share at r, from the top of the barrier that was found last. This share is less curved on

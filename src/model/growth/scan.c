@@ -15,22 +15,14 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
                                  real *r)
 {
     real tol = c->geometry.tol;
-    enum num_status solver;
     if (c->geometry.dynamics->conservative) {
-        margin_follow_begin(c);
-        solver = num_root_between(margin_follow, c, lo->r, margin_share(&lo->margin), hi->r,
-                                  margin_share(&hi->margin), tol / 8, r);
-        if (c->status == DOM_INTERRUPTED)
-            return c->status;
-        if (solver == NUM_OK && margin_highest(c, *r))
-            return DOM_OK;
+        enum dom_status status = root_between(c, lo, hi, r);
+        if (status == DOM_INTERRUPTED || (status == DOM_OK && margin_highest(c, *r)))
+            return status;
     }
-    solver = num_root(margin_at, c, lo->r, hi->r, tol / 8, r);
+    enum num_status solver = num_root(margin_at, c, lo->r, hi->r, tol / 8, r);
     return model_status(c->status, solver);
 }
-
-/* What is known of the margin between two samples, the first of which is not negative. */
-enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL /* decreasing through 0 at most once */ };
 
 /* Finds the margin with its barrier to a relative tolerance, where margin_sign may know only one of the
  * tops. */
@@ -66,8 +58,7 @@ static void pair_strip(const struct geometry *lo, const struct geometry *hi, str
         s->margin_slope = (real)INFINITY;
 }
 
-/* Finds the bounds between two growths. */
-static enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip)
+KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip)
 {
     struct geometry at_lo = c->geometry, at_hi = c->geometry;
     real ln_r = log1p((hi - lo) / lo), most = barrier_most(&c->geometry);
@@ -87,8 +78,7 @@ static enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, s
     return DOM_OK;
 }
 
-/* Finds what is known between lo and hi. hi->margin is computed unless its kinetic energy is known. */
-static enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
+KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
                                   enum known *known)
 {
     struct strip strip;
@@ -127,16 +117,11 @@ static enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     return DOM_OK;
 }
 
-/*
- * Estimates how far the margin stays positive after `from`: the kinetic energy decreases as r^-(2q+1)
- * (24; c6), and the fuel as the weights of the dominoes that matter.
- */
+/* Estimates how far the margin stays positive after `from`. */
 static real scan_ahead(const struct margin_context *c, const struct edge *from)
 {
-    real most = barrier_most(&c->geometry), K = from->margin.kinetic, q = c->geometry.q, s = c->s;
-    real matter = 1 / (q * log(from->r) + from->r * sqrt(s * (s + 2 * c->geometry.d)));
-    real falls = 2 * q + 1 + (c->dominoes == 2 ? 0 : q * fmin(matter, 1 / s));
-    return (K > most ? log(2 * K / most) : (real)0.5) / falls;
+    real most = barrier_most(&c->geometry), K = from->margin.kinetic;
+    return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
 /* Estimates where the margin is 0 between lo and below, as a part of the distance. */
@@ -238,7 +223,14 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
 {
     const real reach = 1 / c->s;
     struct scan scan = {.lo = *from};
-    scan.step = scan_ahead(c, from);
+    bool found = false;
+    *ends = DOM_END_BARRIER;
+    if (c->dominoes == CHAIN_ENDLESS && from->r == 1) {
+        enum dom_status status = foresee_root(c, &scan.lo, r, &found);
+        if (status != DOM_OK || found)
+            return status;
+    }
+    scan.step = scan_ahead(c, &scan.lo);
     while (scan.lo.r < reach) {
         real left = log(reach / scan.lo.r), step = fmax(scan.step, scan_finest(c, &scan));
         bool last = step >= left * (real)0.8;

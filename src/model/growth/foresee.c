@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The root first, then the proof that it is the first one. A guess leads Newton's method to a root in a few
+ * passes. The margin decreases over a strip that ends there, and it is positive over one or two strips
+ * before: so a few well placed strips replace the many that a scan from r = 1 needs to find its way.
+ */
+#include "growth/limit.h"
+
+/* Returns -d ln K / d ln r, about: the kinetic energy decreases as r^-(2q+1) (24; c6), and the fuel as the
+ * weights of the dominoes that matter. */
+KERNEL real margin_falls(const struct margin_context *c, real r)
+{
+    real q = c->geometry.q, s = c->s;
+    real matter = 1 / (q * log(r) + r * sqrt(s * (s + 2 * c->geometry.d)));
+    return 2 * q + 1 + (c->dominoes == 2 ? 0 : q * fmin(matter, 1 / s));
+}
+
+/* ---- The root ---- */
+
+/* A point of the search: the share (margin_follow), and the margin itself. */
+struct root_point {
+    real r, share, value;
+};
+
+/* A search for a root of the margin, which is positive at lo and negative at hi; the last points, newest
+ * last. */
+struct root_search {
+    real lo, hi;
+    struct root_point at[3];
+    int known;
+};
+
+static void root_add(struct root_search *s, struct root_point point)
+{
+    if (point.share >= 0)
+        s->lo = fmax(s->lo, point.r);
+    if (point.share <= 0)
+        s->hi = fmin(s->hi, point.r);
+    bool again = s->known > 0 && s->at[2].r == point.r; /* with a finer tolerance */
+    for (int k = 0; k < 2 && !again; k++)
+        s->at[k] = s->at[k + 1];
+    s->at[2] = point;
+    s->known += !again;
+}
+
+/* Returns the root of the straight line through two points. Near a root the share is less curved than the
+ * margin; far from it the share is near 1 or -1 and has no slope. */
+static real root_line(const struct root_point *a, const struct root_point *b)
+{
+    bool near = fabs(a->share) + fabs(b->share) < 1;
+    real f_a = near ? a->share : a->value, f_b = near ? b->share : b->value;
+    return b->r - f_b * (b->r - a->r) / (f_b - f_a);
+}
+
+/* A share this near to 1 or -1 does not show how far the root is; the least step from there, over ln r. */
+#define ROOT_FLAT ((real)0.02)
+#define ROOT_STEP ((real)0.06)
+
+/* Returns the next growth to try: by inverse interpolation through the last points, or the middle of the
+ * bracket. */
+static real root_next(const struct root_search *s, const struct margin_context *c)
+{
+    const struct root_point *at = s->at;
+    real r = at[2].r, f = at[2].share, next = s->lo;
+    bool high = f<-1 + ROOT_FLAT, low = f> 1 - ROOT_FLAT;
+    if (s->known == 1 && !high && !low)
+        next = r * exp((f > 0 ? log1p(2 * f / (1 - f)) : -log1p(-2 * f / (1 + f))) / 2 /
+                       margin_falls(c, r)); /* ln (K / B) / 2 is atanh of the share */
+    if (s->known > 1)
+        next = root_line(&at[1], &at[2]);
+    if (s->known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
+        next += (next - root_line(&at[0], &at[1])) * f / (at[0].share - f);
+    if (high || low) { /* nearly no energy, or nearly no barrier: the root is some steps away */
+        real step = exp((high ? -1 : 1) * ROOT_STEP * log(r));
+        next = s->known == 1 ? r * step : high ? fmin(next, r * step) : fmax(next, r * step);
+    }
+    return next > s->lo && next < s->hi ? next : s->lo + (s->hi - s->lo) / 2;
+}
+
+#define ROOT_STEPS 40
+
+/* Finds a root inside the bracket, from the growth r on. second: the growth to try after that; 0: any. */
+static enum dom_status root_search(struct margin_context *c, struct root_search *s, real r, real second,
+                                   real *root)
+{
+    real tol = c->geometry.tol / 8;
+    for (int i = 0; i < ROOT_STEPS; i++) {
+        real share = margin_follow(r, c);
+        bool none = c->status == DOM_NOT_CONVERGED; /* H has no top: the barrier is 0 */
+        if (c->status != DOM_OK && !none)
+            return c->status;
+        c->status = DOM_OK;
+        if (none) {
+            s->lo = r;
+            s->known = 0;
+            r += fmin((s->hi - r) / 4, r * ROOT_STEP * log(r));
+            continue;
+        }
+        root_add(s, (struct root_point){r, share, c->followed_value});
+        if (share == 0) {
+            *root = r;
+            return DOM_OK;
+        }
+        real next = s->known == 1 && second > 0 ? second : root_next(s, c), step = fabs(next - r);
+        /* The error after a step is about the last error times the one before, over a length that the last
+         * steps show. */
+        real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
+                      : s->known > 1 ? fabs(r - s->at[1].r)
+                                     : 0;
+        bool close = step * step <= tol / 2 * r * before;
+        if (c->followed_tol <= c->geometry.tol && (close || s->hi - s->lo <= tol * r)) {
+            *root = next;
+            return DOM_OK;
+        }
+        r = next;
+    }
+    return DOM_NOT_CONVERGED;
+}
+
+KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
+                                    real *r)
+{
+    real up = margin_share(&lo->margin), down = margin_share(&hi->margin);
+    struct root_search s = {.lo = lo->r, .hi = hi->r};
+    bool both = !lo->margin.most && !hi->margin.most && up < 1 && down > -1;
+    real first = both ? up / (up - down) : (real)0.5;
+    margin_follow_begin(c);
+    return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), 0, r);
+}
+
+/* How far from a known root the slope of the margin is measured, and how far away the root may be. */
+#define ROOT_ASIDE ((real)1e-5)
+
+KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found)
+{
+    struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE), .hi = fmin(near * (1 + ROOT_ASIDE), 1 / c->s)};
+    margin_follow_begin(c);
+    enum dom_status status = root_search(c, &s, near * (1 - ROOT_ASIDE), near, root);
+    *found =
+        status == DOM_OK && fabs(*root - near) <= ROOT_ASIDE * ROOT_ASIDE * near && margin_highest(c, *root);
+    if (status != DOM_INTERRUPTED && status != DOM_TOO_LONG)
+        status = c->status = DOM_OK;
+    return status;
+}
+
+/* ---- The proof ---- */
+
+/*
+ * Returns a growth near the root, right to a tenth of its logarithm or so for the trains that people build.
+ * Without fuel, at s = 2 d^3 / (1 - d^2) or less, there is none.
+ */
+static real root_guess(const struct margin_context *c)
+{
+    real d = c->geometry.d, u = fmax(c->s - 2 * d * d * d / (1 - d * d), 0) / d;
+    return exp((real)2.4 / (c->geometry.q - (real)0.6) * (1 - 1 / (5 + 30 * u)) * log1p((real)0.4 * u));
+}
+
+/* Finds the growth `from` which the margin decreases up to the root; *from = root if no strip shows that. */
+static enum dom_status falls_from(struct margin_context *c, real root, real *from)
+{
+    const real whole = log(root);
+    real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
+    width = whole < (real)0.03 ? whole : fmin(width, whole / 2);
+    for (int k = 0; k < 3; k++, width /= 2) {
+        struct strip strip;
+        *from = width == whole ? 1 : root * exp(-width);
+        enum dom_status status = scan_bounds(c, *from, root, &strip);
+        if (status != DOM_OK || strip.margin_slope < 0)
+            return status;
+    }
+    *from = root;
+    return DOM_OK;
+}
+
+enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
+
+/* Moves *lo, where the margin is positive, up to `to` by strips over which it is positive, as far as that
+ * succeeds. */
+static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
+{
+    struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};
+    int depth = 1;
+    for (int k = 0; k < PROOF_STRIPS && depth > 0; k++) {
+        enum known known;
+        struct edge *hi = &ahead[depth - 1];
+        enum dom_status status = scan_strip(c, lo, hi, &known);
+        if (status != DOM_OK)
+            return status;
+        if (known == KNOWN_NOTHING && hi->margin.most) { /* the bound of every barrier is not enough */
+            hi->margin = margin_tops(c, hi->r);
+            status = c->status == DOM_OK ? scan_strip(c, lo, hi, &known) : c->status;
+        }
+        if (status != DOM_OK)
+            return status;
+        if (known == KNOWN_POSITIVE) {
+            *lo = *hi;
+            depth--;
+            continue;
+        }
+        if (depth == PROOF_DEPTH || margin_value(&hi->margin) < 0)
+            return DOM_OK;
+        ahead[depth++] =
+            (struct edge){.r = lo->r * pow(hi->r / lo->r, (real)0.62), .margin = {.kinetic = REAL_NAN}};
+    }
+    return DOM_OK;
+}
+
+KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found)
+{
+    const real reach = 1 / c->s, start = root_guess(c);
+    struct root_search s = {.lo = from->r, .hi = reach};
+    *found = false;
+    if (!(start > from->r && start < reach))
+        return DOM_OK;
+    margin_follow_begin(c);
+    enum dom_status status = root_search(c, &s, start, 0, root);
+    bool root_found = status == DOM_OK && *root < reach && margin_highest(c, *root);
+    real falls = *root;
+    if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
+        return status;
+    c->status = DOM_OK;
+    if (!root_found)
+        return DOM_OK;
+    status = falls_from(c, *root, &falls);
+    if (status == DOM_OK && falls < *root && falls > from->r)
+        status = positive_to(c, from, falls);
+    *found = status == DOM_OK && falls < *root && from->r >= falls;
+    return status;
+}
