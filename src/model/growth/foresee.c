@@ -74,7 +74,7 @@ static real root_next(const struct root_search *s, const struct margin_context *
         real step = exp((high ? -1 : 1) * ROOT_STEP * log(r));
         next = s->known == 1 ? r * step : high ? fmin(next, r * step) : fmax(next, r * step);
     }
-    return next > s->lo && next < s->hi ? next : s->lo + (s->hi - s->lo) / 2;
+    return next >= s->lo && next <= s->hi ? next : s->lo + (s->hi - s->lo) / 2;
 }
 
 #define ROOT_STEPS 40
@@ -108,8 +108,9 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
                       : s->known > 1 ? fabs(r - s->at[1].r)
                                      : 0;
         bool close = step * step <= tol / 2 * r * before;
-        if (c->followed_tol <= c->geometry.tol && (close || s->hi - s->lo <= tol * r)) {
-            *root = next;
+        bool narrow = s->hi - s->lo <= tol * r;
+        if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
+            *root = close ? next : s->known > 1 && fabs(s->at[1].share) < fabs(share) ? s->at[1].r : r;
             return DOM_OK;
         }
         r = next;
