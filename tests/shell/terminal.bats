@@ -481,35 +481,35 @@ hinted() { # TEXT HINT
         hinted "${case%%|*}" "${case#*|}"
     done
     press C-u
-    press -l 'print 6*7'
+    press -l 'theta1 0.1'
     press Enter
-    see '^ *42'
-    hinted 'print 6' '*7' # once the line is there again
+    see 'arm_b'
+    hinted 'theta1 0' '.1' # once the line is there again
     press Right
-    see 'print 6\*7$'
+    see 'theta1 0\.1$'
     hint ''
-    hinted 'pri' 'nt 6*7'
+    hinted 'the' 'ta1 0.1'
     press C-e Enter
-    until_true shown_twice '^ *42'
-    hinted 'pr' 'int 6*7'
+    until_true shown_twice 'arm_b'
+    hinted 'th' 'eta1 0.1'
     press M-f
-    hint ' 6*7'
+    hint ' 0.1'
     press C-e
-    see 'print 6\*7$'
+    see 'theta1 0\.1$'
     press C-a # only at the end of the line
     hint ''
     press C-e C-u Up
-    see 'print 6\*7$'
+    see 'theta1 0\.1$'
     press C-u
-    press -l 'pri'
-    hint 'nt 6*7'
+    press -l 'the'
+    hint 'ta1 0.1'
     press Enter # what was only a hint is not run, and leaves nothing on the screen
-    see 'VALUE is missing'
-    same 'the line above' "$prompt pri" "$(screen | grep "$prompt pri$" | tail -n 1)"
+    see "'the' may be"
+    same 'the line above' "$prompt the" "$(screen | grep "$prompt the$" | tail -n 1)"
     press -l 'set hints off'
     press Enter
-    press -l 'pri'
-    see 'pri$'
+    press -l 'the'
+    see 'the$'
     hint ''
 }
 shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
