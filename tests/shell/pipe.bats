@@ -476,7 +476,7 @@ END
 
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
     json show >"$BATS_TEST_TMPDIR/all"
-    same names 's r d q tol h g mass density fuel precision seed threads output header digits angle errors timing hints' "$(values name <"$BATS_TEST_TMPDIR/all" | paste -sd ' ' -)"
+    same names 's r d q tol h g mass density fuel precision method seed threads output header digits angle errors timing hints' "$(values name <"$BATS_TEST_TMPDIR/all" | paste -sd ' ' -)"
     while read -r name unit value; do
         row=$(json "show $name")
         same "show $name" "$(grep "\"name\":\"$name\"" "$BATS_TEST_TMPDIR/all")" "$row"

@@ -23,6 +23,8 @@ struct offer {
 
 static void offer_list(struct offer *offer, names_list *list, const void *context)
 {
+    if (!list) /* any words: nothing to offer */
+        return;
     offer->list[offer->lists] = list;
     offer->context[offer->lists++] = context;
 }
