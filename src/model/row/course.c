@@ -169,12 +169,15 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
         }
         if (status != DOM_OK)
             break;
+        if (run.verdict.end == DOM_ROW_STOPS && c->known > 0)
+            run.verdict.spare = fall.margin / fall.barrier;
         if (k >= c->known) {
             c->mark[k] = mark_of(&before, &run, k, &d);
             if (run.verdict.end == DOM_ROW_FALLS)
                 mark_local(&before, k, &c->mark[k]);
         } else if (run.verdict.end == DOM_ROW_FALLS && k > last && k + 1 < c->known &&
                    settled(c, k, &before, &run, &d, &off)) {
+            *verdict = run.verdict;
             verdict->end = c->mark[k + 1].falls ? DOM_ROW_FALLS : c->verdict.end;
             return DOM_OK;
         }

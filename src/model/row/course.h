@@ -28,7 +28,8 @@ enum dom_status dom_course_begin(const struct dom_row *row, const struct dom_com
 /*
  * Runs the row with other dominoes, of which only domino[first] ... domino[last] differ from those of
  * dom_course_begin, from 0. In one course `first` never decreases. Sets verdict->end; the end of a row that
- * does not fall before the change may be that of the unchanged row. Statuses as dom_row_run.
+ * does not fall before the change may be that of the unchanged row. Also sets verdict->spare: the smallest
+ * margin / barrier seen in this run, negative where the row stops in it. Statuses as dom_row_run.
  */
 enum dom_status dom_course_again(const struct dom_course *course, const struct dom_domino *domino,
                                  size_t first, size_t last, struct dom_verdict *verdict);

@@ -181,13 +181,38 @@ static inline bool falls_with(dom_real value, void *context)
     return falls;
 }
 
+/*
+ * Returns what edge_find returns for falls_with, in fewer trials. Where the row stops beyond the edge, the
+ * energy to spare (dom_course_again) goes through 0 there: every other trial is where the line through both
+ * ends does, moved by half of `absolute` to the end that is farther off, so that this end comes close, too.
+ */
+static inline dom_real value_find(struct trial *t, dom_real good, dom_real bad, dom_real absolute)
+{
+    dom_real of_good = DOM_NAN, of_bad = DOM_NAN;
+    for (bool halve = true; fabs(good - bad) > absolute; halve = !halve) {
+        dom_real middle = (good + bad) / 2, x = middle;
+        if (middle == good || middle == bad)
+            break;
+        if (!halve && of_good > 0 && of_bad < 0) {
+            x = good + (bad - good) * (of_good / (of_good - of_bad));
+            x += (fabs(x - good) < fabs(bad - x)) == (bad > good) ? absolute / 2 : -absolute / 2;
+        }
+        if (!(x > fmin(good, bad) && x < fmax(good, bad)))
+            x = middle;
+        bool falls = falls_with(x, t);
+        *(falls ? &good : &bad) = x;
+        *(falls ? &of_good : &of_bad) = falls || t->ends == DOM_ROW_STOPS ? t->verdict.spare : DOM_NAN;
+    }
+    return good;
+}
+
 /* Finds the last value with which all fall, between a good one and a bad one, and rounds it to few digits,
  * away from the bad one. */
 static inline dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
 {
     dom_real digits = t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS;
     dom_real digit = digit_of(fmax(good, bad), 0) * digits;
-    good = edge_find(falls_with, t, good, bad, digit / 8, 0);
+    good = value_find(t, good, bad, digit / 8);
     dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
     return falls_with(rounded, t) ? rounded : good;
 }
