@@ -29,6 +29,7 @@ struct mark {
     size_t moving;
     real need, gain, offset;
     real below, above; /* relative deviations of omegasq that do not change the verdict */
+    real pushes;       /* the smallest contact force from here on, in the weight of a pushed domino */
     bool falls;        /* from here on all fall; false: the row ends as the unchanged row ends */
 };
 
@@ -44,9 +45,11 @@ struct course {
 /* How much faster a head is in the run that looks for negative contact forces. */
 #define FAST 1000
 
-/* The deviations that the changed dominoes themselves may still cause: small, since contact forces and locks
- * have no measure of how close they are. With friction, which can lock, smaller. */
-#define LEFT_MOST         ((real)1e-4)
+/* The deviations that the changed dominoes themselves may still cause, at most: also this part of the
+ * smallest contact force. Locks of friction have no measure of how close they are, so with friction they are
+ * tiny. */
+#define LEFT_MOST         ((real)0.01)
+#define LEFT_FORCE        ((real)0.1)
 #define LEFT_MOST_LOCKING ((real)1e-6)
 
 /* Below so many tolerances a difference is noise. */
@@ -55,14 +58,15 @@ struct course {
 /* The largest ratio at which a difference counts as decaying. */
 #define DECAYS ((real)0.9)
 
-/* Returns true if no contact force is negative where the head k has another omegasq. */
-static bool keeps_contact(const struct run *run, size_t k, real omegasq)
+/* Returns the smallest contact force where the head k has another omegasq; negative where the row ends. */
+static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
     struct descent d;
     struct dom_fall fall = {.domino = k + 1};
     other.omegasq = omegasq;
-    return row_descend(&other, k, &d, &fall) == DOM_OK && !d.stops && !d.locks && d.least_force >= 0;
+    bool ends = row_descend(&other, k, &d, &fall) != DOM_OK || d.stops || d.locks;
+    return ends ? -1 : d.least_force;
 }
 
 /* Finds the numbers of a head: `before` is the run when the head was hit, `after` when the next was. */
@@ -72,10 +76,12 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     bool tips = k == 0 && isnan(before->asked->push), last = k + 1 == before->asked->count;
     struct mark m = {
         .omegasq = before->omegasq, .inertia_ratio = before->inertia_ratio, .moving = before->moving};
+    m.pushes = (real)INFINITY;
     if (tips) {
         m.offset = after->omegasq;
         return m;
     }
+    m.pushes = d->least_force;
     m.need = d->least_margin < (real)INFINITY ? fmax(before->omegasq - d->least_margin / d->J0, 0) : 0;
     if (!last && after->verdict.end == DOM_ROW_FALLS) {
         real slower = block_of(before->asked, k + 1).tau / block_of(before->asked, k).tau,
@@ -92,8 +98,11 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     if (k == 0 && isnan(before->asked->push))
         return;
     real low = m->need + (m->omegasq - m->need) / FAST;
-    m->below = keeps_contact(before, k, low) ? (1 - low / m->omegasq) / 2 : 0;
-    m->above = keeps_contact(before, k, FAST * m->omegasq) ? (real)(FAST - 1) / 2 : 0;
+    real slow = least_force(before, k, low), fast = least_force(before, k, FAST * m->omegasq);
+    m->below = slow >= 0 ? (1 - low / m->omegasq) / 2 : 0;
+    m->above = fast >= 0 ? (real)(FAST - 1) / 2 : 0;
+    m->pushes = fmin(m->pushes, slow >= 0 ? slow : m->pushes);
+    m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
 /* Carries the deviations of marks from..to - 1 back from that of mark to - 1. */
@@ -107,6 +116,7 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
         real lambda = fmax(m->gain * m->omegasq / m[1].omegasq, 1);
         m->below = fmin(falls ? m->below : (real)INFINITY, m[1].below / lambda);
         m->above = fmin(falls ? m->above : (real)INFINITY, m[1].above / lambda);
+        m->pushes = fmin(m->pushes, m[1].pushes);
     }
 }
 
@@ -131,7 +141,8 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     real ratio = *off / last, left = *off;
     if (!(*off <= NOISE * (real)course->asked.tol))
         left = ratio <= DECAYS ? *off / (1 - ratio) : (real)INFINITY;
-    if (!(left <= (conservative ? LEFT_MOST : LEFT_MOST_LOCKING)))
+    real most = conservative ? LEFT_MOST : LEFT_MOST_LOCKING;
+    if (!(left <= (next->falls ? fmin(most, LEFT_FORCE * next->pushes) : most)))
         return false;
     left *= 1 + fabs(by);
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
