@@ -46,6 +46,8 @@ se s 0.3; show s|set s 0.3; show s
 pr 3|print 3
 re; show s|reset; show s
 l|launch
+print(3)|print 3
+show()|show
 END
     same 'fuel is the command' 0.177287 "$("$DOMINO" -e fuel | awk '/^fuel_exact/ { print $2 }')"
 }
@@ -142,6 +144,7 @@ END
     wrong 'z(a) = 3' "'let z\(...\) = VALUE' defines a function"
     wrong 'foo+1' "'foo' has no value"
     wrong '1/0' 'division by zero'
+    wrong '.help' "commands have no '.' before"
     wrong 's 0.3' "'s' is a parameter; 's = VALUE'"
     wrong 'q 3' "'q' is a parameter"
 }

@@ -138,7 +138,7 @@ const struct command session_commands[] = {
      ANSWER(show)},
     {.name = "reset",
      .shortest = "re",
-     .synonyms = "default clear restore",
+     .synonyms = "undo default clear restore",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME all effects are turned off, too, and the settings of the session are kept: "
@@ -199,7 +199,7 @@ const struct command session_commands[] = {
                    .read = read_definition}},
      .summary = "give a value a name, or define a function",
      .help = "'let x = 0.9*rmax' keeps the value that the expression has now; every expression can use x. "
-             "'let f(s) = rmax(s)*s' keeps the text; f(0.3) evaluates it, with 0.3 in the place of s. A "
+             "'let f(s) = rmax(s)*s' keeps the text; f(0.3) evaluates it with s = 0.3. A "
              "function has 1 .. 4 values and cannot use itself. 'x' shows the value, 'x = 2' changes it, "
              "'show' lists all, and 'save' keeps them.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",

@@ -62,6 +62,23 @@ static bool is_expression(const struct session *session, const char *c)
     return names_exact(value_names, session, name) >= 0 && (alone || goes_on(next));
 }
 
+/* Returns the command that is called as a function, "quit()" or "print(2)", where it has no value; or NULL.
+ */
+static const struct command *called(struct reader *r, const char *c, size_t n)
+{
+    char name[VARIABLE_NAME];
+    int fewest;
+    if (n == 0 || n >= VARIABLE_NAME || c[n] != '(')
+        return NULL;
+    snprintf(name, sizeof name, "%.*s", (int)n, c);
+    const struct command *command = command_find(name);
+    bool empty = c[n + 1] == ')' && word_ends(c + n + 2);
+    if (!command || command_values(command, &fewest) >= 0 || (!empty && strcmp(name, "print") != 0))
+        return NULL;
+    r->at = c + n + (empty ? 2 : 0);
+    return command;
+}
+
 /* Returns the command that an assignment means, or NULL after an error: there is nothing of this name. */
 static const struct command *assignment(struct session *session, const struct variable *v)
 {
@@ -97,6 +114,14 @@ const struct command *read_form(struct reader *r)
         session->column = reader_column(r, c);
         return assignment(session, &v);
     }
+    if ((*c == '.' || *c == '\\') && name_start(c[1])) {
+        session->column = reader_column(r, c);
+        session_error(session, "commands have no '%c' before their names; 'help' lists them", *c);
+        return NULL;
+    }
+    const struct command *command = called(r, c, n);
+    if (command)
+        return command;
     if (is_expression(session, c))
         return command_find("print");
     if (n < VARIABLE_NAME && definition_name(c, v.name) && !command_find(v.name) && parameter_find(v.name) &&
