@@ -7,9 +7,18 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
+/* All commands, one after the other: every line looks for its own. */
+enum { COMMANDS_MOST = 128 };
+static const struct command *every[COMMANDS_MOST];
+static int every_count;
+
 void command_registry(const struct command_group *all)
 {
     groups = all;
+    every_count = 0;
+    for (const struct command_group *g = groups; g->title; g++)
+        for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++)
+            every[every_count++] = c;
 }
 
 const struct command_group *command_groups(void)
@@ -17,27 +26,15 @@ const struct command_group *command_groups(void)
     return groups;
 }
 
-static const struct command *command_at(int k)
-{
-    for (const struct command_group *g = groups; g->title; g++)
-        for (const struct command *c = g->commands; c->name; c++)
-            if (k-- == 0)
-                return c;
-    return NULL;
-}
-
 const char *command_names(const void *context, int k)
 {
     (void)context;
-    const struct command *c = command_at(k);
-    return c ? c->name : NULL;
+    return k < every_count ? every[k]->name : NULL;
 }
 
 const char *topic_names(const void *context, int k)
 {
-    int commands = 0;
-    while (command_at(commands))
-        commands++;
+    int commands = every_count;
     if (k < commands)
         return command_names(context, k);
     /* 'fuel' is a command and a parameter, and is listed once. */
@@ -55,10 +52,9 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    for (const struct command_group *g = groups; g->title; g++)
-        for (const struct command *c = g->commands; c->name; c++)
-            if (strcmp(c->name, name) == 0)
-                return c;
+    for (int k = 0; k < every_count; k++)
+        if (strcmp(every[k]->name, name) == 0)
+            return every[k];
     return NULL;
 }
 
