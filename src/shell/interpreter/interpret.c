@@ -137,7 +137,7 @@ static bool ending_fits(struct session *session, const struct command *c, const 
 static void head_find(const struct session *session, const char *path, char head[ANSWER_HEAD])
 {
     struct stat status;
-    const struct format *format = session_style(session).format;
+    const struct format *format = session_answers(session);
     bool file = format->is_head && stat(path, &status) == 0 && S_ISREG(status.st_mode);
     FILE *in = file ? io_read(path, session->compute.interrupt) : NULL;
     char *line = NULL;
@@ -224,7 +224,7 @@ static void run_command(struct reader *r)
         c = read_command(r);
     if (c) {
         /* A program that waits for an answer gets one also where there is none to give. */
-        const struct format *format = session_style(session).format;
+        const struct format *format = session_answers(session);
         session->command = c->name;
         struct call call = {.count = 0};
         /* A file that is sourced is one change. */
@@ -235,7 +235,7 @@ static void run_command(struct reader *r)
             file = *r->at == '>';
             done = file ? run_redirected(r, c, &call) : run_paged(session, c, &call);
         }
-        bool same = session_style(session).format == format; /* 'set output' itself answers nothing */
+        bool same = session_answers(session) == format; /* 'set output' itself answers nothing */
         if (done && same && format->done && (file || c->runs || !session->wrote))
             format->done(session->out, c->name);
         call_free(&call);

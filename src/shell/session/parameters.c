@@ -370,10 +370,10 @@ struct output_style session_style(const struct session *session)
 {
     struct output_style style = session->style;
     int bits = domq_arithmetic(session->compute.precision)->bits;
-    style.format = session->format ? session->format : session_format(session);
+    style.format = session_answers(session);
     style.precision = session->compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)quad_larger(quad(floor)(-quad(log10)(session->compute.tol) + (domq_real)1e-6), 1);
+    style.tol_digits = (int)fmax(floor(-log10((double)session->compute.tol) + 1e-6), 1);
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }

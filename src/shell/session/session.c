@@ -57,6 +57,11 @@ const struct format *session_format(const struct session *session)
     return formats[session->style.output];
 }
 
+const struct format *session_answers(const struct session *session)
+{
+    return session->format ? session->format : session_format(session);
+}
+
 void effects_apply(struct session *session)
 {
 #define APPLY(name, member, status)                                                                          \

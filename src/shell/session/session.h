@@ -121,8 +121,10 @@ struct session {
     } ans;
 };
 
-/* Returns the format that 'set output' has chosen. */
+/* Return the format that 'set output' has chosen; and that of answers here, which the ending of a file may
+ * set. */
 const struct format *session_format(const struct session *session);
+const struct format *session_answers(const struct session *session);
 
 /* Closes the records, so that answers go to standard output alone. */
 void recording_end(struct session *session);
