@@ -469,7 +469,7 @@ END
     done
     same 'with --bail in the end' "$once" "$("$DOMINO" --keep-going --bail -e "$text" 2>/dev/null; echo $?)"
     # A physical "no" is no error.
-    same 'a no' 2 "$("$DOMINO" --bail -e 'set output json; set s 0.001; fuel; fuel' | wc -l)"
+    same 'a no' 2 "$("$DOMINO" --bail -e 'set output json; set s 0.001; fuel; fuel' | grep -c reason)"
 }
 
 # ---- Parameters ----
@@ -586,8 +586,9 @@ END
 
 @test "both streams keep their order where they share a file" {
     "$DOMINO" --keep-going -e 'set output json; fuel; foo; fuel' >"$BATS_TEST_TMPDIR/both" 2>&1 || true
-    same 'the error is the second of three lines' 2 "$(grep -n 'foo' "$BATS_TEST_TMPDIR/both" | cut -d: -f1)"
-    same 'the same as an answer' 3 "$(grep -n '^{.*"error":"unknown command' "$BATS_TEST_TMPDIR/both" | cut -d: -f1)"
+    same 'the error is between the answers, as an object and as a message' '2 3' \
+        "$(grep -n 'foo' "$BATS_TEST_TMPDIR/both" | cut -d: -f1 | paste -sd ' ' -)"
+    same 'the object' 2 "$(grep -n '^{.*"error":"unknown command' "$BATS_TEST_TMPDIR/both" | cut -d: -f1)"
     same 'lines' 4 "$(wc -l <"$BATS_TEST_TMPDIR/both")"
 }
 
