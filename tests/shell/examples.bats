@@ -57,6 +57,9 @@ sentence() {
         for word in $(cut -s -d ' ' -f 2- <<<"$usage"); do
             case $word in
             ":") macro="$macro :" ;;
+            "=") macro="$macro No =" ;;
+            "[to") macro="$macro Op Cm to" ;;
+            [A-Z]"]") macro="$macro Ar ${word%?}" ;;
             "["*) word=${word#?} macro="$macro Op Ar ${word%?}" ;;
             *) macro="$macro Ar $word" ;;
             esac
