@@ -62,6 +62,7 @@ extern "C" {
     X(BAD_Q, "the exponent q is outside its range")                                                          \
     X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
     X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
+    X(BAD_WALLS, "the thickness of the walls is outside its range")                                          \
     X(BAD_FUEL, "the fuel is none of enum dom_fuel")                                                         \
     X(BAD_TOL, "the tolerance tol is outside its range, or below the floor of the precision")                \
     X(BAD_PRECISION, "the precision is none of enum dom_precision")                                          \
@@ -88,6 +89,7 @@ extern "C" {
       "friction locks the train: a contact force passes on the wrong side of a hinge and cannot turn it")    \
     X(NO_STAND,                                                                                              \
       "no upright domino stands on this slope: |alpha| must be less than theta_u, tan theta_u = d")          \
+    X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
     X(NO_MARGIN, "the margin is 0 to rounding, so times have no value here; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not go on falling at this separation")                      \
     X(TOO_LONG, "the answer needs more dominoes than can be computed")                                       \
@@ -130,7 +132,8 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
  * and struct dom_row holds the value of the effect, 0 for off. The status is that of a value outside its
  * range.
  */
-#define DOM_DYNAMICS(X) X(friction, mu, DOM_BAD_MU) X(slope, alpha, DOM_BAD_ALPHA)
+#define DOM_DYNAMICS(X)                                                                                      \
+    X(friction, mu, DOM_BAD_MU) X(slope, alpha, DOM_BAD_ALPHA) X(walls, walls, DOM_BAD_WALLS)
 
 /* The number of effects in DOM_DYNAMICS, which are the first in enum dom_effect_name. */
 #define DOM_DYNAMICS_ONE(name, member, status) +1
@@ -287,7 +290,10 @@ struct dom_train {
      * between dominoes, 0 ... DOM_MU_HIGHEST. With any of these effects DOM_FUEL_PAPER and methods other than
      * DOM_METHOD_OURS give DOM_NO_METHOD. With friction the equation of motion replaces (21; c3) and
      * (24; c6). alpha is the angle in radians by which the floor falls in the direction of the train, -1.5
-     * ... 1.5; DOM_NO_STAND: no domino stands on that slope. */
+     * ... 1.5; DOM_NO_STAND: no domino stands on that slope. walls, over the height, 1e-9 ... 1, makes the
+     * dominoes boxes of six walls, half as wide as tall, and DOM_NO_ROOM names walls that do not fit: a train
+     * then needs longer, by dom_scale_tau, and the floor more friction. All else, DOM_FUEL_PAPER and methods
+     * included, is as without walls. */
 #define DOM_DYNAMICS_MEMBER(effect, member, status) dom_real member;
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
 };
@@ -683,7 +689,8 @@ struct dom_row {
     size_t count;                    /* at least 1 */
     dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
     dom_real push; /* rad/s, >= 0, of the first, upright domino; NaN: it is tipped over its edge and let go */
-    DOM_DYNAMICS(DOM_DYNAMICS_MEMBER) /* the effects of motion, as in struct dom_train */
+    /* The effects of motion, as in struct dom_train; but walls is in m, the same for all dominoes. */
+    DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
 #undef DOM_DYNAMICS_MEMBER
     bool floor;                      /* true: find the friction that the floor needs */
     const struct dom_engine *engine; /* runs the row instead of this library; NULL: the library does */
@@ -950,6 +957,7 @@ struct dom_effect {
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs;       /* bits 1 << DOM_EFFECT_...: other effects that must be on */
     bool dissipates;      /* true: dominoes lose energy while they move; see dom_law */
+    bool cancels;         /* true: a train moves as without the effect, in units of tau */
     const char *synonyms; /* other words that people look for */
 };
 
@@ -964,7 +972,8 @@ DOM_EFFECTS(DOM_EFFECT_DECLARE)
 /* Returns the description of an effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* Returns the first effect of DOM_DYNAMICS that is on in a train; NULL if all are off. */
+/* Returns the first effect of DOM_DYNAMICS that is on in a train and does not cancel; NULL if there is none.
+ */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
 /* Describes the law of motion of a train without effects: energy is conserved between collisions. */
@@ -975,9 +984,20 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
 
-/* Returns tau = sqrt((h^2 + (d h)^2) / (3 g h)) in seconds (1; a1), for solid blocks; d in h. Checks
- * nothing. */
-dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d);
+/* A box of six walls. */
+struct dom_box {
+    dom_real filled;  /* the share of its volume that the walls fill */
+    dom_real inertia; /* moment of inertia about its lower edge, over that of a solid block of its mass */
+};
+
+/* Finds a box of these outer sizes, all in one unit. DOM_NO_ROOM: a size is not positive, or the walls
+ * are thicker than half of the thickness. */
+enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
+                             struct dom_box *box);
+
+/* Returns tau in seconds (1; a1): sqrt((h^2 + (d h)^2) / (3 g h)) for solid blocks, and longer with walls.
+ * Checks nothing. */
+dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train);
 
 /* Returns the front speed in m/s: (s + d) r h over the duration of a cycle, in tau. Checks nothing. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);

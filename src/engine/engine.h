@@ -14,6 +14,7 @@
 /* The gap is the free distance to the box before it; that of the first is not read. */
 struct engine_box {
     double height, thickness, gap, mass;
+    double inertia; /* moment of inertia about its centre, over that of a solid box; 0: a solid box */
 };
 
 struct engine_row {
@@ -23,18 +24,16 @@ struct engine_row {
     double push;  /* angular velocity of the first, upright box; NaN: it is tipped over its edge and let go */
     double slope; /* the angle by which the floor falls in the direction of the row */
     double mu;    /* friction between boxes */
-    double bounce;  /* restitution between boxes */
-    double feet;    /* friction of the floor; infinite: each foot is a hinge */
-    double radius;  /* of rounded edges, over the height */
-    double bevel;   /* cuts off the upper back edge by this part of the height; masses stay the same */
-    double inertia; /* moment of inertia over that of a solid box */
+    double bounce; /* restitution between boxes */
+    double feet;   /* friction of the floor; infinite: each foot is a hinge */
+    double radius; /* of rounded edges, over the height */
+    double bevel;  /* cuts off the upper back edge by this part of the height; masses stay the same */
 };
 
 /* A row of solid boxes on hinges, without any effect: change what differs. */
 #define ENGINE_ROW(box_, count_)                                                                             \
     {                                                                                                        \
-        .box = (box_), .count = (count_), .g = 1, .push = (double)NAN, .feet = (double)INFINITY,             \
-        .inertia = 1                                                                                         \
+        .box = (box_), .count = (count_), .g = 1, .push = (double)NAN, .feet = (double)INFINITY              \
     }
 
 /* How fine a computation is: the numbers are right once it does not matter to refine them. */

@@ -83,10 +83,10 @@ void world_stand(struct world *w)
     const size_t k = w->count;
     const struct engine_box *box = &w->row->box[k];
     struct body *b = &w->body[k];
-    double h = box->height, d = box->thickness;
+    double h = box->height, d = box->thickness, solid = box->mass * (h * h + d * d) / 12;
     cpBody *ground = cp->cpSpaceGetStaticBody(w->space);
     *b = (struct body){.corner = k == 0 ? cpvzero : cpvadd(b[-1].corner, cpv(box->gap + d, 0)),
-                       .moment = w->row->inertia * box->mass * (h * h + d * d) / 12};
+                       .moment = box->inertia > 0 ? box->inertia * solid : solid};
     b->body = cp->cpSpaceAddBody(w->space, cp->cpBodyNew(box->mass, b->moment));
     b->shape = cp->cpSpaceAddShape(w->space, shape_of(w, k));
     w->count++;

@@ -4,6 +4,7 @@
 #define REAL_QUAD
 #endif
 #include "dynamics/list.h"
+#include "dynamics/walls.h"
 #include "numerics/real.h"
 
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) .name = default_,
@@ -23,14 +24,25 @@ struct dom_scale dom_scale_default(void)
     return (struct dom_scale){DOM_SCALE_PARAMETERS(DEFAULT)};
 }
 
-dom_real dom_scale_tau(const struct dom_scale *scale, dom_real d)
+enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
+                             struct dom_box *box)
 {
-    return sqrt(scale->h * (1 + d * d) / (3 * scale->g));
+    if (!(height > 0 && width > 0 && walls_fit(thickness / height, walls / height)))
+        return DOM_NO_ROOM;
+    struct box found = walls_box(thickness / height, width / height, walls / height);
+    *box = (struct dom_box){found.filled, found.inertia};
+    return DOM_OK;
+}
+
+dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)
+{
+    dom_real d = train->d, solid = scale->h * (1 + d * d) / (3 * scale->g);
+    return sqrt(train->walls != 0 ? solid * walls_box(d, WALLS_WIDTH, train->walls).inertia : solid);
 }
 
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration)
 {
-    dom_real seconds = duration * dom_scale_tau(scale, train->d);
+    dom_real seconds = duration * dom_scale_tau(scale, train);
     return (train->s + train->d) * train->r * scale->h / seconds;
 }
 

@@ -13,21 +13,23 @@ file() { # NAME < text
 
 @test "effects are off, and entered 0 times; each alone enters its own code" {
     run -0 json effects
-    same states 'off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
-    same entered '0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
-    same names 'friction slope row push placement floor' "$(values effect <<<"$output" | paste -sd ' ' -)"
+    same states 'off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
+    same entered '0 0 0 0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
+    same names 'friction slope walls row push placement floor feet bounce' "$(values effect <<<"$output" | paste -sd ' ' -)"
     while IFS='|' read -r commands pattern; do
         entered=$(json "$commands; effects" | values entered | sed 's/^[1-9].*/x/' | paste -sd ' ' -)
         same "$commands" "$pattern" "$entered"
     done <<'END'
-effect friction 0.2|x 0 0 0 0 0
-effect slope 1 deg|0 x 0 0 0 0
-effect floor 0.2|0 0 0 0 0 x
-effect row 4|0 0 x 0 0 0
-effect row 4; effect push 5|0 0 x x 0 0
-effect row 4; effect placement 1 mm|0 0 x 0 x 0
-effect row 4; effect friction 0.1; effect floor 1|x 0 x 0 0 x
-effect row 4; effect slope 1 deg|0 x x 0 0 0
+effect friction 0.2|x 0 0 0 0 0 0 0 0
+effect slope 1 deg|0 x 0 0 0 0 0 0 0
+effect walls 1 mm|0 0 x 0 0 0 0 0 0
+effect floor 0.2|0 0 0 0 0 0 x 0 0
+effect row 4|0 0 0 x 0 0 0 0 0
+effect row 4; effect push 5|0 0 0 x x 0 0 0 0
+effect row 4; effect placement 1 mm|0 0 0 x 0 x 0 0 0
+effect row 4; effect friction 0.1; effect floor 1|x 0 0 x 0 0 x 0 0
+effect row 4; effect slope 1 deg|0 x 0 x 0 0 0 0 0
+effect row 4; effect walls 1 mm|0 0 x x 0 0 0 0 0
 END
 }
 
@@ -130,7 +132,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 0' 'out of range'
     wrong 'effect row 4; effect push 3 mm' 'OMEGA is'
     wrong 'effect row 4; effect placement 3 rad' 'SIGMA is a length, not an angle'
-    wrong 'effect foo 1' "unknown effect 'foo'; use one of: friction, slope, row, push, placement, floor"
+    wrong 'effect foo 1' "unknown effect 'foo'; use one of: friction, slope, walls, row, push, placement, floor"
     wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; K is 2 .. 4 in this row'
     wrong 'effect row 1; place 2 1 cm' 'a row of one domino has no gap'
     wrong 'effect row 4; place 2 -1' 'is not a gap'
@@ -283,6 +285,31 @@ END
     # The two columns are the motion and the hit of the library.
     close floor 0.1041 "$(json "$scene 1; fall" | values floor | tail -1)" 1e-3
     close floor_hit 2.504 "$(json "$scene 1; fall" | values floor_hit | tail -1)" 1e-3
+}
+
+@test "walls: times of a train, masses and inertia of a row, and walls that have no room" {
+    close 'thin walls' 1.02806 "$(awk -v a="$(json 'effect walls 1e-6; duration' | values seconds)" -v b="$(json 'duration' | values seconds)" 'BEGIN { printf "%.17g", a / b }')" 1e-5
+    same 'a solid block' "$(json 'duration' | values seconds)" "$(json 'effect walls 3.5 mm; duration' | values seconds)"
+    same growth "$(json 'rmax; set fuel paper; rmax')" "$(json 'effect walls 1 mm; rmax; set fuel paper; rmax')"
+    same proof "$(json 'prove rmax 0.4' | sed 's/"seconds.*//')" "$(json 'effect walls 1 mm; prove rmax 0.4' | sed 's/"seconds.*//')"
+    # Boards of 10 mm, 0.6 g/cm^3: the block of 200 x 60 x 100 mm, less the hollow of 180 x 40 x 80 mm.
+    printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3), width (mm)\n200, 60, -, 0.6, 100\n300, 60, 80, 0.6, 120\n' >"$BATS_TEST_TMPDIR/boxes.csv"
+    local row="effect row $BATS_TEST_TMPDIR/boxes.csv"
+    close 'mass of a box' "$(awk 'BEGIN { print 0.6 * (20 * 6 * 10 - 18 * 4 * 8) / 1000 }')" "$(json "$row; effect walls 10 mm; row" | values mass | head -1)"
+    close 'with its width' "$(awk 'BEGIN { print 0.6 * (30 * 6 * 12 - 28 * 4 * 10) / 1000 }')" "$(json "$row; effect walls 10 mm; row" | values mass | tail -1)"
+    close 'mass of a block' 0.72 "$(json "$row; row" | values mass | head -1)"
+    close 'of a train, by its density' "$(awk 'BEGIN { print 700 * (48 * 7 * 24 - 46 * 5 * 22) / 1e9 }')" \
+        "$(json 'set density 700; effect walls 1 mm; effect row 3; row' | values mass | head -1)"
+    differ 'times of a row' "$(json "$row; effect push 9; verdict" | values seconds)" \
+        "$(json "$row; effect push 9; effect walls 10 mm; verdict" | values seconds)"
+    # The rigid-body engine has boxes of the same moment of inertia.
+    local train='set r 1.3; set s 0.3; effect row 6; effect friction 0.1; effect walls 1 mm'
+    [ -n "${SANITIZED-}" ] || close 'in the engine' "$(json "$train; verdict" | values seconds)" "$(json "$train; set method engine; verdict" | values seconds)" 2e-3
+    wrong "$row; effect walls 31 mm; verdict" 'walls of 3.1 cm leave no room in domino 1, which is 6 cm thick: they are 3 cm at most'
+    wrong 'effect walls 4 mm; duration' 'walls of 4 mm leave no room in the domino, which is 7 mm thick: they are 3.5 mm at most'
+    wrong 'effect walls 0' 'THICKNESS = 0 is out of range'
+    wrong 'effect walls -1 mm' 'is out of range'
+    wrong 'effect walls 3 deg' 'enter it without a unit, or as a length'
 }
 
 @test "save keeps the scene, and source brings it back" {

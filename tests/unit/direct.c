@@ -56,9 +56,20 @@ struct run {
 
 static double inertia(const struct direct_row *row, size_t i)
 {
-    double h = row->height[i], d = row->thickness[i];
+    double h = row->height[i], d = row->thickness[i], t = row->walls, sum = 0, volume = 0;
+    /* Six boards: front and back, below and above, left and right, without the edges that another one has. */
+    const double size[][4] = {
+        {t, h, h / 2, d - t}, {d - 2 * t, t, h / 2, h - t}, {d - 2 * t, h - 2 * t, 2 * t, 0}};
 
-    return row->mass[i] * (h * h + d * d) / 3;
+    if (t == 0)
+        return row->mass[i] * (h * h + d * d) / 3;
+    for (int k = 0; k < 3; k++) {
+        const double *s = size[k], own = s[0] * s[1] * s[2], about = (s[0] * s[0] + s[1] * s[1]) / 12;
+        double away = s[3] / 2; /* of the centre of a board from that of the box */
+        volume += own * (k < 2 ? 2 : 1);
+        sum += own * (k < 2 ? 2 : 1) * (about + away * away);
+    }
+    return row->mass[i] * (sum / volume + (h * h + d * d) / 4);
 }
 
 static double torque(const struct run *run, size_t i)

@@ -17,6 +17,7 @@ struct direct_row {
     double mu, g;
     double omega; /* angular velocity given to the first domino, upright at time 0 */
     double slope; /* rad, by which the floor falls towards the later dominoes */
+    double walls; /* of boxes half as wide as tall, of one density; 0: solid blocks */
 };
 
 struct direct_hit {

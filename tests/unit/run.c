@@ -55,6 +55,6 @@ void newton_run(const struct run *run, struct newton *n)
         n->mass[k] = run->domino[k].mass;
     }
     struct direct_row row = {run->row.count, n->height,  n->thickness,  n->gap, n->mass,
-                             run->row.mu,    run->row.g, run->row.push, 0};
+                             run->row.mu,    run->row.g, run->row.push, 0,      0};
     n->wrong = direct_run(&row, n->hit, &n->result);
 }

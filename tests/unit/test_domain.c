@@ -163,7 +163,7 @@ static void metres_and_seconds(void **state)
     struct domq_scale scale = domq_scale_default();
     /* (1; a1) by hand: sqrt((0.048^2 + 0.007^2) / (3 9.81 0.048)) s. */
     double tau = sqrt((0.048 * 0.048 + 0.007 * 0.007) / (3 * 9.81 * 0.048));
-    assert_near("tau", domq_scale_tau(&scale, train.d), tau, 1e-15);
+    assert_near("tau", domq_scale_tau(&scale, &(struct domq_train){.d = train.d}), tau, 1e-15);
     /* Frictionless equal dominoes of 48 x 7 mm at a pitch of 20 mm run at 1.28427 m/s. */
     domq_real duration;
     train.r = 1;

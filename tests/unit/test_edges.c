@@ -182,7 +182,7 @@ static void one_detaches_after_another(void **state)
                                       .push = 9.00688,
                                       .tol = 1e-12,
                                       .precision = DOM_DOUBLE};
-        struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0};
+        struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0, 0};
         assert_status(run_row(&seen), DOM_OK);
         assert_null(direct_run(&direct, hits, &result));
         assert_true((seen.verdict.end == DOM_ROW_FALLS) == result.all_fall);

@@ -35,8 +35,8 @@ static bool falls(struct row *row, const struct asked *train, double r, size_t n
         row->gap[k] = (double)train->s * row->height[k];
         row->mass[k] = pow(row->height[k], (double)train->q - 1);
     }
-    struct direct_row of = {n, row->height, row->thickness, row->gap, row->mass, (double)train->mu, 1.0, push,
-                            0};
+    struct direct_row of = {
+        n, row->height, row->thickness, row->gap, row->mass, (double)train->mu, 1.0, push, 0, 0};
     const char *wrong = direct_run(&of, row->hit, &row->result);
     if (wrong)
         fail_msg("%s", wrong);
@@ -87,7 +87,8 @@ static void durations(void **state)
         assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
         assert_true(falls(&row, &train, r, n, 1.5));
         struct domq_scale scale = {.h = row.height[n - 2], .g = 1};
-        double took = (row.hit[n - 1].time - row.hit[n - 2].time) / (double)domq_scale_tau(&scale, stature);
+        double took = (row.hit[n - 1].time - row.hit[n - 2].time) /
+                      (double)domq_scale_tau(&scale, &(struct domq_train){.d = stature});
         assert_near("duration", took, duration, 1e-11);
     }
 }

@@ -231,7 +231,7 @@ static void uniform_rows_become_the_train(void **state)
             const struct domq_domino *own = &run.domino[k];
             double unit = (double)(own->mass * own->height) * g / 2;
             scale.h = own->height;
-            double tau = domq_scale_tau(&scale, train.d);
+            double tau = domq_scale_tau(&scale, &(struct domq_train){.d = train.d});
             double off = fabs((double)f->kinetic / unit / (double)launch.kinetic - 1);
             if (isfinite(before) && off > 1e-12 && !(off < 1.1 * rate * before))
                 fail_msg("train %zu, domino %zu: off by %g, before by %g, rate %g", i, k + 1, off, before,

@@ -82,8 +82,8 @@ static void rows_against_newton(void **state)
     static struct row row;
     for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
         row_make(&row, scene[i][0], 0.4, COUNT);
-        struct direct_row of = {COUNT, row.height,  row.thickness,       row.gap, row.mass, scene[i][2],
-                                1.0,   scene[i][3], scene[i][1] * degree};
+        struct direct_row of = {COUNT, row.height,  row.thickness,        row.gap, row.mass, scene[i][2],
+                                1.0,   scene[i][3], scene[i][1] * degree, 0};
         assert_null(direct_run(&of, row.hit, &row.result));
         struct asked_row asked = {.domino = row.domino,
                                   .count = COUNT,
@@ -122,8 +122,8 @@ static void limits_against_newton(void **state)
                 row.gap[k] = some[i][0] * row.height[k];
                 row.mass[k] = row.height[k] * row.height[k];
             }
-            struct direct_row of = {COUNT, row.height, row.thickness,      row.gap, row.mass, some[i][2],
-                                    1.0,   32,         (double)train.alpha};
+            struct direct_row of = {COUNT, row.height, row.thickness,       row.gap, row.mass, some[i][2],
+                                    1.0,   32,         (double)train.alpha, 0};
             assert_null(direct_run(&of, row.hit, &row.result));
             assert_int_equal(row.result.all_fall, side < 0);
         }

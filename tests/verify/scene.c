@@ -178,7 +178,7 @@ static double taus(const struct scene *scene)
     for (size_t k = 2; k < 2 + SCENE_CYCLES; k++) {
         struct domq_scale scale = {.h = pow(scene->r, (double)(scene->count - k)), .g = 1};
 
-        sum += (double)domq_scale_tau(&scale, stature);
+        sum += (double)domq_scale_tau(&scale, &(struct domq_train){.d = stature});
     }
     return sum;
 }

@@ -12,11 +12,12 @@ static inline bool dynamics_on(dom_real value)
     return value != 0;
 }
 
-/* Returns the number of the first effect that is on, or DOM_DYNAMICS_COUNT. */
+/* Returns the number of the first effect that is on and does not cancel, or DOM_DYNAMICS_COUNT. */
 static inline int dynamics_first(const dom_real effect[DOM_DYNAMICS_COUNT])
 {
     int k = 0;
-    while (k < DOM_DYNAMICS_COUNT && !dynamics_on(effect[k]))
+    while (k < DOM_DYNAMICS_COUNT &&
+           (!dynamics_on(effect[k]) || dom_effect((enum dom_effect_name)k)->cancels))
         k++;
     return k;
 }
@@ -29,7 +30,7 @@ static inline enum dom_status dynamics_check(const dom_real effect[DOM_DYNAMICS_
 #undef STATUS
     for (int k = 0; k < DOM_DYNAMICS_COUNT; k++) {
         const struct dom_effect_argument *argument = dom_effect((enum dom_effect_name)k)->argument;
-        if (!(effect[k] >= argument->lowest && effect[k] <= argument->highest))
+        if (dynamics_on(effect[k]) && !(effect[k] >= argument->lowest && effect[k] <= argument->highest))
             return bad[k];
     }
     return DOM_OK;

@@ -27,6 +27,7 @@ KERNEL struct geometry geometry_read(const struct request *t)
                                 .d = (real)t->d,
                                 .q = (real)t->q,
                                 .tol = (real)t->tol,
+                                .box = 1,
                                 .n = CHAIN_ENDLESS,
                                 .interrupt = t->interrupt,
                                 .work = t->work};

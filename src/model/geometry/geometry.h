@@ -37,6 +37,7 @@ struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
+    real box;                        /* moment of inertia over that of a solid block: 1 without walls */
     struct flow *flow;               /* solution of an equation of motion; NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;

@@ -110,6 +110,7 @@ static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, boo
 #define VALUE(effect, member, status) row.member = p->train.member;
     DOM_DYNAMICS(VALUE)
 #undef VALUE
+    row.walls *= p->wish->first; /* from h to m */
     p->least = (dom_real)INFINITY;
     p->weakest = 0;
     p->status = dom_row_run(&row, &p->compute, times, ratio_seen, p, &verdict);

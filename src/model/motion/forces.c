@@ -80,11 +80,12 @@ static struct push push_on(const struct moving *k, real normal)
  * Finds the force of the floor by Newton's law for the centre of the block, at (x - d y, y + d x) / 2 from
  * its hinge: what contacts and gravity do not supply.
  */
-static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned, real d_head,
-                       const struct kinematics *kinematics, struct hinge_load *hinge_load)
+static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
+                       const struct geometry *head, const struct kinematics *kinematics,
+                       struct hinge_load *hinge_load)
 {
     const struct link *own = &k->link;
-    real tausq = (1 + d_head * d_head) / 3; /* in h/g of the head */
+    real tausq = head->box * (1 + head->d * head->d) / 3; /* in h/g of the head */
     real mass = own->weight / k->size, d = own->geometry->d, across = (own->tilt.x - d * own->tilt.y) / 2,
          up = (own->tilt.y + d * own->tilt.x) / 2, momentum = mass * k->size / tausq;
     real theta_2 = own->slope * kinematics->acceleration + k->second_derivative * kinematics->omegasq;
@@ -141,8 +142,7 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
         };
         hinge_load.x = hinge_load.z = hinge_load.impulse_x = hinge_load.impulse_z = REAL_NAN;
         if (kinematics->floor)
-            hinge_find(&k[i], i > 0 ? &k[i - 1] : NULL, hinge_load.leaned, geometry->d, kinematics,
-                       &hinge_load);
+            hinge_find(&k[i], i > 0 ? &k[i - 1] : NULL, hinge_load.leaned, geometry, kinematics, &hinge_load);
         if (!visit(&hinge_load, context))
             break;
     }

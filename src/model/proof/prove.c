@@ -56,7 +56,8 @@ static double tolerance_of(const struct dom_compute *compute)
 
 static bool has_effect(const struct dom_train *train)
 {
-#define OR_ON(effect, member, status) || train->member != 0
+/* Walls change no growth. */
+#define OR_ON(effect, member, status) || (DOM_EFFECT_##effect != DOM_EFFECT_walls && train->member != 0)
     return false DOM_DYNAMICS(OR_ON);
 #undef OR_ON
 }

@@ -6,6 +6,7 @@
  * before leaves to it. A domino that detaches takes all that lean on it along. As everywhere in the kernels,
  * the present head is the unit: its height, m g h / 2, tau.
  */
+#include "dynamics/walls.h"
 #include "row/run.h"
 #include <stdlib.h>
 
@@ -15,8 +16,9 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
-    real geometry = (real)row->g;
-    return (struct block){h, d, m, sqrt(h / (3 * geometry) * (1 + d * d)), m * geometry * h / 2};
+    real g = (real)row->g, walls = (real)row->effect[DOM_EFFECT_walls] / h,
+         box = walls != 0 ? walls_box(d, WALLS_WIDTH, walls).inertia : 1;
+    return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * box), box, m * g * h / 2};
 }
 
 /* Makes the joint of domino k with its follower k - 1, and finds how much of the row follows. */
@@ -36,7 +38,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     real v = geometry->leave_at / geometry->leave_by;
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
     geometry->weight = previous.mass / own.mass / geometry->r;
-    geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d);
+    geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d) *
+                        (previous.box / own.box);
     geometry->follower = follower;
     /* All dominoes before, over this domino itself: a bound for what a sum that ends here leaves out. */
     real weights =
@@ -56,6 +59,15 @@ static struct tilt row_end(const struct row_request *row, size_t k)
     return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
 }
 
+/* Turns the effects on. The walls are of one thickness, so each domino has its own share of its height. */
+static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
+{
+    dom_real effect[DOM_DYNAMICS_COUNT];
+    memcpy(effect, row->effect, sizeof effect);
+    effect[DOM_EFFECT_walls] /= row->domino[k].height;
+    return dynamics_choose(effect, geometry);
+}
+
 KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, struct geometry *row)
 {
     struct geometry *geometry = &row[k];
@@ -64,6 +76,7 @@ KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, s
                                   .interrupt = asked->interrupt,
                                   .work = asked->work,
                                   .d = block_of(asked, k).d,
+                                  .box = 1,
                                   .short_of = 1,
                                   .c = row_end(asked, k),
                                   .n = k + 1};
@@ -71,7 +84,7 @@ KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, s
     geometry_gravity(geometry, 0, 1);
     if (k > 0)
         joint_make(asked, k, &row[k - 1], geometry);
-    return dynamics_choose(asked->effect, geometry);
+    return row_effects(asked, k, geometry);
 }
 
 KERNEL enum dom_status row_make(const struct row_request *asked, struct geometry *row)
@@ -101,16 +114,24 @@ static enum dom_status settings_check(const struct row_request *row)
                : dynamics_check(row->effect);
 }
 
+/* Returns true if the walls have room in a domino. */
+static bool walls_room(const struct row_request *row, size_t k)
+{
+    struct block own = block_of(row, k);
+    return walls_fit(own.d, (real)row->effect[DOM_EFFECT_walls] / own.height);
+}
+
 /* Returns the status of what is wrong with a domino. Values computed from its sizes must be numbers of the
  * precision, too. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
-    return !positive(d->height)                                       ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(block_of(row, k).d) ? DOM_BAD_THICKNESS
-           : !positive(d->mass) || !positive(block_of(row, k).unit)   ? DOM_BAD_MASS
-           : !(d->gap >= 0) || !isfinite((real)d->gap)                ? DOM_BAD_GAP
-                                                                      : DOM_OK;
+    return !positive(d->height)                                                ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(block_of(row, k).d)          ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(block_of(row, k).unit)            ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite((real)d->gap)                         ? DOM_BAD_GAP
+           : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, k) ? DOM_NO_ROOM
+                                                                               : DOM_OK;
 }
 
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)

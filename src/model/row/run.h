@@ -9,6 +9,7 @@
 /* One domino, in SI units. */
 struct block {
     real height, d, mass, tau; /* d = thickness / height */
+    real box;                  /* moment of inertia over that of a solid block */
     real unit;                 /* m g h / 2 */
 };
 

@@ -186,7 +186,7 @@ static bool run_launch(struct session *session, const struct call *call)
     enum dom_status status = domq_launch_find(&session->train, &compute, &l);
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
         return session_status(session, status);
-    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, &session->train);
     return answer_row(call->answer,
                       ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau),
                           CELL_OF(l, kinetic), CELL_OF(l, J0)),
@@ -209,7 +209,7 @@ static bool run_omega(struct session *session, const struct call *call)
     enum dom_status status = domq_cycle_omegasq(&session->train, &compute, theta, &omegasq);
     if (status != DOM_OK && !no_cycle(session, status, reason))
         return session_status(session, status);
-    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, &session->train);
     return answer_row(call->answer,
                       ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
                           cell_omega(omegasq.value, omegasq.error, tau)),
@@ -248,7 +248,7 @@ static bool run_barrier(struct session *session, const struct call *call)
 
 static const struct column duration_columns[] = {
     {"duration", "tau", "t_f / tau, from one collision to the next", 0},
-    {"tau", "s", "unit of time (1; a1), of a solid block: sqrt((h^2+d^2)/(3gh))", 0},
+    {"tau", "s", "unit of time (1; a1); of a solid block sqrt((h^2+d^2)/(3gh))", 0},
     {"seconds", "s", "t_f; the next cycle lasts sqrt(r) times as long", 0},
     {"speed", "m/s", "speed of the front in this cycle, (s+d) r h / t_f", 0},
     {NULL, NULL, NULL, 0},
@@ -258,7 +258,7 @@ static bool run_duration(struct session *session, const struct call *call)
 {
     const struct domq_compute compute = session_compute(session);
     struct domq_value duration = {.value = DOMQ_NAN};
-    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, &session->train);
     char reason[REASON_SIZE];
     enum dom_status status = domq_cycle_duration(&session->train, &compute, &duration);
     const char *why = no_cycle(session, status, reason);

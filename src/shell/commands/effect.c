@@ -263,7 +263,8 @@ const struct command effect_commands[] = {
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "turn an effect on with its values, or 'off'",
      .help =
-         "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect row 13', "
+         "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect walls 1 "
+         "mm', 'effect row 13', "
          "'effect row record.csv', 'effect push 3', 'effect placement 1 mm', 'effect floor 0.4'. 'effects' "
          "lists them, 'help friction' explains one. 'effect friction off' turns it off; an effect that is "
          "off is not computed.",

@@ -14,7 +14,7 @@ struct walk_units walk_units(const struct session *session, int cycle)
     bool known = mass > 0;
     return (struct walk_units){
         .height = scale.h,
-        .tau = domq_scale_tau(&scale, t->d),
+        .tau = domq_scale_tau(&scale, t),
         .energy = known ? heavier * mass * scale.g * session->scale.h / 2 : heavier,
         .energy_unit = known       ? "J"
                        : cycle > 1 ? "mgh/2 of the first head"

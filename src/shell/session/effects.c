@@ -62,6 +62,7 @@ const char *effect_setting(const struct session *session, int name, char setting
 /* Commands that show an effect; effect_example makes them for effects that are not listed. */
 static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
+    [DOM_EFFECT_walls] = "effect walls 1 mm; duration; effect walls off",
     [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
     [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",
     [DOM_EFFECT_placement] =
@@ -169,7 +170,7 @@ bool effect_needs(struct session *session, int name)
             return session_error(session, "'effect %s' needs a %s; first enter 'effect %s %s'",
                                  effect_at(name)->name, effect_at(k)->name, effect_at(k)->name,
                                  effect_at(k)->argument[0].name);
-    return name >= DOM_DYNAMICS_COUNT || session->train.fuel != DOM_FUEL_PAPER ||
+    return name >= DOM_DYNAMICS_COUNT || effect_at(name)->cancels || session->train.fuel != DOM_FUEL_PAPER ||
            session_error(session, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
                          effect_at(name)->name);
 }
@@ -296,8 +297,21 @@ void scene_row_fill(const struct session *session, struct domq_domino *domino, s
         domq_row_of_train(&session->train, &session->scale, 1, domino, count);
     for (size_t i = 0; i < listed->changes; i++)
         domino[listed->placed[i].k - 1].gap = listed->placed[i].gap;
+    for (size_t k = 0; listed->width && k < count; k++)
+        domino[k].mass *= session_filled(session, domino[k].height, domino[k].thickness, listed->width[k]);
     if (!listed->domino || !listed->weighed)
         row_weigh(session, domino, count);
+}
+
+/* Reports an error if the walls have no room in a domino. */
+static bool walls_fit(struct session *session, const struct domq_domino *domino, size_t count)
+{
+    struct domq_box box;
+    for (size_t k = 0; k < count; k++)
+        if (domq_box_find(domino[k].height, domino[k].thickness, domino[k].height / 2,
+                          session->train.walls * session->scale.h, &box) != DOM_OK)
+            return session_no_room(session, k + 1, domino[k].thickness);
+    return true;
 }
 
 bool scene_row_list(struct session *session, struct scene_row *scene)
@@ -316,6 +330,11 @@ bool scene_row_list(struct session *session, struct scene_row *scene)
         return false;
     }
     scene_row_fill(session, scene->domino, count);
+    if (session->train.walls > 0 && !walls_fit(session, scene->domino, count)) {
+        free(scene->domino);
+        scene->domino = NULL;
+        return false;
+    }
     scene->row = (struct domq_row){
         .domino = scene->domino,
         .count = count,
@@ -326,6 +345,7 @@ bool scene_row_list(struct session *session, struct scene_row *scene)
 #undef VALUE
             .floor = effect[DOM_EFFECT_floor].on,
     };
+    scene->row.walls *= session->scale.h; /* from h to m */
     scene->compute = session->compute;
     return true;
 }

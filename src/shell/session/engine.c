@@ -36,13 +36,23 @@ static struct unit unit_of(const struct domq_row *row)
     return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
 }
 
+/* Returns the moment of inertia of a domino about its centre, over that of a solid block; 0: it is solid. */
+static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
+{
+    struct domq_box box;
+    if (row->walls == 0 || domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
+        return 0;
+    return 4 * (double)box.inertia - 3; /* three quarters of that about the edge are mass times distance */
+}
+
 /* Writes the boxes of a row. Returns false if one of them has no size or no mass. */
 static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engine_box *box)
 {
     for (size_t k = 0; k < row->count; k++) {
         const struct domq_domino *d = &row->domino[k];
         box[k] = (struct engine_box){(double)d->height / unit.length, (double)d->thickness / unit.length,
-                                     (double)d->gap / unit.length, (double)d->mass / unit.mass};
+                                     (double)d->gap / unit.length, (double)d->mass / unit.mass,
+                                     box_inertia(row, d)};
         if (!(box[k].height > 0 && box[k].thickness > 0 && box[k].gap >= 0 && box[k].mass > 0) ||
             !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
             return false;
@@ -196,8 +206,8 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 /* Reports an error for an effect that is on, and that the engine lacks. */
 static bool effects_check(struct session *session)
 {
-    static const int known[] = {DOM_EFFECT_friction,  DOM_EFFECT_slope, DOM_EFFECT_row, DOM_EFFECT_push,
-                                DOM_EFFECT_placement, EFFECT_feet,      EFFECT_bounce};
+    static const int known[] = {DOM_EFFECT_friction, DOM_EFFECT_slope,     DOM_EFFECT_walls, DOM_EFFECT_row,
+                                DOM_EFFECT_push,     DOM_EFFECT_placement, EFFECT_feet,      EFFECT_bounce};
     for (int k = 0; k < EFFECT_COUNT; k++) {
         bool knows = !session->effect[k].on;
         for (size_t i = 0; i < sizeof known / sizeof *known; i++)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors and notes of a session: where, what is wrong, what would be right. */
 #include "answer/format.h"
+#include "answer/measure.h"
 #include "io/escape.h"
 #include "io/pager.h"
 #include "io/terminal.h"
@@ -109,6 +110,18 @@ bool session_report(struct session *session, enum message what, const char *form
     return false;
 }
 
+bool session_no_room(struct session *session, size_t k, domq_real thickness)
+{
+    char which[32] = "the domino";
+    if (k > 0)
+        snprintf(which, sizeof which, "domino %zu", k);
+    return session_no_answer(session,
+                             "walls of %s leave no room in %s, which is %s thick: they are %s at most, which "
+                             "makes it solid",
+                             measured(session->train.walls * session->scale.h, "m", 4).text, which,
+                             measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
+}
+
 bool session_status(struct session *session, enum dom_status status)
 {
     const struct domq_train *t = &session->train;
@@ -124,6 +137,8 @@ bool session_status(struct session *session, enum dom_status status)
         return session_no_answer(
             session, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
             domq_dynamics(t)->name, domq_dynamics(t)->name);
+    if (status == DOM_NO_ROOM)
+        return session_no_room(session, 0, t->d * session->scale.h);
     if (status == DOM_TOO_LONG)
         return session_no_answer(session, "%s; use a larger s, d or tol", dom_status_text(status));
     return session_no_answer(session, "%s", dom_status_text(status));

@@ -332,12 +332,15 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
                      "thickness / height = %s is out of range; it is 1e-12 .. 100", quad_shown(ratio).text);
     if (!value_check(r, MASS, mass, NULL))
         return false;
-    if ((rows->count & (rows->count - 1)) == 0) { /* the array is full at 0, 1, 2, 4, ... */
+    if ((rows->count & (rows->count - 1)) == 0) { /* the arrays are full at 0, 1, 2, 4, ... */
         struct domq_domino *more = realloc(rows->domino, 2 * (rows->count + 1) * sizeof *more);
-        if (!more)
+        rows->domino = more ? more : rows->domino;
+        domq_real *wider = more ? realloc(rows->width, 2 * (rows->count + 1) * sizeof *wider) : NULL;
+        if (!wider)
             return wrong(r, NULL, "out of memory");
-        rows->domino = more;
+        rows->width = wider;
     }
+    rows->width[rows->count] = width;
     domq_real gap = rows->count > 0 ? value[GAP] : 0;
     rows->domino[rows->count++] = (struct domq_domino){
         .height = value[HEIGHT], .thickness = value[THICKNESS], .gap = gap, .mass = mass};
@@ -402,6 +405,10 @@ bool rowfile_read(struct session *session, const char *path, const char *then, s
     r.path = strlen(path) > 255 || strpbrk(path, "\n\r\t\033") ? names_shown(path, shown) : path;
     bool good = lines_read(&r, rows);
     rows->weighed = r.column[MASS] > 0 || r.column[DENSITY] > 0;
+    if (r.column[MASS] > 0 || (r.column[RELATIVE] > 0 && r.column[DENSITY] == 0)) {
+        free(rows->width);
+        rows->width = NULL;
+    }
     text_free(&r.text);
     free(r.buffer);
     fclose(r.in);

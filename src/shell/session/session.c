@@ -22,6 +22,7 @@ void listed_free(struct listed_row *row)
 {
     if (!row->holders || --*row->holders == 0) {
         free(row->domino);
+        free(row->width);
         free(row->path);
         free(row->holders);
     }
@@ -102,9 +103,18 @@ void session_close(struct session *session)
     session->undo = NULL;
 }
 
+domq_real session_filled(const struct session *session, domq_real height, domq_real thickness,
+                         domq_real width)
+{
+    struct domq_box box = {.filled = 1};
+    domq_real walls = session->train.walls * session->scale.h;
+    return walls > 0 && domq_box_find(height, thickness, width, walls, &box) == DOM_OK ? box.filled : 1;
+}
+
 domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness)
 {
-    return session->mass > 0 ? session->mass : session->density * height * height * thickness / 2;
+    domq_real filled = session_filled(session, height, thickness, height / 2);
+    return session->mass > 0 ? session->mass : session->density * height * height * thickness / 2 * filled;
 }
 
 domq_real session_mass(const struct session *session)

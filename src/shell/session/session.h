@@ -39,7 +39,8 @@ struct shard {
 struct listed_row {
     struct domq_domino *domino; /* NULL for none */
     size_t count;
-    bool weighed; /* masses are in kg; else they are relative */
+    bool weighed;     /* masses are in kg; else they are relative */
+    domq_real *width; /* m, of each, where masses follow from volumes; NULL: masses are given */
     char *path;
     struct placed {
         size_t k; /* from 1 */
@@ -155,6 +156,10 @@ bool listed_share(struct listed_row *to, struct listed_row *from);
 /* Frees a listed row. */
 void listed_free(struct listed_row *row);
 
+/* Returns the share of the volume of a domino that is filled: by its walls, or all of a solid block. */
+domq_real session_filled(const struct session *session, domq_real height, domq_real thickness,
+                         domq_real width);
+
 /* Return the first domino's mass in kg, of a block of these sizes in m, or of h and d; 0: not known. */
 domq_real session_block_mass(const struct session *session, domq_real height, domq_real thickness);
 domq_real session_mass(const struct session *session);
@@ -184,6 +189,9 @@ struct range session_part(const struct session *session, size_t points);
  * output, and with bail after an error (session->errors was `errors` before).
  */
 bool session_stops(const struct session *session, long errors);
+
+/* Reports that the walls have no room in domino k, or in that of a train if k is 0.  Returns false. */
+bool session_no_room(struct session *session, size_t k, domq_real thickness);
 
 /* Reports a library status that is not DOM_OK.  Returns false. */
 bool session_status(struct session *session, enum dom_status status);

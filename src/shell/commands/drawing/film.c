@@ -77,7 +77,7 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->r = (double)t->r;
     film->d = (double)t->d;
     film->pitch = (double)(t->s + t->d);
-    film->tau = (double)domq_scale_tau(&session->scale, t->d);
+    film->tau = (double)domq_scale_tau(&session->scale, t);
     /* As many as show the growth, and no smaller first head than can be seen. */
     const struct film_what *what = call->own;
     if (what && what->counted && !cycles_check(session, what))

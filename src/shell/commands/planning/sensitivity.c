@@ -38,7 +38,7 @@ enum { INFLUENCES_MOST = 32 };
 static bool step_choose(const struct session *session, const struct parameter *p, struct influence *i)
 {
     domq_real value = parameter_get(session, p);
-    bool dynamic = p->effect && (int)p->which < DOM_DYNAMICS_COUNT,
+    bool dynamic = p->effect && (int)p->which < DOM_DYNAMICS_COUNT && !p->effect->cancels,
          angle = strcmp(p->value->unit, "rad") == 0;
     *i = (struct influence){.parameter = p, .value = value == EFFECT_OFF ? 0 : value};
     if (p->setting || p->words_only || p->value->whole || strcmp(p->name, "tol") == 0)

@@ -19,7 +19,7 @@ static const struct usual_range {
                     {"mass", 1e-3, 10}, {"density", 50, 10000},
                     {"friction", 0, 2}, {"slope", -0.14, 0.14},
                     {"push", 0, 30},    {"placement", 0, 0.1},
-                    {"floor", 0, 3}};
+                    {"floor", 0, 3},    {"walls", 1e-4, 0.07}};
 
 const char *solve_names(const void *context, int k)
 {

@@ -194,7 +194,7 @@ bool plot_inertia(struct session *session, const struct call *call)
 static bool omega_draw(struct session *session, struct cycle_samples *c)
 {
     struct chart chart = cycle_chart(session, c, "Angular velocity");
-    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, &session->train);
     snprintf(chart.y.label, sizeof chart.y.label, "angular velocity in %s/s",
              style_angle_unit(&session->style));
     chart.y.low = 0;
@@ -211,7 +211,7 @@ static bool omega_row(struct session *session, struct cycle_samples *c, const st
                       struct answer *answer)
 {
     (void)c;
-    domq_real tau = domq_scale_tau(&session->scale, session->train.d);
+    domq_real tau = domq_scale_tau(&session->scale, &session->train);
     return answer_cells(answer, cell_real(at->theta), cell_real(at->omegasq),
                         cell_real(quad(sqrt)(at->omegasq) / tau), cell_word(at->event));
 }

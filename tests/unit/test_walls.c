@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Boxes of six walls: their moment of inertia against a sum over boards, a train that moves as without walls
+ * but for its unit of time, rows against Newton's equations (direct.h), and the limits of the walls.
+ */
+#include "direct.h"
+#include "support.h"
+
+static void thin_and_solid(void **state)
+{
+    (void)state;
+    struct domq_box box;
+    const double d = 7.0 / 48;
+    /* Walls that are thin, from their areas: 1 + (1 + d) / (2 (1 + d^2) (1 + 1/d + 1/w)), w = 1/2. */
+    double thin = 1 + (1 + d) / (2 * (1 + d * d) * (1 + 1 / d + 2));
+    assert_near("thin", thin, 1.0569, 2e-5);
+    assert_status(domq_box_find(1, d, 0.5, 1e-9, &box), DOM_OK);
+    assert_near("thin", (double)box.inertia, thin, 1e-7);
+    assert_near("filled", (double)box.filled, 2e-9 * (1 + 1 / d + 2), 1e-7);
+    /* Walls of half of the thickness fill the box; just below that the hollow is a slit. */
+    assert_status(domq_box_find(48, 7, 24, 3.5, &box), DOM_OK);
+    assert_true(box.inertia == 1 && box.filled == 1);
+    assert_status(domq_box_find(48, 7, 24, 3.4999, &box), DOM_OK);
+    assert_true(box.inertia > 1 && box.inertia < 1.0001 && box.filled < 1 && box.filled > 0.9999);
+    /* 4 mm of 100 x 30 x 50 mm: the hollow has 92 x 22 x 42 mm. */
+    assert_status(domq_box_find(0.1, 0.03, 0.05, 0.004, &box), DOM_OK);
+    double v = 92 * 22 * 42 / 150000.0, u = (92.0 * 92 + 22 * 22) / (100 * 100 + 30 * 30);
+    assert_near("filled", (double)box.filled, 1 - v, 1e-14);
+    assert_near("inertia", (double)box.inertia, ((1 - v * u) / (1 - v) + 3) / 4, 1e-14);
+}
+
+static void no_room(void **state)
+{
+    (void)state;
+    struct domq_box box = {.inertia = -1};
+    const domq_real bad[][4] = {{48, 7, 24, 3.6},     {48, 7, 24, 0}, {48, 7, 24, -1}, {48, 7, 24, DOMQ_NAN},
+                                {48, 7, 0, 1},        {0, 7, 24, 1},  {48, 0, 24, 1},  {48, DOMQ_NAN, 24, 1},
+                                {DOMQ_NAN, 7, 24, 1}, {48, 7, -2, 1}, {-48, -7, 24, 1}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_status(domq_box_find(bad[i][0], bad[i][1], bad[i][2], bad[i][3], &box), DOM_NO_ROOM);
+    assert_true(box.inertia == -1);
+    struct asked train = asked_default();
+    struct domq_limit limit;
+    train.walls = train.d / 2 * (1 + 1e-9);
+    assert_status(ask_train_check(&train), DOM_NO_ROOM);
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_ROOM);
+    train.walls = train.d / 2;
+    assert_status(ask_train_check(&train), DOM_OK);
+    train.walls = 1e-10;
+    assert_status(ask_train_check(&train), DOM_BAD_WALLS);
+    train.walls = -0.01;
+    assert_status(ask_train_check(&train), DOM_BAD_WALLS);
+    /* A row names the domino. */
+    struct domq_domino domino[] = {{0.048, 0.007, 0, 1}, {0.072, 0.006, 0.02, 1}, {0.1, 0.02, 0.03, 1}};
+    struct asked_row row = {.domino = domino,
+                            .count = 3,
+                            .g = 9.81,
+                            .push = 4,
+                            .walls = 0.0032,
+                            .tol = train.tol,
+                            .precision = DOM_DOUBLE};
+    struct domq_verdict verdict = {.domino = 0};
+    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_NO_ROOM);
+    assert_int_equal(verdict.domino, 2);
+    row.walls = 0.003;
+    for (row.precision = DOM_FLOAT; row.precision <= DOM_QUAD; row.precision++) {
+        row.tol = row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
+        if (dom_arithmetic(row.precision)->bits)
+            assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_OK);
+    }
+}
+
+/* Checks that a train moves as without walls, in units of tau, with every law and precision, also with the
+ * paper's fuel and the methods to compare with; and that tau has the factor. */
+static void trains_move_as_without(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 24; k++) {
+        struct asked solid = asked_default(), box;
+        solid.r = 1.2;
+        solid.precision = (enum dom_precision)(k % 3);
+        solid.tol = k % 3 == 0 ? 1e-5 : 1e-12;
+        solid.mu = k & 4 ? 0.2 : 0;
+        solid.alpha = k & 8 ? 0.01 : 0;
+        if (k >= 16) {
+            solid.mu = solid.alpha = 0;
+            solid.fuel = k % 2 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+        }
+        if (k >= 20) {
+            solid.precision = DOM_DOUBLE;
+            solid.tol = 1e-9;
+            solid.method = DOM_METHOD_GSL;
+        }
+        if (!dom_arithmetic(solid.precision)->bits)
+            continue;
+        box = solid;
+        box.walls = 0.02;
+        struct domq_limit a = {.r_max = 0}, b = {.r_max = 1};
+        domq_real of_a = 0, of_b = 1;
+        assert_status(ask_limit_rmax(&solid, &a, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&box, &b, NULL, NULL), DOM_OK);
+        assert_true(a.r_max == b.r_max && a.ends == b.ends);
+        assert_status(ask_cycle_duration(&solid, &of_a, NULL), DOM_OK);
+        assert_status(ask_cycle_duration(&box, &of_b, NULL), DOM_OK);
+        assert_true(of_a == of_b);
+    }
+    struct domq_scale scale = domq_scale_default();
+    struct domq_train train = domq_train_default();
+    struct domq_box found;
+    domq_real tau = domq_scale_tau(&scale, &train);
+    train.walls = 0.03;
+    assert_status(domq_box_find(1, train.d, 0.5, 0.03, &found), DOM_OK);
+    assert_near("tau", (double)(domq_scale_tau(&scale, &train) / tau), sqrt((double)found.inertia), 1e-15);
+    assert_near("speed", (double)domq_scale_speed(&scale, &train, 9),
+                (0.4 + 7.0 / 48) * 1.5 * 0.048 / (9 * (double)tau * sqrt((double)found.inertia)), 1e-13);
+}
+
+/* Checks the bounds of errors: they are those without walls. */
+static void bounds_are_kept(void **state)
+{
+    (void)state;
+    struct asked solid = asked_default(), box = solid;
+    struct domq_launch a, b, of_a, of_b;
+    box.walls = 0.02;
+    assert_status(ask_launch_find(&solid, &a, &of_a), DOM_OK);
+    assert_status(ask_launch_find(&box, &b, &of_b), DOM_OK);
+    assert_true(a.kinetic == b.kinetic && a.error.kinetic == b.error.kinetic);
+}
+
+/* Checks what the floor gives in the collision: |1/2 - f (1 + d^2) / (3 a)| / (d/2) at the struck domino,
+ * where the head needs the most. */
+static void struck_box(void **state)
+{
+    (void)state;
+    for (double walls = 0; walls < 0.073; walls += 0.01) {
+        struct asked train = asked_default();
+        struct domq_floor floor;
+        struct domq_box found = {.inertia = 1};
+        const double d = (double)train.d, a = sqrt(1 - 0.16);
+        train.r = 1;
+        train.walls = walls;
+        if (walls > 0)
+            assert_status(domq_box_find(1, d, 0.5, walls, &found), DOM_OK);
+        assert_status(ask_cycle_floor(&train, &floor), DOM_OK);
+        assert_near("hit", (double)floor.hit,
+                    fabs(0.5 - (double)found.inertia * (1 + d * d) / (3 * a)) / (d / 2), 1e-9);
+    }
+}
+
+enum { COUNT = 12 };
+
+struct compared {
+    struct direct_hit hit[COUNT];
+    double worst;
+};
+
+static bool fall_seen(const struct domq_fall *fall, void *context)
+{
+    struct compared *c = context;
+    const struct direct_hit *hit = &c->hit[fall->domino - 1];
+    double of_omega = fabs((double)fall->omega / hit->omega - 1);
+    double of_time = fabs((double)fall->time - hit->time);
+    double of_kinetic = fabs((double)fall->kinetic / hit->kinetic - 1);
+    c->worst = fmax(c->worst, fmax(of_omega, fmax(of_time, of_kinetic)));
+    return true;
+}
+
+/* Checks rows of unequal boxes, of the same boards, without and with friction and slope. */
+static void rows_against_newton(void **state)
+{
+    (void)state;
+    static const double scene[][4] = {/* r, walls, mu, slope */
+                                      {1.2, 1e-3, 0, 0},
+                                      {1.4, 0.03, 0, 0},
+                                      {1, 0.06, 0, 0.02},
+                                      {1.2, 0.04, 0.2, 0},
+                                      {1.3, 0.01, 0.1, -0.01}};
+    double height[COUNT], thickness[COUNT], gap[COUNT], mass[COUNT];
+    struct domq_domino domino[COUNT];
+    for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
+        for (size_t k = 0; k < COUNT; k++) {
+            double uneven = 1 + 0.05 * sin(3.0 * (double)k);
+            height[k] = pow(scene[i][0], (double)k);
+            thickness[k] = 0.15 * uneven * height[k];
+            gap[k] = 0.4 * height[k] / uneven;
+            mass[k] = pow(height[k], 2) * uneven;
+            domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k]};
+        }
+        struct direct_row of = {.n = COUNT,
+                                .height = height,
+                                .thickness = thickness,
+                                .gap = gap,
+                                .mass = mass,
+                                .mu = scene[i][2],
+                                .g = 1,
+                                .omega = 2,
+                                .slope = scene[i][3],
+                                .walls = scene[i][1]};
+        struct direct_result result;
+        struct compared c = {.worst = 0};
+        assert_null(direct_run(&of, c.hit, &result));
+        struct asked_row asked = {.domino = domino,
+                                  .count = COUNT,
+                                  .g = 1,
+                                  .push = 2,
+                                  .mu = scene[i][2],
+                                  .alpha = scene[i][3],
+                                  .walls = scene[i][1],
+                                  .tol = asked_default().tol,
+                                  .precision = DOM_DOUBLE};
+        struct domq_verdict verdict;
+        assert_status(ask_row_run(&asked, true, fall_seen, &c, &verdict), DOM_OK);
+        assert_int_equal(verdict.end == DOM_ROW_FALLS, result.all_fall);
+        assert_int_equal(verdict.domino, result.hit);
+        if (!(c.worst < 1e-9))
+            fail_msg("scene %zu: off by %g", i, c.worst);
+    }
+}
+
+/* Checks that a row of equal boxes takes longer by the factor of tau, with energies as without walls. */
+static void equal_boxes_take_longer(void **state)
+{
+    (void)state;
+    struct domq_domino domino[COUNT];
+    struct domq_verdict solid, box;
+    struct domq_box found;
+    for (size_t k = 0; k < COUNT; k++)
+        domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01};
+    struct asked_row row = {.domino = domino,
+                            .count = COUNT,
+                            .g = 9.81,
+                            .push = DOM_NAN,
+                            .tol = asked_default().tol,
+                            .precision = DOM_DOUBLE};
+    assert_status(ask_row_run(&row, true, NULL, NULL, &solid), DOM_OK);
+    row.walls = 0.001;
+    assert_status(ask_row_run(&row, true, NULL, NULL, &box), DOM_OK);
+    assert_status(domq_box_find(48, 7, 24, 1, &found), DOM_OK);
+    assert_near("seconds", (double)(box.seconds / solid.seconds), sqrt((double)found.inertia), 1e-12);
+    assert_near("spare", (double)box.spare, (double)solid.spare, 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(thin_and_solid),
+        cmocka_unit_test(no_room),
+        cmocka_unit_test(trains_move_as_without),
+        cmocka_unit_test(bounds_are_kept),
+        cmocka_unit_test(struck_box),
+        cmocka_unit_test(rows_against_newton),
+        cmocka_unit_test(equal_boxes_take_longer),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
