@@ -25,7 +25,7 @@ struct engine_row {
     double slope; /* the angle by which the floor falls in the direction of the row */
     double mu;    /* friction between boxes */
     double bounce; /* restitution between boxes */
-    double feet;   /* friction of the floor; infinite: each foot is a hinge */
+    double feet;   /* friction of the floor; infinite: each foot is a hinge, or rolls if it is rounded */
     double radius; /* of rounded edges, over the height */
     double bevel;  /* cuts off the upper back edge by this part of the height; masses stay the same */
 };

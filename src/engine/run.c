@@ -41,7 +41,7 @@ static double time_to_hit(const struct world *w)
         return soonest;
     double face = w->body[next].corner.x - w->row->box[next].thickness;
     for (int i = 0; i < 2; i++) {
-        cpVect at = i == 0 ? world_tip(w, k) : world_foot(w, k);
+        cpVect at = world_front(w, k, i == 0);
         double speed = w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, at).x;
         if (speed > 0)
             soonest = fmin(soonest, (face - at.x) / speed);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 static const double parallel = 0.999; /* a cosine */
+static const double rough = 1000;     /* friction of a floor on which rounded feet roll */
 static const double tipped = 1e-3;    /* rad beyond the edge, from where a box that is let go is followed */
 enum { FOREMOST = 4 };                /* boxes whose depth is noted */
 
@@ -23,6 +24,14 @@ cpVect world_tip(const struct world *w, size_t k)
 {
     const struct engine_box *box = &w->row->box[k];
     return w->cp->cpBodyLocalToWorld(w->body[k].body, cpv(box->thickness / 2, box->height / 2));
+}
+
+cpVect world_front(const struct world *w, size_t k, bool upper)
+{
+    const struct engine_box *box = &w->row->box[k];
+    double r = w->row->radius * box->height, y = box->height / 2 - r;
+    cpVect centre = cpv(box->thickness / 2 - r, upper ? y : -y);
+    return cpvadd(w->cp->cpBodyLocalToWorld(w->body[k].body, centre), cpv(r, 0));
 }
 
 cpVect world_foot(const struct world *w, size_t k)
@@ -161,7 +170,7 @@ static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
     (void)space;
     w->cp->cpArbiterGetShapes(arbiter, &a, &b);
     bool floor = a == w->floor || b == w->floor;
-    w->cp->cpArbiterSetFriction(arbiter, floor ? w->row->feet : w->row->mu);
+    w->cp->cpArbiterSetFriction(arbiter, floor ? fmin(w->row->feet, rough) : w->row->mu);
     w->cp->cpArbiterSetRestitution(arbiter, floor ? 0 : w->row->bounce);
     if (floor)
         return cpTrue;
@@ -204,7 +213,7 @@ enum engine_status world_make(struct world *w)
     w->cp->cpSpaceSetGravity(w->space, gravity(w->row));
     w->cp->cpSpaceSetCollisionSlop(w->space, 0);
     w->cp->cpSpaceSetCollisionBias(w->space, 1);
-    if (isfinite(w->row->feet))
+    if (isfinite(w->row->feet) || w->row->radius > 0)
         pave(w);
     world_stand(w);
     start(w);

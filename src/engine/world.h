@@ -41,6 +41,9 @@ double world_spin(const struct world *world, size_t k);
 cpVect world_tip(const struct world *world, size_t k);
 cpVect world_foot(const struct world *world, size_t k);
 
+/* Returns the foremost point of the upper or lower front edge, which may be rounded. */
+cpVect world_front(const struct world *world, size_t k, bool upper);
+
 /* Return the kinetic energy, and the energy, of all boxes in the space. */
 double world_kinetic(const struct world *world);
 double world_energy(const struct world *world);

@@ -30,6 +30,8 @@ effect row 4; effect placement 1 mm|0 0 0 x 0 x 0 0 0
 effect row 4; effect friction 0.1; effect floor 1|x 0 0 x 0 0 x 0 0
 effect row 4; effect slope 1 deg|0 x 0 x 0 0 0 0 0
 effect row 4; effect walls 1 mm|0 0 x x 0 0 0 0 0
+effect row 4; effect feet 0.5|0 0 0 x 0 0 0 x 0
+effect row 4; effect push 5; effect bounce 0.2|0 0 0 x x 0 0 0 x
 END
 }
 

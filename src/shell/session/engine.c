@@ -60,6 +60,17 @@ static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engi
     return true;
 }
 
+/* Returns the value of an effect of motion, 0 for off, and for one that the library does not have. */
+static double dynamics_value(const struct domq_row *row, const char *name)
+{
+#define VALUE(effect, member, status)                                                                        \
+    if (strcmp(#effect, name) == 0)                                                                          \
+        return (double)row->member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    return 0;
+}
+
 static struct engine_row row_of(const struct domq_row *row, struct unit unit, const struct engine_box *box)
 {
     const struct scene_engine *own = row->engine->own;
@@ -67,8 +78,9 @@ static struct engine_row row_of(const struct domq_row *row, struct unit unit, co
     engine.box = box;
     engine.count = row->count;
     engine.push = (double)row->push * unit.time;
-    engine.mu = (double)row->mu;
-    engine.slope = (double)row->alpha;
+    engine.mu = dynamics_value(row, "friction");
+    engine.slope = dynamics_value(row, "slope");
+    engine.radius = dynamics_value(row, "edges");
     return engine;
 }
 
@@ -206,12 +218,11 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 /* Reports an error for an effect that is on, and that the engine lacks. */
 static bool effects_check(struct session *session)
 {
-    static const int known[] = {DOM_EFFECT_friction, DOM_EFFECT_slope,     DOM_EFFECT_walls, DOM_EFFECT_row,
-                                DOM_EFFECT_push,     DOM_EFFECT_placement, EFFECT_feet,      EFFECT_bounce};
+    static const char *const known[] = {"friction", "slope", "edges", "walls", "row", "push", "placement"};
     for (int k = 0; k < EFFECT_COUNT; k++) {
-        bool knows = !session->effect[k].on;
+        bool knows = !session->effect[k].on || k >= DOM_EFFECT_COUNT;
         for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-            knows = knows || known[i] == k;
+            knows = knows || strcmp(known[i], effect_at(k)->name) == 0;
         if (!knows)
             return session_error(
                 session,

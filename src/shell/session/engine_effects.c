@@ -10,7 +10,8 @@ const struct domq_effect engine_effect_feet = {
         "in the collision, and it may be lifted. Such a row is no train of one degree of freedom: a "
         "rigid-body engine runs it, Chipmunk 7, which is loaded only then. 'fall' reports how far feet "
         "slide. The step of the engine is halved until the verdict and the times no longer change. "
-        "The answer depends on the start: a strong push throws the foot of the first domino backwards. "
+        "The answer depends on the start: a push of more than sqrt(2 g/h) lifts the first domino and throws "
+        "it at the second. "
         "'rowmax' finds the largest growth of such a row; 'rmax' is about the endless train, whose feet "
         "are hinges.",
     .source = "Chipmunk 7, a rigid-body engine; Coulomb friction",

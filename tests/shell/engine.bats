@@ -1,0 +1,70 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Rows that the rigid-body engine runs: feet that slip, dominoes that bounce, and a second opinion on any row.
+
+load common
+
+scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
+
+@test "the engine and the model give one verdict, and times that agree to 1 %" {
+    model=$(json "$scene; fall" | values hit | paste -sd ' ' -)
+    engine=$(json "$scene; set method engine; fall" | values hit | paste -sd ' ' -)
+    differ 'another way to compute' "$model" "$engine"
+    paste <(tr ' ' '\n' <<<"$model") <(tr ' ' '\n' <<<"$engine") |
+        awk 'NR > 1 { off = $2 / $1 - 1; if (off > 0.01 || off < -0.01) { print; bad = 1 } } END { exit bad || NR != 5 }'
+    for r in 1.2 1.9; do
+        same "r = $r" "$(json "$scene; set r $r; verdict" | values verdict)" \
+            "$(json "$scene; set r $r; set method engine; verdict" | values verdict)"
+    done
+}
+
+@test "the same bytes each time, with any number of threads" {
+    study="$scene; effect placement 3 mm; effect feet 0.4; placement 20"
+    first=$(json "set threads 1; $study")
+    same 'two threads' "$first" "$(json "set threads 2; $study")"
+    first=$(json "$scene; effect feet 0.3; effect bounce 0.4; fall")
+    same again "$first" "$(json "$scene; effect feet 0.3; effect bounce 0.4; fall")"
+    # The unit of lengths does not matter.
+    same scaled "$(json "$scene; effect feet 0.3; verdict" | values verdict)" \
+        "$(json "$scene; effect push 0.5; set h 4.8; effect feet 0.3; verdict" | values verdict)"
+}
+
+@test "feet slide, and the answer says how far and how sure it is" {
+    run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall"
+    [[ $output == *' slid'* && $output == *'Feet slide: that of domino '*' of its height.'* ]]
+    [[ $output == *'Chipmunk 7'*'with half as many the verdict is the same, and times agree to '*' %.'* ]]
+    # On hinges no column says so; with bounds the times have theirs.
+    run -0 "$DOMINO" -n -e "$scene; effect bounce 0.2; fall"
+    [[ $output != *slid* && $output == *'Chipmunk 7'* ]]
+    json "$scene; effect feet 0.5; set errors on; verdict" | values seconds_error | awk '{ exit !($1 > 0 && $1 < 0.01) }'
+}
+
+@test "scene says that the engine runs the row, and why" {
+    run -0 "$DOMINO" -n -e "$scene; effect feet 0.4; scene"
+    [[ $output == *'motion '*' feet is on '*'rigid-body engine, Chipmunk 7'* ]]
+    run -0 "$DOMINO" -n -e "$scene; set method engine; scene"
+    [[ $output == *'method is engine'* ]]
+    # A train stays that of the model.
+    same train "$(json 'rmax')" "$(json 'set method engine; rmax')"
+}
+
+@test "what the engine cannot do is one line, with what would be right" {
+    while IFS='|' read -r commands message; do
+        run "$DOMINO" -n -e "$commands"
+        same "$commands" "$message" "$(sed -E 's/^-e:1:([0-9]+:)? //' <<<"$output")"
+    done <<'END'
+effect feet 0.4|effect: 'effect feet' needs a row; first enter 'effect row N'
+effect row 3; effect bounce 1.5|effect: E = 1.5 is out of range; E, the restitution between dominoes, is a number in 0 .. 1
+effect row 3; effect bounce -1|effect: E = -1 is out of range; E, the restitution between dominoes, is a number in 0 .. 1
+effect row 3; effect feet -0.1|effect: MU = -0.1 is out of range; MU, the friction coefficient of the floor, is a number in 0 .. 100
+effect row 201; effect feet 0.4; verdict|verdict: a row of 201 dominoes is too long for the rigid-body engine, which runs it since feet is on; it takes up to 200, for example 'effect row 20'
+effect row 3; effect floor 1; set method engine; fall|fall: the rigid-body engine, which runs this row since method is engine, does not include floor; first enter 'effect floor off'
+set method box|set: unknown value of method 'box' (method is one of model|engine)
+END
+}
+
+@test "a session with its effects is saved and read back; reset turns them off" {
+    saved=$("$DOMINO" -n -e "$scene; effect feet 0.4; effect bounce 0.1; set method engine; save \"$BATS_TEST_TMPDIR/saved.dom\"; verdict")
+    same saved "$saved" "$("$DOMINO" -n -e "source \"$BATS_TEST_TMPDIR/saved.dom\"; verdict")"
+    same reset "$(json "$scene; verdict")" "$(json "set method engine; effect row 3; effect feet 0.1; reset; $scene; verdict")"
+}

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The rigid-body engine against the library where both can answer, against published and known values where
+ * only the engine can, and how it ends; and how the library asks an engine of a caller.
+ */
+#include "engine/engine.h"
+#include "support.h"
+
+enum { MOST = 14 };
+#define THICK (7.0 / 48)
+
+/* A row of hollow dominoes in the engine: the first is 1 tall, and g is 1. */
+struct boxes {
+    struct engine_box box[MOST];
+    struct engine_row row;
+    struct engine_hit hit[MOST];
+    struct engine_fall fall;
+};
+
+static void boxes_make(struct boxes *b, double s, double r, size_t count, double push)
+{
+    b->row = (struct engine_row)ENGINE_ROW(b->box, count);
+    b->row.push = push;
+    for (size_t k = 0; k < count; k++) {
+        double h = pow(r, (double)k);
+        b->box[k] = (struct engine_box){.height = h, .thickness = THICK * h, .gap = s * h, .mass = h * h};
+    }
+}
+
+static const struct engine_grain grain = {200, 20};
+
+static bool boxes_fall(struct boxes *b)
+{
+    assert_int_equal(engine_run(&b->row, &grain, NULL, b->hit, NULL, NULL, &b->fall), ENGINE_OK);
+    return b->fall.all;
+}
+
+/* ---- Against the library ---- */
+
+struct times {
+    double time[MOST], omega[MOST];
+    size_t count;
+};
+
+static bool time_seen(const struct dom_fall *fall, void *context)
+{
+    struct times *t = context;
+    t->time[t->count] = fall->time;
+    t->omega[t->count++] = fall->omega;
+    return true;
+}
+
+static void same_hits(double s, double r, double mu, double slope)
+{
+    struct boxes b;
+    struct dom_domino domino[MOST];
+    struct times t = {.count = 0};
+    struct dom_verdict verdict;
+    boxes_make(&b, s, r, 10, 3);
+    b.row.mu = mu;
+    b.row.slope = slope;
+    for (size_t k = 0; k < b.row.count; k++)
+        domino[k] =
+            (struct dom_domino){b.box[k].height, b.box[k].thickness, k ? b.box[k].gap : 0, b.box[k].mass};
+    const struct dom_row row = {
+        .domino = domino, .count = b.row.count, .g = 1, .push = b.row.push, .mu = mu, .alpha = slope};
+    assert_status(dom_row_run(&row, NULL, true, time_seen, &t, &verdict), DOM_OK);
+    assert_int_equal(verdict.end, DOM_ROW_FALLS);
+    assert_true(boxes_fall(&b));
+    assert_int_equal(b.fall.hits, t.count);
+    for (size_t k = 1; k < t.count; k++) {
+        assert_near("time", b.hit[k].time, t.time[k], 0.01);
+        assert_near("omega", b.hit[k].omega, t.omega[k], 0.02);
+    }
+    assert_near("seconds", b.fall.seconds, verdict.seconds, 0.01);
+    /* Hinges hold, boxes hardly penetrate, and energy does not grow. */
+    assert_true(b.fall.drift < 1e-3 && b.fall.depth < 0.01 && b.fall.gain < 1e-3);
+}
+
+static void engine_and_library_agree(void **state)
+{
+    (void)state;
+    same_hits(0.3, 1.2, 0, 0);
+    same_hits(0.4, 1, 0, 0);
+    same_hits(0.4, 1.4, 0.2, 0);
+    same_hits(0.3, 1.4, 0, 0.02);
+}
+
+/* ---- The largest growth, as known: the row falls a little below it, and stops a little above ---- */
+
+struct known {
+    double s, mu, feet, bounce, slope, radius, r, push, off;
+};
+
+static void between(const struct known *k)
+{
+    struct boxes b;
+    for (int side = -1; side <= 1; side += 2) {
+        boxes_make(&b, k->s, k->r * (1 + side * k->off), 12, k->push);
+        b.row.mu = k->mu;
+        b.row.feet = k->feet;
+        b.row.bounce = k->bounce;
+        b.row.slope = k->slope;
+        b.row.radius = k->radius;
+        if (boxes_fall(&b) != (side < 0))
+            fail_msg("s %g, mu %g, feet %g, bounce %g: %s at r %g", k->s, k->mu, k->feet, k->bounce,
+                     side < 0 ? "stops" : "falls", k->r * (1 + side * k->off));
+    }
+}
+
+static void growths_are_known(void **state)
+{
+    (void)state;
+    const double hinge = (double)INFINITY, degree = M_PI / 180;
+    const struct known known[] = {
+        {0.3, 0, hinge, 0, 0, 0, 1.8135, 8, 0.003},
+        {0.2, 0.2, hinge, 0, 0, 0, 1.4847, 8, 0.003},
+        {0.3, 0, hinge, 0, degree, 0, 1.9307, 8, 0.003},
+        {0.3, 0, hinge, 0, 0, 0.01, 1.9358, 8, 0.005},
+        /* Feet that slip: the floor stops what hinges let fall. */
+        {0.3, 0, 0.4, 0, 0, 0, 1.638, 8, 0.01},
+        {0.4, 0, 0.5, 0, 0, 0, 1.917, 8, 0.01},
+        {0.3, 0.2, 0.3, 0, 0, 0, 1.626, 8, 0.01},
+        /* With friction between dominoes such a floor does no harm. */
+        {0.3, 0.2, 0.5, 0, 0, 0, 1.679, 8, 0.01},
+        {0.2, 0, hinge, 0.5, 0, 0, 1.407, 8, 0.01},
+        {0.3, 0, hinge, 0.5, 0, 0, 1.716, 8, 0.01},
+        {0.3, 0, hinge, 0.2, 0, 0, 1.8135, 8, 0.004},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        between(&known[i]);
+}
+
+/* ---- How it runs ---- */
+
+static void a_run_gives_the_same_bytes(void **state)
+{
+    (void)state;
+    struct boxes first, again;
+    boxes_make(&first, 0.3, 1.5, 8, 4);
+    first.row.feet = 0.3;
+    first.row.bounce = 0.3;
+    again = first;
+    again.row.box = again.box;
+    boxes_fall(&first);
+    void *between_them = malloc(12345); /* so that bodies have other addresses */
+    boxes_fall(&again);
+    free(between_them);
+    assert_int_equal(first.fall.hits, again.fall.hits);
+    assert_memory_equal(first.hit, again.hit, first.fall.hits * sizeof *first.hit);
+}
+
+static void a_floor_without_friction_lets_feet_slide(void **state)
+{
+    (void)state;
+    struct boxes b;
+    boxes_make(&b, 0.4, 1, 1, 0.6); /* a push above sqrt(2) would lift it at once */
+    b.row.feet = 0;
+    assert_true(boxes_fall(&b));
+    /* No force acts along the floor: the centre keeps its speed, and ends half a height before the foot. */
+    double centre = b.row.push / 2 * b.fall.seconds - THICK / 2;
+    assert_near("slid", b.hit[0].slid, centre - 0.5, 0.01);
+    b.row.feet = 10;
+    assert_true(boxes_fall(&b));
+    assert_true(fabs(b.hit[0].slid) < 0.05);
+}
+
+static void settled_steps_no_longer_matter(void **state)
+{
+    (void)state;
+    struct boxes b;
+    struct engine_settled settled;
+    boxes_make(&b, 0.3, 1.3, 6, (double)NAN);
+    b.row.feet = 0.5;
+    assert_int_equal(engine_settle(&b.row, true, NULL, b.hit, &settled), ENGINE_OK);
+    assert_true(settled.same && settled.fall.all && settled.change < ENGINE_AGREES);
+    assert_true(settled.steps >= 2 * engine_coarsest.steps);
+    /* The clock of a box that tips over its edge starts with the first hit. */
+    assert_true(isnan(b.hit[0].time));
+    assert_true(b.hit[1].time == 0 && b.hit[2].time > 0);
+}
+
+static void rows_end(void **state)
+{
+    (void)state;
+    struct boxes b;
+    boxes_make(&b, 0.4, 1, 4, 0.1); /* too weak a push */
+    assert_false(boxes_fall(&b));
+    assert_int_equal(b.fall.hits, 1);
+    assert_false(b.fall.lies);
+    boxes_make(&b, 0.4, 1, 4, 3);
+    b.box[2].gap = 1.2; /* out of reach */
+    assert_false(boxes_fall(&b));
+    assert_int_equal(b.fall.hits, 2);
+    assert_true(b.fall.lies);
+    boxes_make(&b, 0.05, 1, 4, (double)NAN); /* touches the next before it tips over */
+    assert_false(boxes_fall(&b));
+    assert_true(b.fall.leans);
+    const volatile sig_atomic_t raised = 1;
+    boxes_make(&b, 0.4, 1, 4, 3);
+    assert_int_equal(engine_run(&b.row, &grain, &raised, NULL, NULL, NULL, &b.fall), ENGINE_INTERRUPTED);
+}
+
+/* ---- An engine of a caller ---- */
+
+/* Says that rows fall up to a growth. */
+static enum dom_status up_to(const struct dom_row *row, const struct dom_compute *compute, bool times,
+                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
+{
+    const double *most = row->engine->own;
+    (void)compute, (void)times, (void)visit, (void)context;
+    bool falls = row->domino[1].height / row->domino[0].height <= *most;
+    *verdict = (struct dom_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_MISSES, .domino = 2};
+    return DOM_OK;
+}
+
+static void grown(double r, struct dom_domino *domino, size_t count, void *context)
+{
+    (void)context;
+    for (size_t k = 0; k < count; k++)
+        domino[k] = (struct dom_domino){pow(r, (double)k), 0.1, 0.1, 1};
+}
+
+static void the_library_asks_an_engine(void **state)
+{
+    (void)state;
+    double most = 1.2345;
+    const struct dom_engine engine = {.run = up_to, .own = &most};
+    struct dom_domino domino[3];
+    struct dom_verdict verdict;
+    struct dom_row_growth growth;
+    struct dom_study study;
+    grown(1.3, domino, 3, NULL);
+    struct dom_row row = {.domino = domino, .count = 3, .g = 1, .push = 1, .engine = &engine};
+    assert_status(dom_row_run(&row, NULL, true, NULL, NULL, &verdict), DOM_OK);
+    assert_int_equal(verdict.end, DOM_ROW_MISSES);
+    assert_status(dom_row_rmax(&row, NULL, 4, grown, NULL, &growth), DOM_OK);
+    assert_near("r_max", growth.r_max, most, 1e-11);
+    assert_int_equal(growth.ends, DOM_ROW_MISSES);
+    const struct dom_placement placement = {.sigma = 0, .heights = 0.1, .seed = 1, .rows = 200};
+    assert_status(dom_placement_study(&row, NULL, &placement, &study, NULL), DOM_OK);
+    assert_true(study.fall > 20 && study.fall < 180); /* the ratio of two heights is above or below */
+    const double now = 0;
+    assert_status(dom_row_watch(&row, NULL, &now, 1, NULL, NULL, &verdict), DOM_NO_METHOD);
+}
+
+int main(void)
+{
+    if (!engine_version()) {
+        fprintf(stderr, "Chipmunk 7 is not installed: 'make deps test' installs it\n");
+        return 1;
+    }
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(engine_and_library_agree),
+        cmocka_unit_test(growths_are_known),
+        cmocka_unit_test(a_run_gives_the_same_bytes),
+        cmocka_unit_test(a_floor_without_friction_lets_feet_slide),
+        cmocka_unit_test(settled_steps_no_longer_matter),
+        cmocka_unit_test(rows_end),
+        cmocka_unit_test(the_library_asks_an_engine),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
