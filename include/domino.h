@@ -63,6 +63,7 @@ extern "C" {
     X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
     X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
     X(BAD_WALLS, "the thickness of the walls is outside its range")                                          \
+    X(BAD_RHO, "the radius rho of the edges is outside its range")                                           \
     X(BAD_FUEL, "the fuel is none of enum dom_fuel")                                                         \
     X(BAD_TOL, "the tolerance tol is outside its range, or below the floor of the precision")                \
     X(BAD_PRECISION, "the precision is none of enum dom_precision")                                          \
@@ -76,6 +77,7 @@ extern "C" {
     X(BAD_THICKNESS, "a thickness is outside its range")                                                     \
     X(BAD_GAP, "a gap is outside its range")                                                                 \
     X(BAD_MASS, "a mass is outside its range")                                                               \
+    X(BAD_RADIUS, "the radius of an edge is outside its range")                                              \
     X(BAD_SIGMA, "the error of the gaps is outside its range")                                               \
     X(BAD_HEIGHTS, "the error of the heights is outside its range")                                          \
     X(BAD_ROWS, "the number of rows is 0, or less than the number counted among them")                       \
@@ -90,6 +92,8 @@ extern "C" {
     X(NO_STAND,                                                                                              \
       "no upright domino stands on this slope: |alpha| must be less than theta_u, tan theta_u = d")          \
     X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
+    X(NO_ROUND,                                                                                              \
+      "edges of this radius do not fit: the radius must be at most half of the thickness, rho <= d/2")       \
     X(NO_MARGIN, "the margin is 0 to rounding, so times have no value here; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not go on falling at this separation")                      \
     X(TOO_LONG, "the answer needs more dominoes than can be computed")                                       \
@@ -133,7 +137,8 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
  * range.
  */
 #define DOM_DYNAMICS(X)                                                                                      \
-    X(friction, mu, DOM_BAD_MU) X(slope, alpha, DOM_BAD_ALPHA) X(walls, walls, DOM_BAD_WALLS)
+    X(friction, mu, DOM_BAD_MU)                                                                              \
+    X(slope, alpha, DOM_BAD_ALPHA) X(walls, walls, DOM_BAD_WALLS) X(edges, rho, DOM_BAD_RHO)
 
 /* The number of effects in DOM_DYNAMICS, which are the first in enum dom_effect_name. */
 #define DOM_DYNAMICS_ONE(name, member, status) +1
@@ -677,6 +682,8 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
+    /* m, of its edges if rho of the row is not 0; 0: rho times the height */
+    dom_real radius;
 };
 
 /*

@@ -174,7 +174,7 @@ static void one_detaches_after_another(void **state)
         gap[3] = 0.224 + 5e-5 * i;
         for (int k = 0; k < N; k++) {
             mass[k] = height[k] * height[k] * thickness[k];
-            seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k]};
+            seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k], 0};
         }
         seen.row = (struct asked_row){.domino = seen.domino,
                                       .count = N,

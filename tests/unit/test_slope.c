@@ -52,7 +52,8 @@ static void row_make(struct row *row, double r, double s, size_t n)
         row->thickness[k] = 0.15 * uneven * row->height[k];
         row->gap[k] = s * row->height[k] / uneven;
         row->mass[k] = pow(row->height[k], 2) * uneven;
-        row->domino[k] = (struct domq_domino){row->height[k], row->thickness[k], row->gap[k], row->mass[k]};
+        row->domino[k] =
+            (struct domq_domino){row->height[k], row->thickness[k], row->gap[k], row->mass[k], 0};
     }
 }
 
@@ -193,7 +194,7 @@ static void floor_under_the_first(void **state)
                    up = (turns * (d * y - x) - omegasq * (y + d * x)) / 2 + cos(alpha);
             most = fmax(most, fabs(along) / up);
         }
-        struct domq_domino two[] = {{1, d, 0, 1}, {1, d, 0.5, 1}};
+        struct domq_domino two[] = {{1, d, 0, 1, 0}, {1, d, 0.5, 1, 0}};
         struct asked_row row = {.domino = two,
                                 .count = 2,
                                 .g = 1,

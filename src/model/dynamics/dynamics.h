@@ -49,12 +49,12 @@ struct arms {
 
 struct dynamics {
     const struct dom_effect *text; /* name, equations, source */
-    /*
-     * True if the energy H of position decides: then the barrier is the maximum of H, found by Newton's
-     * method, error bounds are known, and bounds between samples guide the searches for limits. If false,
-     * error bounds are NaN and searches use samples alone.
-     */
+    /* True if the energy H of position decides: then the barrier is the maximum of H, found by Newton's
+     * method. */
     bool conservative;
+    /* True if error bounds are known, and bounds between samples guide the searches for limits. If false,
+     * error bounds are NaN and searches use samples alone. */
+    bool bounded;
 
     /* Optional: take and free memory for the law. DOM_NO_MEMORY: there is not enough. */
     enum dom_status (*begin)(struct geometry *geometry);

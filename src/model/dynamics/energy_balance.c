@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dynamics/energy_balance.h"
+#include "geometry/rounded.h"
 
 #ifdef KERNEL_TEXTS
 const struct dom_effect dom_energy_balance = {
@@ -17,6 +18,8 @@ const struct dom_effect dom_energy_balance = {
 
 KERNEL real energy_fuel_paper(const struct geometry *geometry)
 {
+    if (geometry->rounded.on)
+        return rounded_fall(geometry, geometry->f);
     real s = geometry->s, d = geometry->d, x = geometry->h.x, y = geometry->h.y;
     /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
     if (geometry->detaches)
@@ -45,7 +48,7 @@ KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *a
 {
     return (struct fuel){.exact = -at_c->dH,
                          .paper = energy_fuel_paper(geometry),
-                         .inertia_ratio = geometry->inertia * at_c->J};
+                         .inertia_ratio = geometry->inertia * at_c->J / geometry->upright};
 }
 
 KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel *fuel, struct fuel *error)
@@ -66,7 +69,7 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f)
 {
-    real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = 1 + f->inertia_ratio;
+    real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = geometry->upright * (1 + f->inertia_ratio);
     /* (24; c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): all terms have one sign. */
     real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
     return (struct launch){.fuel = P,
@@ -113,7 +116,7 @@ static enum dom_status energy_inertia_ratio(const struct geometry *next, const s
                                             struct tilt at, real J, real *inertia_ratio)
 {
     (void)hitting, (void)at;
-    *inertia_ratio = next->inertia * J;
+    *inertia_ratio = next->inertia * J / next->upright;
     return *inertia_ratio > 0 ? DOM_OK : DOM_UNDERFLOW;
 }
 
@@ -190,9 +193,24 @@ static bool acceleration_closes(const struct link *k, real second_derivative, st
     return true;
 }
 
+/* Finds the acceleration of dominoes with rounded edges. */
+static enum dom_status rolling_acceleration(const struct geometry *geometry, struct tilt head, real w,
+                                            real *acceleration, size_t *n)
+{
+    struct sums at;
+    real half_J1;
+    enum dom_status status = rolling_rates(geometry, head, &at, &half_J1);
+    if (n)
+        *n = at.n;
+    *acceleration = -(at.H1 / 2 + half_J1 * w) / at.J;
+    return status;
+}
+
 KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
                                            real *acceleration, size_t *n)
 {
+    if (geometry->rounded.on)
+        return rolling_acceleration(geometry, head, w, acceleration, n);
     struct sum_state a = {0};
     struct sums at;
     struct link k = link_head(geometry, head);
@@ -229,6 +247,7 @@ static real energy_gain(const struct geometry *geometry, const struct start *sta
 static const struct dynamics energy_balance = {
     .text = &dom_energy_balance,
     .conservative = true,
+    .bounded = true,
     .collide = energy_collide,
     .inertia_ratio = energy_inertia_ratio,
     .slope = energy_slope,
@@ -237,4 +256,27 @@ static const struct dynamics energy_balance = {
     .before_rest = energy_before_rest,
     .acceleration = energy_acceleration,
     .gain = energy_gain,
+};
+
+/* ---- The same law for dominoes with rounded edges ---- */
+
+static struct arms rounded_arms(const struct link *link)
+{
+    real b = link_arm_b(link);
+    return (struct arms){.ratio = link_arm_a(link) / b, .b = b};
+}
+
+static const struct dynamics rounded_balance = {
+    .text = &dom_energy_balance,
+    .conservative = true,
+    .bounded = false,
+    .collide = energy_collide,
+    .inertia_ratio = energy_inertia_ratio,
+    .slope = energy_slope,
+    .required_energy = energy_required,
+    .speed = energy_speed,
+    .before_rest = energy_before_rest,
+    .acceleration = energy_acceleration,
+    .gain = energy_gain,
+    .arms = rounded_arms,
 };

@@ -37,6 +37,6 @@ KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fu
 KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
                                            real *acceleration, size_t *n);
 
-static const struct dynamics energy_balance;
+static const struct dynamics energy_balance, rounded_balance;
 
 #endif

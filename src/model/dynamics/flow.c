@@ -102,7 +102,7 @@ static enum dom_status flow_collision(const struct geometry *geometry, struct fl
         status = chain_sum(&hitting, geometry->c, &sums);
     if (status != DOM_OK)
         return status;
-    flow->J0 = 1 + geometry->inertia * sums.J;
+    flow->J0 = geometry->upright + geometry->inertia * sums.J;
     flow->J_c = sums.J;
     return DOM_OK;
 }

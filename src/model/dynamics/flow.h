@@ -32,6 +32,10 @@ struct flow {
 /* Frees a flow, allocated by malloc, and its members. NULL is allowed. */
 KERNEL void flow_free(struct flow *flow);
 
+/* Finds the equation of motion with friction and rounded edges. */
+KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometry, struct tilt head,
+                                                  struct equation_of_motion *equation);
+
 /* Functions of struct dynamics: solve, solve_piece, spent and so on. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);

@@ -14,6 +14,7 @@
  */
 #include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"
+#include "geometry/rounded.h"
 #include <stdlib.h>
 
 #ifdef KERNEL_TEXTS
@@ -208,6 +209,8 @@ static bool friction_closes(const struct friction_link *k, struct series *A, str
 static enum dom_status friction_equation_of_motion(const struct geometry *geometry, struct tilt head,
                                                    struct equation_of_motion *equation_of_motion)
 {
+    if (geometry->rounded.on)
+        return rounded_equation_of_motion(geometry, head, equation_of_motion);
     struct series A = {0}, B = {0}, C = {0};
     struct friction_link k = {.link = link_head(geometry, head), .S = 1, .noise = 1};
     for (;;) {
@@ -244,6 +247,12 @@ static enum dom_status friction_equation_of_motion(const struct geometry *geomet
 static enum dom_status friction_drive(const struct geometry *geometry, struct tilt head, real tol,
                                       real *drive)
 {
+    if (geometry->rounded.on) {
+        struct equation_of_motion equation = {.C = REAL_NAN};
+        enum dom_status status = rounded_equation_of_motion(geometry, head, &equation);
+        *drive = equation.C;
+        return status;
+    }
     struct series C = {0};
     struct friction_link k = {.link = link_head(geometry, head), .S = 1};
     for (;;) {
@@ -270,13 +279,14 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 {
     (void)J;
     struct equation_of_motion at_hit;
-    struct link upright = link_head(next, standing);
+    struct link upright = link_begin(next, standing);
+    real a = link_arm_a(&upright);
     *inertia_ratio = 0;
-    if (!(contact_arm_a(&upright) > 0))
+    if (!(a > 0))
         return DOM_LOCKS;
     enum dom_status status = friction_equation_of_motion(hitting, at, &at_hit);
     if (status == DOM_OK)
-        *inertia_ratio = next->inertia * at_hit.A * torque_ratio(&upright);
+        *inertia_ratio = next->inertia * at_hit.A * (a / link_arm_b(&upright)) / next->upright;
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
 }
 
@@ -306,7 +316,7 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
 
 static struct arms friction_arms(const struct link *link)
 {
-    return (struct arms){.ratio = torque_ratio(link), .b = contact_arm_b(link)};
+    return (struct arms){.ratio = link_arm_a(link) / link_arm_b(link), .b = link_arm_b(link)};
 }
 
 static enum dom_status friction_begin(struct geometry *geometry)
@@ -315,7 +325,7 @@ static enum dom_status friction_begin(struct geometry *geometry)
     if (!room)
         return DOM_NO_MEMORY;
     room->flow.equation = friction_equation_of_motion;
-    if (!geometry->detaches && !geometry->follower && geometry->n == CHAIN_ENDLESS)
+    if (!geometry->rounded.on && !geometry->detaches && !geometry->follower && geometry->n == CHAIN_ENDLESS)
         room->far = far_friction_make(geometry);
     geometry->flow = &room->flow;
     return DOM_OK;

@@ -140,18 +140,12 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if H decreases at all tilts above theta_u: there the head falls, and all its followers lean
- * more, so they fall too. */
+/* Returns true if H decreases at all tilts above theta_u (6; b2): there the head falls, and all its followers
+ * lean more, so they fall too. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
-           geometry_height_slope(geometry, geometry->c) < 0;
-}
-
-/* Returns tan(theta_u / 2), tan theta_u = h.x / h.y (6; b2). */
-static real half_of_u(const struct geometry *geometry)
-{
-    return geometry->h.x / (geometry->h.y + geometry->reach);
+           geometry_lift(geometry, geometry->c) < 0;
 }
 
 /*
@@ -164,7 +158,7 @@ static real half_of_u(const struct geometry *geometry)
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
     real apart = 1 - geometry->weight;
-    return falls_above_u(geometry) &&
+    return !geometry->rounded.on && falls_above_u(geometry) &&
            geometry->rL * geometry->weight < apart * apart * sqrt(geometry->leave_at);
 }
 
@@ -178,7 +172,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
 {
     const struct geometry *geometry = c->geometry;
     if (c->from.x == 0 && falls_above_u(geometry))
-        hi = fmin(hi, half_of_u(geometry));
+        hi = fmin(hi, geometry_half_u(geometry));
     if (hi <= lo)
         return DOM_OK;
     struct sample last = {lo, rises(lo, c)};
@@ -212,7 +206,8 @@ static enum dom_status barrier_pieces(const struct geometry *geometry, struct ti
     bool upright = from.x == 0;
     real end = b->edge[b->edges - 1], lo = upright ? b->edge[0] : half_of_tilt(from);
     if (upright && barrier_single(geometry))
-        status = known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), half_of_u(geometry)), tol, b);
+        status =
+            known > 0 ? DOM_OK : barrier_climb_one(&c, fmin(tan(end / 2), geometry_half_u(geometry)), tol, b);
     else
         for (int i = 1; status == DOM_OK && i < b->edges; i++) {
             real hi = tan(b->edge[i] / 2);
@@ -272,7 +267,7 @@ KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barr
 /* Returns tan(theta / 2) of the last tilt at which H may increase. */
 static real half_of_highest(const struct geometry *geometry)
 {
-    return falls_above_u(geometry) ? half_of_u(geometry) : half_of_tilt(geometry->c);
+    return falls_above_u(geometry) ? geometry_half_u(geometry) : half_of_tilt(geometry->c);
 }
 
 static real half_near(const struct geometry *geometry, const struct barrier *b)
@@ -302,7 +297,7 @@ KERNEL real barrier_most(const struct geometry *geometry)
     /* No domino moves farther than to where its follower was at first, and it weighs no less than that
      * follower. So all dominoes together rise by less than one domino from upright to theta_u, h(theta_u) -
      * h(0). */
-    return geometry->h.x * half_of_u(geometry);
+    return geometry_rise_u(geometry);
 }
 
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *b)
@@ -402,7 +397,7 @@ KERNEL enum dom_status barrier_error(const struct geometry *geometry, const stru
     struct sums at, e;
     real steepest = 0;
     *error = (struct barrier){.theta_m = 0, .height = 0};
-    if (!geometry->dynamics->conservative) {
+    if (!geometry->dynamics->bounded) {
         error->theta_m = error->height = REAL_NAN;
         return DOM_OK;
     }

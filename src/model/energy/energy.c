@@ -10,7 +10,7 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
         return status;
     *angles = (struct dom_angles){
         .theta_c = tilt_angle(geometry.c),
-        .theta_u = atan(geometry.h.x / geometry.h.y),
+        .theta_u = geometry_theta_u(&geometry),
         .theta_inf = tilt_angle(geometry.inf),
         .theta_f = tilt_angle(geometry.f),
         .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
@@ -56,7 +56,7 @@ KERNEL enum dom_status energy_find(const struct request *train, dom_real theta, 
         status = energy_fuel(&geometry, &fuel, train->errors ? &fuel_error : NULL);
     if (status != DOM_OK)
         return status;
-    *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = 1 + fuel.inertia_ratio};
+    *energy = (struct dom_energy){.dH = at.dH, .J = at.J, .J0 = geometry.upright * (1 + fuel.inertia_ratio)};
     if (train->errors)
         energy->error = (struct dom_energy_error){
             .dH = e.dH, .J = e.J, .J0 = fuel_error.inertia_ratio + UNIT * (1 + fuel.inertia_ratio)};

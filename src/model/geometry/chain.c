@@ -1,11 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/chain.h"
 #include "geometry/bound.h"
+#include "geometry/rounded.h"
 
 KERNEL enum dom_status chain_sign(const struct geometry *geometry, struct tilt head, real *H1)
 {
     struct sum_state a = {0};
     struct sums sums;
+    if (geometry->rounded.on) {
+        enum dom_status status = rolling_sum(geometry, head, true, &sums);
+        *H1 = sums.H1;
+        return status;
+    }
     struct link k = link_head(geometry, head);
     for (;;) {
         enum dom_status status = chain_watch(geometry, k.i);
@@ -23,6 +29,8 @@ KERNEL enum dom_status chain_sign(const struct geometry *geometry, struct tilt h
 
 KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
 {
+    if (geometry->rounded.on)
+        return rolling_sum(geometry, head, false, sums);
     struct sum_state a = {0};
     struct link k = link_head(geometry, head);
     for (;;) {
@@ -43,7 +51,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     *leaves = false;
     if (!geometry->detaches)
         return DOM_OK;
-    struct link b = link_head(geometry, standing);
+    struct link b = link_begin(geometry, standing);
     real passed = 1; /* part of a torque that reaches the head: with friction not the slope */
     while (b.leads) {
         enum dom_status status = chain_watch(geometry, b.i);
@@ -52,8 +60,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         /* A domino that carries less than rounding errors changes nothing when it detaches. */
         if (b.i + 1 >= geometry->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        passed *= fabs(torque_ratio(&b));
-        link_next(&b);
+        passed *= fabs(link_arm_a(&b) / link_arm_b(&b));
+        link_follow(&b);
     }
     /* Domino b.i has no follower at 0: it detaches when domino b.i - 1 reaches theta_leave. */
     *head = geometry->leave;
@@ -89,8 +97,11 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
                                     struct tilt *head)
 {
+    const real rho = (real)train->effect[DOM_EFFECT_edges];
     *geometry = geometry_read(train);
-    enum dom_status status = geometry_set(geometry, geometry->s, geometry->r);
+    enum dom_status status = rho != 0 ? rounded_edges(geometry, rho) : DOM_OK;
+    if (status == DOM_OK)
+        status = geometry_set(geometry, geometry->s, geometry->r);
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
 }
 
@@ -100,8 +111,9 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
 {
     real a = REAL_NAN, b = REAL_NAN, a_error = REAL_NAN, b_error = REAL_NAN;
     if (k->leads) { /* (table 1) */
+        const bool rounded = geometry->rounded.on;
         a = k->contact.arm / geometry->r;
-        b = k->contact.Y / geometry->r;
+        b = (rounded ? link_arm_b(k) : k->contact.Y) / geometry->r;
         a_error = (e->arm + UNIT * k->contact.arm) / geometry->r;
         b_error = e->Y / geometry->r + UNIT * k->contact.Y / geometry->r;
     }
@@ -128,7 +140,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         status = chain_sum(&geometry, head, &sums);
     if (status != DOM_OK)
         return status;
-    struct link k = link_head(&geometry, head);
+    struct link k = link_begin(&geometry, head);
     struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
     for (;;) {
         if (dom_raised(geometry.interrupt)) /* writing a row may take longer than computing it */
@@ -139,7 +151,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
             return DOM_OK;
         struct link leader = k;
-        link_next(&k);
+        link_follow(&k);
         if (train->errors)
             bound_next(&geometry, &leader, &k, &e);
     }
@@ -152,12 +164,12 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
-    struct link k = link_head(&geometry, head), leader = k;
+    struct link k = link_begin(&geometry, head), leader = k;
     struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
     struct dom_link link = link_public(&geometry, &k, &e), follower = {.theta = tilt_angle(geometry.f)};
     follower.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
     if (k.leads) {
-        link_next(&k);
+        link_follow(&k);
         bound_next(&geometry, &leader, &k, &e);
         follower = link_public(&geometry, &k, &e);
     }

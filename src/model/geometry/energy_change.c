@@ -2,6 +2,7 @@
 /* Differences of H: two chains together, and the far end of both in closed form. */
 #include "geometry/bound.h"
 #include "geometry/chain.h"
+#include "geometry/rounded.h"
 
 /*
  * Returns h(A) - h(B) of one domino at the tilts a and b, h = h.y cos + h.x sin, from t = tan((A - B)/2). The
@@ -254,9 +255,20 @@ static enum dom_status energy_change_error(const struct geometry *geometry, stru
     return status;
 }
 
+/* Finds the sums of dominoes with rounded edges, for which no bounds are known. */
+static enum dom_status rolling_known(const struct geometry *geometry, struct tilt head, struct sums *sums,
+                                     struct sums *error)
+{
+    if (error)
+        *error = (struct sums){.J = REAL_NAN, .H1 = REAL_NAN, .H2 = REAL_NAN, .dH = REAL_NAN};
+    return rolling_change(geometry, standing, head, tilt_angle(head), sums);
+}
+
 KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
                                            struct sums *sums, struct sums *error)
 {
+    if (geometry->rounded.on)
+        return rolling_known(geometry, head, sums, error);
     enum dom_status status =
         energy_change_between(geometry, standing, head, half_of_tilt(head), 0, sums, NULL);
     return status == DOM_OK && error ? energy_change_error(geometry, head, sums, error) : status;
@@ -272,6 +284,8 @@ KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real the
 
 KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error)
 {
+    if (geometry->rounded.on)
+        return rolling_known(geometry, geometry->c, sums, error);
     enum dom_status status = energy_change_between(geometry, standing, geometry->c, half_of_tilt(geometry->c),
                                                    PASS_SHIFT, sums, NULL);
     return status == DOM_OK && error ? energy_change_error(geometry, geometry->c, sums, error) : status;
@@ -280,18 +294,24 @@ KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *
 KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry, struct tilt from,
                                                 struct tilt head, struct sums *sums)
 {
+    if (geometry->rounded.on)
+        return rolling_change(geometry, from, head, 2 * atan(half_turn(from, head)), sums);
     return energy_change_between(geometry, from, head, half_turn(from, head), 0, sums, NULL);
 }
 
 KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,
                                               struct tilt head, real by, struct sums *sums)
 {
+    if (geometry->rounded.on)
+        return rolling_change(geometry, from, head, by, sums);
     return energy_change_between(geometry, from, head, tan(by / 2), 0, sums, NULL);
 }
 
 KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geometry, struct tilt from,
                                                     struct tilt head, struct sums *sums)
 {
+    if (geometry->rounded.on)
+        return rolling_change(geometry, from, head, 2 * atan(half_turn(from, head)), sums);
     return energy_change_between(geometry, from, head, half_turn(from, head), PASS_SECOND_DERIVATIVE, sums,
                                  NULL);
 }
@@ -299,6 +319,10 @@ KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geome
 KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *fall)
 {
+    if (geometry->rounded.on) {
+        enum dom_status status = chain_fall(geometry, fall, NULL);
+        return status == DOM_OK ? chain_second_derivative_from(geometry, standing, head, sums) : status;
+    }
     struct sum_state up = {0}, down = {0};
     struct link a = link_head(geometry, head), b = link_head(geometry, standing),
                 c = link_head(geometry, geometry->c);

@@ -43,6 +43,8 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down)
     geometry->g.down = down;
     geometry->h.x = d * down - along;
     geometry->h.y = down + d * along;
+    geometry->upright = geometry->span = 1;
+    geometry->rounded = (struct rounded){.tall = 1, .wide = d, .i.c = 1};
 }
 
 static struct far far_make(const struct geometry *geometry)
@@ -110,6 +112,8 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
         geometry->f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
     }
+    if (geometry->rounded.on)
+        return rounded_set(geometry);
     if (!geometry->detaches)
         geometry->far = far_make(geometry);
     return DOM_OK;
@@ -124,8 +128,32 @@ KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta
     return DOM_OK;
 }
 
+KERNEL real geometry_half_u(const struct geometry *geometry)
+{
+    if (geometry->rounded.roll != 0)
+        return tan(geometry_theta_u(geometry) / 2);
+    return geometry->h.x / (geometry->h.y + geometry->reach);
+}
+
+KERNEL real geometry_theta_u(const struct geometry *geometry)
+{
+    real level = atan(geometry->h.x / geometry->h.y), part = geometry->rounded.roll / geometry->reach;
+    return part == 0 ? level : fmax(level + atan2(part, sqrt((1 - part) * (1 + part))), 0);
+}
+
+KERNEL real geometry_rise_u(const struct geometry *geometry)
+{
+    real half = geometry_half_u(geometry);
+    if (geometry->rounded.roll == 0)
+        return geometry->h.x * half;
+    struct tilt u = tilt_half(half);
+    return half * (geometry->h.x * (1 + u.y) - geometry->h.y * u.x) + geometry->rounded.roll * 2 * atan(half);
+}
+
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower)
 {
+    if (geometry->rounded.on)
+        return rounded_leader(geometry, follower);
     /* (12; b8) for a given follower: A cos theta + B sin theta = d, of whose two roots this is the
      * smaller. */
     real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;

@@ -32,6 +32,22 @@ struct far {
     real per_sine, half_cot; /* 1 / sin theta_inf, and half of its cotangent */
 };
 
+/*
+ * The edges of a domino, over its height (rounded.h). The inertia about the line where its foot touches the
+ * floor is i(theta) = i.c + i.x sin theta + i.y cos theta, over that of a block with sharp edges; it is 1 if
+ * the edges are sharp.
+ */
+struct rounded {
+    bool on;            /* false: the edges are sharp */
+    real rho;           /* radius of the edges */
+    real tall, wide;    /* 1 - 2 rho and d - 2 rho: the flat parts */
+    real rho_1, tall_1; /* of the follower, over the height of this domino */
+    real roll;          /* dh/dtheta has this term: the foot rolls down a slope */
+    struct {
+        real c, x, y;
+    } i;
+};
+
 /* A checked train, with the quantities that are constant in its whole cycle. */
 struct geometry {
     real s, r, d, q, tol;
@@ -70,6 +86,9 @@ struct geometry {
     /* Geometry of the follower, and so on; NULL: the train is self-similar, so this geometry serves for
      * all. */
     const struct geometry *follower;
+    real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
+    real span;    /* the largest gap that a head reaches, over its height: 1, unless its edges are rounded */
+    struct rounded rounded;
 };
 
 #define CHAIN_ENDLESS SIZE_MAX
@@ -82,7 +101,8 @@ KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
 /*
- * Sets gravity, and so the energy of position of a domino; no other function sets it. Needs geometry->d.
+ * Sets gravity, and so the energy of position of a domino with sharp edges; rounded_edges makes them round.
+ * No other function sets these. Needs geometry->d.
  */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
@@ -92,7 +112,8 @@ KERNEL bool geometry_level(const struct geometry *geometry)
     return geometry->g.along == 0;
 }
 
-/* Returns the slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. */
+/* Returns the slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. With rounded edges
+ * geometry_lift returns it. */
 KERNEL_LOOP real geometry_height_slope(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.x * t.y - geometry->h.y * t.x;
@@ -103,6 +124,29 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
+
+/* Returns dh/dtheta, also of a domino with rounded edges. */
+KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
+{
+    return geometry_height_slope(geometry, t) + geometry->rounded.roll;
+}
+
+/* Return the inertia of a domino about the line where it touches the floor, and its derivative. */
+KERNEL real geometry_inertia(const struct geometry *geometry, struct tilt t)
+{
+    const struct rounded *of = &geometry->rounded;
+    return of->i.c + of->i.x * t.x + of->i.y * t.y;
+}
+
+KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt t)
+{
+    return geometry->rounded.i.x * t.y - geometry->rounded.i.y * t.x;
+}
+
+/* Return theta_u, at which one domino tips over, tan(theta_u / 2), and how much it rises to there. */
+KERNEL real geometry_theta_u(const struct geometry *geometry);
+KERNEL real geometry_half_u(const struct geometry *geometry);
+KERNEL real geometry_rise_u(const struct geometry *geometry);
 
 /* Converts theta in [0, theta_c] to a tilt. A theta equal to theta_c rounded to a real gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
@@ -116,6 +160,10 @@ KERNEL real geometry_error_leave(const struct geometry *geometry);
 
 /* Returns the leader's tilt for a follower's tilt >= theta_c: the inverse of theta_1. */
 KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);
+
+/* geometry_set and geometry_leader for rounded edges (rounded.c). DOM_OUT_OF_REACH: r s is too large. */
+KERNEL enum dom_status rounded_set(struct geometry *geometry);
+KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower);
 
 KERNEL struct tilt tilt_make(real x, real y)
 {

@@ -161,13 +161,14 @@ static enum dom_status search_between(struct search *b, real lo, real hi, real w
     return status == DOM_OK ? search_between(b, lo, middle, witness) : status;
 }
 
-/* Samples from s = 1 downwards. */
+/* Samples from the largest s downwards. */
 static enum dom_status search_samples(struct search *b)
 {
     int lower = 0;
-    b->s = 1;
-    b->r_max = rmax_at(1, b->c);
-    for (real s = BEST_RATIO; b->c->status == DOM_OK && lower < BEST_PATIENCE && s > BEST_LOWEST;
+    const real span = b->c->geometry.span;
+    b->s = span;
+    b->r_max = rmax_at(span, b->c);
+    for (real s = span * BEST_RATIO; b->c->status == DOM_OK && lower < BEST_PATIENCE && s > BEST_LOWEST;
          s *= BEST_RATIO) {
         real before = b->r_max;
         search_at(b, s);
@@ -183,9 +184,11 @@ static enum dom_status search_finely(struct search *b)
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
          ratio = sqrt(ratio)) {
         bool any = b->r_max > 0;
-        real from = any ? fmin(b->s / (ratio * ratio), 1) : 1, to = any ? b->s * ratio * ratio : (real)0.5;
+        const real span = b->c->geometry.span;
+        real from = any ? fmin(b->s / (ratio * ratio), span) : span,
+             to = any ? b->s * ratio * ratio : (real)0.5;
         for (real s = from; s > to && b->c->status == DOM_OK; s *= ratio)
-            if (s * b->r_max < 1)
+            if (s * b->r_max < span)
                 search_at(b, s);
     }
     return b->c->status;
@@ -198,9 +201,9 @@ static enum dom_status search_finely(struct search *b)
  * / scale)^8, plus the rounding error over h: it is smallest near this h. The scale is a few percent of s, or
  * the distance to the reach.
  */
-static real slope_step(real s, real r)
+static real slope_step(real span, real s, real r)
 {
-    return fmin((real)0.03 * s, (1 / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
+    return fmin((real)0.03 * s, (span / r - s) / 2) * exp(log(REAL_EPSILON) / 9);
 }
 
 static real margin_slope_by(struct margin_context *c, real s, real r, real h)
@@ -222,10 +225,10 @@ static real top_slope(real s, void *context)
 {
     struct search *b = context;
     struct margin_context *c = b->c;
-    real r = rmax_at(s, c), h = slope_step(s, r) * b->finer;
+    real r = rmax_at(s, c), span = c->geometry.span, h = slope_step(span, s, r) * b->finer;
     if (c->status != DOM_OK)
         return REAL_NAN;
-    return r > 0 && s + 4 * h < 1 / r ? margin_slope_by(c, s, r, h) : -1;
+    return r > 0 && s + 4 * h < span / r ? margin_slope_by(c, s, r, h) : -1;
 }
 
 /*
@@ -235,9 +238,10 @@ static real top_slope(real s, void *context)
  */
 static void search_step(struct search *b)
 {
-    real s = b->s, r = b->r_max, h = slope_step(s, r), least = (real)INFINITY;
+    real span = b->c->geometry.span, s = b->s, r = b->r_max, h = slope_step(span, s, r),
+         least = (real)INFINITY;
     b->finer = 1;
-    if (!(h > 0) || s + 4 * h >= 1 / r)
+    if (!(h > 0) || s + 4 * h >= span / r)
         return;
     real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->geometry);
     for (real share = 1; share > (real)1e-5 && b->c->status == DOM_OK; share /= 4) {
@@ -256,12 +260,13 @@ static void search_step(struct search *b)
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
+    const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
     /* Widens the interval until r_max is lower on both sides. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
-        high = s * (1 + width) <= 1 ? rmax_at(s * (1 + width), c) : 0;
+        high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
         if (!(low >= b->r_max || high >= b->r_max))
             break;
         if (low > b->r_max || high > b->r_max) {
@@ -274,7 +279,7 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     *smooth = false;
     if (c->status != DOM_OK)
         return c->status;
-    real top = s, hi = fmin(s * (1 + width), 1);
+    real top = s, hi = fmin(s * (1 + width), span);
     enum num_status solver =
         s < hi ? num_maximum(rmax_at, c, s * (1 - width), s, hi, tol, &top) : NUM_NOT_BRACKETED;
     if (model_status(c->status, solver) != DOM_OK && solver != NUM_NOT_BRACKETED)
@@ -287,7 +292,7 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
      * outside of that distance. */
     for (width = 16 * sqrt(fmax(tol, REAL_EPSILON)); c->status == DOM_OK && width < (real)0.02; width *= 4) {
         real lo = b->s * (1 - width), up = b->s * (1 + width), zero;
-        real before = top_slope(lo, b), after = up <= 1 ? top_slope(up, b) : -1;
+        real before = top_slope(lo, b), after = up <= span ? top_slope(up, b) : -1;
         if (c->status != DOM_OK || !(before > 0 && after < 0))
             continue;
         /* At a smooth top the slope decreases with the distance; at a kink or a jump the slope of one side
@@ -299,7 +304,7 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
             break;
         real height = rmax_at(zero, c);
         if (c->status == DOM_OK && height >= b->r_max * (1 - fmax(16 * tol, 64 * REAL_EPSILON))) {
-            *smooth = slope_step(zero, height) > 0 && zero * height < 1;
+            *smooth = slope_step(c->geometry.span, zero, height) > 0 && zero * height < c->geometry.span;
             b->s = zero;
             b->r_max = height;
         }
@@ -326,7 +331,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     struct margin_context *c = b->c;
     real s = b->s, r = b->r_max, r_error = 0;
     *error = (struct dom_best_error){.s = REAL_NAN, .r_max = REAL_NAN};
-    if (!c->geometry.dynamics->conservative)
+    if (!c->geometry.dynamics->bounded)
         return DOM_OK;
     struct limit limit;
     c->s = s;
@@ -336,7 +341,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     /* r_max(s) jumps where a dip of the margin begins; the shallowest dips are not resolved (scan.c). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
-        real h = slope_step(s, r) * b->finer, width = 4 * h;
+        real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;
         real second_derivative = fabs(top_slope(s + width, b) - top_slope(s - width, b)) / (2 * width);
         c->s = s;
         c->errors = true;
@@ -364,8 +369,8 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     bool smooth;
     enum dom_status status = search_samples(&b);
     if (status == DOM_OK)
-        status = c->geometry.dynamics->conservative ? search_between(&b, BEST_LOWEST, 1, INFINITY)
-                                                    : search_finely(&b);
+        status =
+            c->geometry.dynamics->bounded ? search_between(&b, BEST_LOWEST, 1, INFINITY) : search_finely(&b);
     if (status != DOM_OK)
         return c->status = status;
     if (!(b.r_max > 1))
@@ -373,8 +378,7 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     /* Next to a jump there may be several tops: searches once more near the best, in narrower intervals. */
     real before = 0;
     status = search_top(&b, (real)1e-6, &smooth);
-    for (int k = 0;
-         status == DOM_OK && c->geometry.dynamics->conservative && !smooth && k < 3 && b.r_max > before;
+    for (int k = 0; status == DOM_OK && c->geometry.dynamics->bounded && !smooth && k < 3 && b.r_max > before;
          k++) {
         before = b.r_max;
         b.finest = BEST_FINEST / 64;

@@ -14,10 +14,10 @@
  */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
-    real r = limit->r_max, reach = 1 / c->s;
-    bool conservative = c->geometry.dynamics->conservative;
-    *error = conservative ? UNIT * r : REAL_NAN;
-    if (limit->ends != DOM_END_BARRIER || !conservative)
+    real r = limit->r_max, reach = c->geometry.span / c->s;
+    bool bounded = c->geometry.dynamics->bounded;
+    *error = bounded ? UNIT * r : REAL_NAN;
+    if (limit->ends != DOM_END_BARRIER || !bounded)
         return DOM_OK;
     c->errors = true;
     real margin = margin_at(r, c), wrong = c->error, slope = 0;
@@ -58,8 +58,8 @@ static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 static enum dom_status limit_to_negative(struct margin_context *c, const struct edge *from,
                                          struct limit *limit)
 {
-    *limit = (struct limit){.r_max = 1 / c->s, .ends = DOM_END_REACH};
-    if (c->geometry.dynamics->conservative)
+    *limit = (struct limit){.r_max = c->geometry.span / c->s, .ends = DOM_END_REACH};
+    if (c->geometry.dynamics->bounded)
         return scan_to_negative(c, from, &limit->r_max, &limit->ends);
     struct edge before, after;
     bool found = false;
@@ -73,7 +73,7 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
 /* Finds the first r >= from at which the margin is not negative, if there is one. */
 static enum dom_status limit_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found)
 {
-    if (c->geometry.dynamics->conservative)
+    if (c->geometry.dynamics->bounded)
         return scan_to_positive(c, from, edge, found);
     struct edge before;
     *edge = (struct edge){from, margin_sign(c, from)};
@@ -94,7 +94,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     /* At r = 1 P has a closed form, and K = P T, T >= 1. */
     first.margin = (struct margin){
         .kinetic = energy_fuel_paper(&geometry), .barrier = barrier_most(&geometry), .most = true};
-    if (!geometry.dynamics->conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
+    if (!geometry.dynamics->bounded || !(first.margin.kinetic > 2 * first.margin.barrier))
         first.margin = margin_sign(c, 1);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;
@@ -116,7 +116,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 KERNEL void limit_begin(struct margin_context *c)
 {
     c->geometry.effort = &c->effort;
-    c->geometry.effort_most = c->geometry.dynamics->conservative ? WORK_MOST : WORK_MOST_FLOW;
+    c->geometry.effort_most = c->geometry.dynamics->bounded ? WORK_MOST : WORK_MOST_FLOW;
 }
 
 KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)
@@ -141,8 +141,8 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     bool any;
     *found = no_limit;
     /* (5; b0): below this growth domino 1 has not tipped over when it hits. */
-    real tips = fmax(c->geometry.h.x / c->geometry.reach / c->s, 1);
-    if (tips > 1 / c->s)
+    real tips = fmax(pair_tips_at(&c->geometry) / c->s, 1);
+    if (tips > c->geometry.span / c->s)
         return DOM_OK;
     enum dom_status status = limit_to_positive(c, tips, &edge, &any);
     return status == DOM_OK && any ? limit_to_negative(c, &edge, found) : status;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
+#include "geometry/rounded.h"
 
 /* Finds the barrier to compare with the kinetic energy, as the context asks. near: the tilt from
  * barrier_near, or NULL. */
@@ -68,14 +69,24 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
 KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
 {
     real u = geometry->reach; /* h(theta_u) (6; b2) */
-    *sine = -geometry_height_slope(geometry, geometry->c) / u;
+    *sine = -geometry_lift(geometry, geometry->c) / u;
     *cosine = geometry_height(geometry, geometry->c) / u;
+}
+
+KERNEL real pair_tips_at(const struct geometry *geometry)
+{
+    real theta = geometry_theta_u(geometry);
+    return geometry->rounded.on ? geometry->rounded.rho * theta + geometry->rounded.tall * sin(theta)
+                                : geometry->h.x / geometry->reach;
 }
 
 KERNEL real pair_push(const struct geometry *geometry)
 {
     real sine, cosine;
     pair_tips(geometry, &sine, &cosine);
+    if (geometry->rounded.on)
+        return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
+               geometry_inertia(geometry, geometry->c);
     return sine > 0 ? geometry->reach * sine * sine / (1 + cosine) : 0;
 }
 
@@ -87,13 +98,14 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     real u = geometry->reach, sine, cosine;
     pair_tips(geometry, &sine, &cosine);
     two.n = 1; /* the geometry of the domino that hits */
-    real k = geometry->inertia, inertia_ratio = 0;
+    real J = geometry_inertia(geometry, geometry->c);
+    real k = geometry->inertia * J, inertia_ratio = 0;
     enum dom_status status =
-        geometry->dynamics->inertia_ratio(geometry, &two, geometry->c, 1, &inertia_ratio);
+        geometry->dynamics->inertia_ratio(geometry, &two, geometry->c, J, &inertia_ratio);
     if (status != DOM_OK)
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
-    real kinetic = (1 + k) * geometry->r * pair_push(geometry) * share * share;
+    real kinetic = (geometry->upright + k) * geometry->r * pair_push(geometry) * share * share;
     real sine_error = UNIT * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
          powers = 24 * UNIT;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}

@@ -5,16 +5,17 @@
 #define PROBE_PER_E   8
 #define PROBE_DECADES 8
 
-/* Returns sample k of r between 1 and the reach. The last sample is 1/s itself, which larger k give again. */
-static real probe_place(real s, int k)
+/* Returns sample k of r between 1 and the reach, span / s. The last sample is the reach itself, which larger
+ * k give again. */
+static real probe_place(real span, real s, int k)
 {
     const real near = (real)0.1;
-    real ln_reach = -log(s);
+    real ln_reach = log(span) - log(s);
     int far = (int)ceil(fmax(ln_reach - near, 0) * PROBE_PER_E);
     if (k < far)
         return exp((real)k * fmax(ln_reach - near, 0) / (real)far);
-    real short_of = fmin(near, 1 - s) * pow(10, (real)(far - k));
-    return k - far > PROBE_DECADES ? 1 / s : fmax((1 - short_of) / s, 1);
+    real short_of = fmin(near, (span - s) / span) * pow(10, (real)(far - k));
+    return k - far > PROBE_DECADES ? span / s : fmax((1 - short_of) * span / s, 1);
 }
 
 /* The most times that an interval is halved: an interval a factor e^(1/8) wide then has 1e-3 of r. */
@@ -76,13 +77,13 @@ static enum dom_status probe_between(struct probe *p, const struct edge *lo, con
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *before,
                                     struct edge *after, bool *found)
 {
-    const real reach = 1 / c->s;
+    const real span = c->geometry.span, reach = span / c->s;
     struct probe p = {.c = c, .positive = margin_value(&from->margin) >= 0, .before = before, .after = after};
     struct edge lo = *from, hi = *from;
     real deviation = 0;
     enum dom_status status = DOM_OK;
     for (int k = 0; status == DOM_OK && !p.found && hi.r < reach; k++) {
-        real r = probe_place(c->s, k);
+        real r = probe_place(span, c->s, k);
         if (r <= hi.r)
             continue;
         const struct edge last = lo;

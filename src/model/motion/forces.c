@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/forces.h"
+#include "geometry/rounded.h"
 #include <stdlib.h>
 
 /*
@@ -20,12 +21,11 @@ struct moving {
 static size_t moving_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
 {
     size_t n = 1;
-    k[0] = (struct moving){.link = link_head(geometry, head), .second_derivative = 0, .size = 1};
+    k[0] = (struct moving){.link = link_begin(geometry, head), .second_derivative = 0, .size = 1};
     for (; n < room && n < geometry->n && k[n - 1].link.leads; n++) {
         k[n].link = k[n - 1].link;
-        link_next(&k[n].link);
-        k[n].second_derivative =
-            link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative, &k[n].link);
+        link_follow(&k[n].link);
+        k[n].second_derivative = link_curve(&k[n - 1].link, k[n - 1].second_derivative, &k[n].link);
         k[n].size = k[n - 1].size / k[n - 1].link.geometry->r;
     }
     return n;
@@ -46,10 +46,13 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
         real theta_2 = own->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
-        real gravity = -own->weight * geometry_height_slope(own->geometry, own->tilt) / 2;
+        real gravity = -own->weight * geometry_lift(own->geometry, own->tilt) / 2;
         real torque_share = own->leads ? dynamics_arms(geometry->dynamics, own).ratio : 0;
-        rest = gravity - own->inertia * theta_2 + torque_share * rest;
-        push = own->inertia * own->slope * kinematics->omega_lost + torque_share * push;
+        real inertia = own->inertia * geometry_inertia(own->geometry, own->tilt),
+             grows = own->inertia * geometry_inertia_slope(own->geometry, own->tilt),
+             omegasq = own->slope * own->slope * kinematics->omegasq;
+        rest = gravity - inertia * theta_2 - grows * omegasq / 2 + torque_share * rest;
+        push = inertia * own->slope * kinematics->omega_lost + torque_share * push;
         /* the dominoes after the last are alike: their torques are a geometric series */
         if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
@@ -78,7 +81,8 @@ static struct push push_on(const struct moving *k, real normal)
 
 /*
  * Finds the force of the floor by Newton's law for the centre of the block, at (x - d y, y + d x) / 2 from
- * its hinge: what contacts and gravity do not supply.
+ * its hinge: what contacts and gravity do not supply. If its edges are rounded, the centre of the edge rolls
+ * along the floor at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,
@@ -86,14 +90,16 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
 {
     const struct link *own = &k->link;
     real tausq = head->box * (1 + head->d * head->d) / 3; /* in h/g of the head */
-    real mass = own->weight / k->size, d = own->geometry->d, across = (own->tilt.x - d * own->tilt.y) / 2,
-         up = (own->tilt.y + d * own->tilt.x) / 2, momentum = mass * k->size / tausq;
+    const struct rounded *shape = &own->geometry->rounded;
+    real mass = own->weight / k->size, across = (shape->tall * own->tilt.x - shape->wide * own->tilt.y) / 2,
+         up = (shape->tall * own->tilt.y + shape->wide * own->tilt.x) / 2, high = up + shape->rho,
+         momentum = mass * k->size / tausq;
     real theta_2 = own->slope * kinematics->acceleration + k->second_derivative * kinematics->omegasq;
     real omegasq = own->slope * own->slope * kinematics->omegasq;
     struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
     hinge_load->x =
-        momentum * (up * theta_2 - across * omegasq) - mass * own->geometry->g.along - from.x + onto.x;
+        momentum * (high * theta_2 - across * omegasq) - mass * own->geometry->g.along - from.x + onto.x;
     hinge_load->z =
         momentum * (-across * theta_2 - up * omegasq) + mass * own->geometry->g.down - from.z + onto.z;
     if (!kinematics->hit)
@@ -101,7 +107,7 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     real change = leader ? -own->slope * kinematics->omega_lost : kinematics->omega;
     from = push_on(k, leaned ? k->impulse : 0);
     onto = leader ? push_on(leader, leader->impulse) : none;
-    hinge_load->impulse_x = momentum * up * change - from.x + onto.x;
+    hinge_load->impulse_x = momentum * high * change - from.x + onto.x;
     hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
     /* at r s = 1 no impulse turns a domino, however large: no floor supplies that */
     if (isnan(hinge_load->impulse_x))

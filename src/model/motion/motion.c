@@ -198,13 +198,13 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         .climbed = at.dH,
         .fallen = at.left,
         .before = before,
-        .lost = conservative ? before / launch->J0 : before - launch->kinetic,
+        .lost = conservative ? before * geometry->upright / launch->J0 : before - launch->kinetic,
         .friction_work = conservative || theta == 0 ? 0 : launch->kinetic - at.dH - at.J * omegasq,
     };
     if (!errors)
         return DOM_OK;
     real of_time = REAL_NAN;
-    if (conservative)
+    if (geometry->dynamics->bounded)
         status = time_error(m, state, &of_time);
     real of_before = geometry->weight * launch_error->arrives + 5 * UNIT * before;
     state->error = (struct dom_state_error){

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
+#include "geometry/rounded.h"
 
 /* Finds the tilt at which the first domino detaches: before the one that has detached by the end, another one
  * may detach earlier, and so on. */
@@ -12,14 +13,14 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         enum dom_status status = geometry_tilt(geometry, st->hi, &head);
         if (status != DOM_OK)
             return status;
-        struct link k = link_head(geometry, head);
+        struct link k = link_begin(geometry, head);
         /* A domino that moves less than rounding errors does not detach now; after one that detaches, nothing
          * moves at that moment. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && k.i < *stay) || k.tilt.v < k.geometry->leave.v)) {
             last = k.i + 1 >= geometry->n || (!all && k.slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
-                link_next(&k);
+                link_follow(&k);
         }
         if (last || k.i + 1 >= geometry->n)
             return DOM_OK;

@@ -5,6 +5,7 @@
  * domino that has detached keeps the tilt that it had then.
  */
 #include "row/moments.h"
+#include "geometry/rounded.h"
 #include <stdlib.h>
 
 KERNEL enum dom_status watch_begin(struct watch *w, size_t count)
@@ -31,7 +32,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
     enum dom_status status = geometry_tilt(&st->geometry, theta, &tilt);
     if (status != DOM_OK)
         return status;
-    struct link k = link_head(&st->geometry, tilt);
+    struct link k = link_begin(&st->geometry, tilt);
     w->moving = st->geometry.n;
     for (;;) {
         w->tilt[head - k.i] = k.i == 0 ? theta : tilt_angle(k.tilt);
@@ -39,10 +40,9 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         if (k.i + 1 >= st->geometry.n)
             return DOM_OK;
         if (!k.leads) { /* by rounding: it detaches just here */
-            k.contact = geometry_contact(k.geometry, k.tilt);
-            k.step = 0;
+            link_touch(&k);
         }
-        link_next(&k);
+        link_follow(&k);
     }
 }
 
@@ -195,6 +195,55 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 
 /* ---- Before the first hit ---- */
 
+/* A single domino with rounded edges that falls from theta_u. */
+struct tipping {
+    const struct segment *st;
+    real end, left; /* p when it hits the next domino; the time from a p to there */
+};
+
+/* Returns the angle beyond theta_u from p = ln tan(phi / 4). */
+static real tipping_phi(real p)
+{
+    return 4 * atan(exp(p));
+}
+
+/* Returns tau omega over sin(phi / 2), which is smooth. */
+static real tipping_rate(const struct segment *st, real phi)
+{
+    const struct geometry *geometry = &st->geometry;
+    const struct tilt u = tilt_half(geometry_half_u(geometry)),
+                      at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
+    real energy = 2 * geometry_height(geometry, u); /* over sin^2(phi / 2) */
+    if (phi > cbrt(REAL_EPSILON))
+        energy = (rounded_fall(geometry, at) - rounded_fall(geometry, u)) / (sin(phi / 2) * sin(phi / 2));
+    return sqrt(energy / geometry_inertia(geometry, at));
+}
+
+static real tipping_slowness(real p, void *context)
+{
+    return 2 / tipping_rate(((const struct tipping *)context)->st, tipping_phi(p));
+}
+
+/* By how much the time from p to the hit is too long. */
+static real tipping_over(real p, void *context)
+{
+    const struct tipping *t = context;
+    real time = 0;
+    enum num_status solver =
+        num_integral(tipping_slowness, context, p, t->end, t->st->geometry.tol / 8, &time, NULL);
+    return solver == NUM_OK ? time - t->left : REAL_NAN;
+}
+
+/* Returns how far beyond theta_u a domino with rounded edges is, `left` before it hits the next one. */
+static real tipping_at(const struct segment *st, real left)
+{
+    struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
+    /* Its inertia is between that of a rod about its end and a quarter of that of a block. */
+    real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
+    return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
+                                                                                    : REAL_NAN;
+}
+
 /*
  * At the angle phi beyond its edge a single domino has w = 2 u sin^2(phi / 2), u being its reach: so
  * tan(phi / 4) grows like exp(t sqrt(u / 2)).
@@ -203,14 +252,16 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)
         return;
+    const bool rounded = tip->geometry.rounded.on;
     const real u = tip->geometry.reach, whole = tip->hi - tip->lo;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
     w->moving = 1;
     while (!w->ended && w->next < w->times && (real)w->time[w->next] < 0) {
-        real time = (real)w->time[w->next] / tau, phi = 4 * atan(tan(whole / 4) * exp(time * sqrt(u / 2)));
+        real time = (real)w->time[w->next] / tau,
+             phi = rounded ? tipping_at(tip, -time) : 4 * atan(tan(whole / 4) * exp(time * sqrt(u / 2)));
         w->tilt[0] = tip->lo + phi;
-        w->omega[0] = sqrt(2 * u) * sin(phi / 2) / tau;
+        w->omega[0] = (rounded ? tipping_rate(tip, phi) : sqrt(2 * u)) * sin(phi / 2) / tau;
         watch_visit(w, w->time[w->next]);
     }
 }

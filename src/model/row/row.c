@@ -7,8 +7,11 @@
  * the present head is the unit: its height, m g h / 2, tau.
  */
 #include "dynamics/walls.h"
+#include "geometry/rounded.h"
+#include "growth/margin.h"
 #include "row/run.h"
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- The row as a chain ---- */
 
@@ -41,6 +44,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d) *
                         (previous.box / own.box);
     geometry->follower = follower;
+    if (geometry->rounded.on)
+        rounded_joint(geometry, follower);
     /* All dominoes before, over this domino itself: a bound for what a sum that ends here leaves out. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
@@ -51,20 +56,32 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
 }
 
 /* Returns the last tilt of domino k as a head: where it hits the next one, or lies on the floor. */
-static struct tilt row_end(const struct row_request *row, size_t k)
+static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
     if (k + 1 == row->count)
         return (struct tilt){1, 0, 1};
+    if (geometry->rounded.on)
+        return rounded_hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
     real sine = fmin((real)row->domino[k + 1].gap / (real)row->domino[k].height, 1);
     return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
 }
 
-/* Turns the effects on. The walls are of one thickness, so each domino has its own share of its height. */
+/* Returns the radius of the edges of domino k over its height; 0: they are sharp. */
+static dom_real row_radius(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *domino = &row->domino[k];
+    dom_real rho = row->effect[DOM_EFFECT_edges];
+    return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
+}
+
+/* Turns the effects on. The walls are of one thickness, so each domino has its own share of its height; the
+ * radius of the edges may be its own. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
     memcpy(effect, row->effect, sizeof effect);
     effect[DOM_EFFECT_walls] /= row->domino[k].height;
+    effect[DOM_EFFECT_edges] = row_radius(row, k);
     return dynamics_choose(effect, geometry);
 }
 
@@ -78,13 +95,14 @@ KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, s
                                   .d = block_of(asked, k).d,
                                   .box = 1,
                                   .short_of = 1,
-                                  .c = row_end(asked, k),
                                   .n = k + 1};
     geometry->reach = hypot(1, geometry->d);
     geometry_gravity(geometry, 0, 1);
+    enum dom_status status = row_effects(asked, k, geometry);
+    geometry->c = row_end(asked, k, geometry);
     if (k > 0)
         joint_make(asked, k, &row[k - 1], geometry);
-    return row_effects(asked, k, geometry);
+    return status;
 }
 
 KERNEL enum dom_status row_make(const struct row_request *asked, struct geometry *row)
@@ -130,6 +148,8 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
            : !positive(d->thickness) || !positive(block_of(row, k).d)          ? DOM_BAD_THICKNESS
            : !positive(d->mass) || !positive(block_of(row, k).unit)            ? DOM_BAD_MASS
            : !(d->gap >= 0) || !isfinite((real)d->gap)                         ? DOM_BAD_GAP
+           : !(d->radius >= 0 && d->radius < d->height / 2)                    ? DOM_BAD_RADIUS
+           : 2 * row_radius(row, k) > d->thickness / d->height                 ? DOM_NO_ROUND
            : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, k) ? DOM_NO_ROOM
                                                                                : DOM_OK;
 }
@@ -274,30 +294,31 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
 {
     const struct block block = block_of(run->asked, 0);
     const struct geometry *geometry = &run->geometry[0];
-    real u = geometry->reach, sine = -geometry_height_slope(geometry, geometry->c) / u,
-         cosine = geometry_height(geometry, geometry->c) / u, x = geometry->h.x, y = geometry->h.y;
-    real barrier = x * x / (y + u) * block.unit;
+    real theta_u = geometry_theta_u(geometry), barrier = geometry_rise_u(geometry) * block.unit;
+    const struct tilt top = tilt_half(geometry_half_u(geometry));
+    bool tips = geometry_lift(geometry, geometry->c) < 0;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,
                               .kinetic = barrier,
                               .barrier = barrier,
-                              .theta_m = atan(x / y),
+                              .theta_m = theta_u,
                               .theta = tilt_angle(geometry->c),
                               .moving = 1};
-    *d = (struct descent){
-        .st = {.geometry = *geometry, .start = {.from = {x / u, y / u, 1 - y / u}, .J = 1}, .gain = 1}};
+    *d = (struct descent){.st = {.geometry = *geometry,
+                                 .start = {.from = top, .J = geometry_inertia(geometry, top)},
+                                 .gain = 1}};
     d->st.geometry.dynamics = &energy_balance; /* nothing leans on it */
-    d->st.lo = atan(x / y);
+    d->st.lo = theta_u;
     d->st.hi = tilt_angle(geometry->c);
-    enum dom_status status = run->asked->floor && sine > 0
-                                 ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction)
-                                 : DOM_OK;
+    enum dom_status status =
+        run->asked->floor && tips ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction) : DOM_OK;
     watch_tip(run->watch, &d->st, block.tau);
     d->st.start.from = geometry->c;
-    d->st.start.omegasq = sine > 0 ? u * sine * sine / (1 + cosine) : 0;
-    run->carried = d->st.start.omegasq * block.unit;
-    run->verdict.end = sine > 0 ? DOM_ROW_FALLS : DOM_ROW_LEANS;
+    d->st.start.J = geometry_inertia(geometry, geometry->c);
+    d->st.start.omegasq = tips ? pair_push(geometry) : 0;
+    run->carried = d->st.start.J * d->st.start.omegasq * block.unit;
+    run->verdict.end = tips ? DOM_ROW_FALLS : DOM_ROW_LEANS;
     return status;
 }
 
@@ -313,9 +334,11 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct descent *
     const struct dom_domino *own = &run->asked->domino[k], *next = own + 1;
     const struct geometry *geometry = &run->geometry[k + 1];
     enum dom_row_end *end = &run->verdict.end;
-    if ((real)next->gap > (real)own->height * (1 + REACH_ROUNDED))
+    const struct geometry *hits = &run->geometry[k];
+    real top = hits->rounded.rho + hits->rounded.tall * hits->c.y, flat = 1 - geometry->rounded.rho;
+    if ((real)next->gap > hits->span * (real)own->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
-    else if ((real)own->height * d->st.geometry.c.y > (real)next->height)
+    else if ((real)own->height * top > flat * (real)next->height)
         *end = DOM_ROW_PASSES;
     if (*end != DOM_ROW_FALLS)
         return DOM_OK;

@@ -1,0 +1,258 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "geometry/rounded.h"
+#include "numerics/numerics.h"
+
+KERNEL enum dom_status rounded_edges(struct geometry *geometry, real rho)
+{
+    real d = geometry->d, along = geometry->g.along, down = geometry->g.down, tall = 1 - 2 * rho,
+         wide = d - 2 * rho, block = geometry->box * (1 + d * d) / 3;
+    struct rounded *of = &geometry->rounded;
+    *of = (struct rounded){.on = true, .rho = rho, .tall = tall, .wide = wide, .roll = -2 * rho * along};
+    of->i.c = (block - (1 + d * d) / 4 + (tall * tall + wide * wide) / 4 + rho * rho) / block;
+    of->i.x = rho * wide / block;
+    of->i.y = rho * tall / block;
+    geometry->upright = of->i.c + of->i.y;
+    geometry->span = tall + rho * PI / 2;
+    geometry->h.x = wide * down - tall * along;
+    geometry->h.y = tall * down + wide * along;
+    geometry->reach = hypot(tall, wide);
+    return wide >= 0 && tall > 0 ? DOM_OK : DOM_NO_ROUND;
+}
+
+/* ---- One contact ---- */
+
+/* The most steps of an iteration that needs three or four, and more only where it has no solution. */
+enum { TURN_STEPS = 40 };
+
+/*
+ * Returns the solution in [-pi/2, pi/2] of l sin u + c u = G, l and c >= 0, with its sine and cosine; NaN
+ * where there is none. Halley's method, from the first two terms of the series in G. The step that ends it
+ * is so short that the last sine and cosine need its square alone.
+ */
+static real turn_solve(real l, real c, real G, real *sine, real *cosine)
+{
+    real part = G / (l + c), turn = part * (1 + l / (l + c) * part * part / 6);
+    for (int i = 0; i < TURN_STEPS; i++) {
+        turn = fmin(fmax(turn, -PI / 2), PI / 2);
+        real x = sin(turn), y = cos(turn), off = l * x + c * turn - G, slope = l * y + c;
+        real by = -off / (slope + off * l * x / (2 * slope));
+        if (fabs(by * by * by) <= REAL_EPSILON * fabs(turn)) {
+            *sine = x + by * (y - by * x / 2);
+            *cosine = y - by * (x + by * y / 2);
+            return turn + by;
+        }
+        turn += by;
+    }
+    return *sine = *cosine = REAL_NAN;
+}
+
+/* Returns theta cos theta - sin theta + 1 - cos theta: the part of the contact that unequal radii have. */
+static real unequal(struct tilt t, real theta)
+{
+    return t.v - t.x + theta * t.y;
+}
+
+static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
+{
+    const struct rounded *of = &geometry->rounded;
+    real more = of->rho - of->rho_1, c = of->rho_1 * leader.y, x = 0, y = 1;
+    real turn = turn_solve(of->tall_1, c,
+                           geometry->s - geometry->L * leader.v + more * unequal(leader, theta), &x, &y);
+    /* Derivatives of the contact: b turn' = -x M + rho_1 x turn. */
+    real M = geometry->L - more * (1 - theta), b = of->tall_1 * y + c,
+         arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
+    real curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
+                  leader.x * more) /
+                 b;
+    return (struct rolling){
+        .contact = {.X = x, .Y = y, .arm = geometry->r * arm, .step = slope},
+        .turn = turn,
+        .b = b,
+        .curve = curve,
+    };
+}
+
+/* ---- The chain ---- */
+
+static void roller_contact(struct roller *k)
+{
+    const struct geometry *geometry = k->link.geometry;
+    k->link.leads = !geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0;
+    if (k->link.leads) {
+        k->rolling = rolling_of(geometry, k->link.tilt, k->theta);
+        k->link.contact = k->rolling.contact;
+        k->link.step = k->link.contact.step;
+    }
+}
+
+KERNEL struct roller roller_head(const struct geometry *geometry, struct tilt head)
+{
+    struct roller k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
+                       .theta = tilt_angle(head)};
+    roller_contact(&k);
+    return k;
+}
+
+KERNEL void roller_next(struct roller *k)
+{
+    struct link *link = &k->link;
+    const struct geometry *geometry = link->geometry;
+    k->second_derivative = link->step * k->second_derivative + k->rolling.curve * link->slope * link->slope;
+    link->i++;
+    link->tilt = tilt_follower(link->tilt, link->contact);
+    k->theta += k->rolling.turn;
+    link->slope *= link->step;
+    link->weight *= geometry->weight;
+    link->inertia *= geometry->inertia;
+    if (geometry->follower)
+        link->geometry = geometry->follower;
+    roller_contact(k);
+}
+
+KERNEL struct link link_begin(const struct geometry *geometry, struct tilt head)
+{
+    return geometry->rounded.on ? roller_head(geometry, head).link : link_head(geometry, head);
+}
+
+KERNEL void link_follow(struct link *k)
+{
+    if (!k->geometry->rounded.on) {
+        link_next(k);
+        return;
+    }
+    struct roller roller = {.link = *k, .theta = tilt_angle(k->tilt)};
+    roller.rolling = rolling_of(k->geometry, k->tilt, roller.theta);
+    roller_next(&roller);
+    *k = roller.link;
+}
+
+KERNEL real link_curve(const struct link *leader, real second_derivative, const struct link *follower)
+{
+    if (!leader->geometry->rounded.on)
+        return link_second_derivative(leader, second_derivative, follower);
+    struct rolling rolling = rolling_of(leader->geometry, leader->tilt, tilt_angle(leader->tilt));
+    return leader->step * second_derivative + rolling.curve * leader->slope * leader->slope;
+}
+
+KERNEL void link_touch(struct link *k)
+{
+    k->contact = k->geometry->rounded.on ? rolling_of(k->geometry, k->tilt, tilt_angle(k->tilt)).contact
+                                         : geometry_contact(k->geometry, k->tilt);
+    k->step = 0;
+}
+
+KERNEL real link_arm_a(const struct link *k)
+{
+    const struct geometry *geometry = k->geometry;
+    const struct rounded *of = &geometry->rounded;
+    return of->on ? k->contact.arm - geometry->mu * geometry->r * (geometry->d - of->rho * (1 - k->tilt.x))
+                  : contact_arm_a(k);
+}
+
+KERNEL real link_arm_b(const struct link *k)
+{
+    const struct geometry *geometry = k->geometry;
+    const struct rounded *of = &geometry->rounded;
+    return of->on ? geometry->r * (of->tall_1 * (k->contact.Y + geometry->mu * k->contact.X) +
+                                   of->rho_1 * (k->tilt.y + geometry->mu * (1 - k->tilt.x)))
+                  : contact_arm_b(k);
+}
+
+/* ---- The shape of a train ---- */
+
+/* Returns the left side of the contact where the follower leans as its leader: 0 at theta_inf. */
+static real far_turn(real theta, void *context)
+{
+    const struct geometry *geometry = context;
+    struct tilt t = tilt_make(sin(theta), cos(theta));
+    return geometry->s - geometry->L * t.v +
+           (geometry->rounded.rho - geometry->rounded.rho_1) * unequal(t, theta);
+}
+
+/* Returns the arm of the contact force on the leader: 0 where the follower detaches. */
+static real leader_arm(real theta, void *context)
+{
+    const struct geometry *geometry = context;
+    struct rolling rolling = rolling_of(geometry, tilt_make(sin(theta), cos(theta)), theta);
+    return isfinite(rolling.contact.arm) ? rolling.contact.arm : -1;
+}
+
+static struct tilt tilt_of(real theta)
+{
+    return tilt_make(sin(theta), cos(theta));
+}
+
+/* Finds the first tilt up to hi at which a follower detaches; returns false if it never does. */
+static bool rounded_leave(struct geometry *geometry, real hi, real *theta)
+{
+    return leader_arm(hi, geometry) < 0 &&
+           num_root(leader_arm, geometry, 0, hi, 2 * REAL_EPSILON, theta) == NUM_OK;
+}
+
+KERNEL struct tilt rounded_hit(const struct geometry *geometry, real gap)
+{
+    real x = 1, y = 0;
+    if (gap >= geometry->span)
+        return (struct tilt){1, 0, 1};
+    turn_solve(geometry->rounded.tall, geometry->rounded.rho, gap, &x, &y);
+    return tilt_make(x, fmax(y, 0));
+}
+
+KERNEL enum dom_status rounded_set(struct geometry *geometry)
+{
+    struct rounded *of = &geometry->rounded;
+    real theta_inf = PI / 2, theta_leave;
+    if (geometry->rs > geometry->span * (1 + 2 * REAL_EPSILON))
+        return DOM_OUT_OF_REACH;
+    of->rho_1 = of->rho / geometry->r;
+    of->tall_1 = of->tall / geometry->r;
+    geometry->c = rounded_hit(geometry, geometry->rs);
+    /* Nothing turns beyond theta_inf, so that the left side decreases up to pi/2. */
+    if (num_root(far_turn, geometry, 0, PI / 2, 2 * REAL_EPSILON, &theta_inf) != NUM_OK)
+        return DOM_NOT_CONVERGED;
+    geometry->inf = geometry->f = tilt_of(theta_inf);
+    struct rolling far = rolling_of(geometry, geometry->inf, theta_inf);
+    geometry->decay = geometry->weight * fmax(0, far.contact.step);
+    geometry->detaches = rounded_leave(geometry, theta_inf, &theta_leave);
+    if (geometry->detaches) {
+        geometry->leave = tilt_of(theta_leave);
+        geometry->f = tilt_of(theta_leave + rolling_of(geometry, geometry->leave, theta_leave).turn);
+    }
+    return DOM_OK;
+}
+
+KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower)
+{
+    struct rounded *of = &geometry->rounded;
+    real theta = 0;
+    of->rho_1 = follower->rounded.rho / geometry->r;
+    of->tall_1 = follower->rounded.tall / geometry->r;
+    bool leaves = rounded_leave(geometry, PI / 2, &theta);
+    geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
+}
+
+/* Finds the contact of a leader at theta with a follower at a given tilt. */
+struct led {
+    const struct geometry *geometry;
+    real follower;
+};
+
+static real led_by(real theta, void *context)
+{
+    const struct led *led = context;
+    return theta + rolling_of(led->geometry, tilt_of(theta), theta).turn - led->follower;
+}
+
+KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower)
+{
+    struct led led = {geometry, tilt_angle(follower)};
+    real most = geometry->leave.v <= 1 ? tilt_angle(geometry->leave) : PI / 2, theta = 0;
+    most = fmin(most, led.follower);
+    if (led_by(0, &led) >= 0)
+        return standing;
+    if (!(led_by(most, &led) > 0))
+        return tilt_of(most);
+    return num_root(led_by, &led, 0, most, 2 * REAL_EPSILON, &theta) == NUM_OK
+               ? tilt_of(theta)
+               : (struct tilt){REAL_NAN, REAL_NAN, REAL_NAN};
+}
