@@ -233,9 +233,9 @@ quick test unit hard sessions:
 
 # Compares rows with Chipmunk, a rigid-body engine; fails if the two differ.
 VERIFY := $(wildcard tests/verify/*.c)
-$(B)/verify_rows: $(call OBJ,$(VERIFY) tests/hard/workers.c) $(B)/libdomino.a
+$(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(B)/libdomino.a
 	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ -lchipmunk $(GSL) -o $@
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
 
 verify: $(B)/verify_rows
 	@$(B)/verify_rows

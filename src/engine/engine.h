@@ -57,6 +57,7 @@ struct engine_fall {
     bool leans;  /* true: the first box, tipped over its edge, would already touch the second; nothing ran */
     size_t hits; /* boxes that were hit, the first included */
     double seconds; /* until the last box lies, or the row has come to rest */
+    double zero;    /* when the clock starts, in time since the start */
     double depth;   /* the deepest penetration of a box, over its height */
     double drift;   /* the farthest that a corner strays from its hinge, over the height */
     double gain;    /* the largest growth of energy between two hits, over the kinetic energy at the second */
@@ -77,7 +78,8 @@ enum { ENGINE_MOST = 200 };
 /* Returns the version of the engine; NULL if it is not installed. The first call loads it. */
 const char *engine_version(void);
 
-/* The row at one time; tilt[k] and foot[k], the distance that the foot has slid, are of box k, for k < count.
+/* The row at one time since the start; tilt[k] and foot[k], the distance that the foot has slid, are of box
+ * k, for k < count.
  */
 struct engine_moment {
     double time;

@@ -141,6 +141,7 @@ static void finish(struct run *r)
     const bool tipped = isnan(w->row->push);
     const double zero = !tipped || !w->hit ? 0 : hits > 1 ? w->hit[1].time : w->fall->seconds;
     w->fall->seconds -= zero;
+    w->fall->zero = zero;
     for (size_t k = 0; k < hits && w->hit; k++) {
         struct engine_hit *h = &w->hit[k];
         h->time = tipped && k == 0 ? (double)NAN : h->time - zero;

@@ -48,6 +48,19 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     same train "$(json 'rmax')" "$(json 'set method engine; rmax')"
 }
 
+@test "animate and draw show the poses of the engine" {
+    # A tilt on the way is that of the model, within a hundredth; the film ends when the row lies.
+    model=$(json "$scene; animate x.gif") engine=$(json "$scene; set method engine; animate x.gif")
+    paste <(values theta <<<"$model") <(values theta <<<"$engine") | head -n 12 |
+        awk '{ off = $2 - $1; if (off > 0.02 || off < -0.02) { print; bad = 1 } } END { exit bad || NR != 12 }'
+    run -0 "$DOMINO" -n -e "$scene; effect feet 0.3; draw at 0.1 s"
+    [[ $output == *'after the push'* ]]
+}
+
+@test "^C ends a search of the engine" {
+    run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; rowmax'
+}
+
 @test "what the engine cannot do is one line, with what would be right" {
     while IFS='|' read -r commands message; do
         run "$DOMINO" -n -e "$commands"

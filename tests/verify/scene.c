@@ -14,27 +14,37 @@ static const double stature = 7.0 / 48; /* thickness over height */
 
 /* ---- The engine ---- */
 
-static struct engine_row boxes(const struct scene *scene)
+struct engine_row scene_boxes(const struct scene *scene)
 {
-    struct engine_row row = {
-        .count = scene->count, .g = 1, .push = scene->push, .mu = scene->mu, .bevel = scene->bevel};
+    static struct engine_box box[SCENE_MOST]; /* scenes run in processes of their own */
+    struct engine_row row = ENGINE_ROW(box, scene->count);
 
+    row.push = scene->push;
+    row.mu = scene->mu;
+    row.bevel = scene->bevel;
+    row.bounce = scene->bounce;
+    row.slope = scene->slope;
+    row.radius = scene->radius;
+    row.feet = scene->feet > 0 ? scene->feet : (double)INFINITY;
     for (size_t k = 0; k < scene->count; k++) {
         double h = pow(scene->r, (double)k);
 
-        row.box[k] = (struct engine_box){h, stature * h, scene->s * h, pow(h, scene->q - 1)};
+        box[k] = (struct engine_box){
+            .height = h, .thickness = stature * h, .gap = scene->s * h, .mass = pow(h, scene->q - 1)};
     }
     return row;
 }
 
+static struct engine_hit hits[SCENE_MOST]; /* of the last run */
+
 /* Runs the boxes with found->steps. */
 static struct engine_fall run(const struct scene *scene, int times, struct found *found)
 {
-    struct engine_row row = boxes(scene);
+    struct engine_row row = scene_boxes(scene);
     struct engine_grain grain = {found->steps, times * iterations};
     struct engine_fall fall;
 
-    if (!engine_run(&row, &grain, &fall)) {
+    if (engine_run(&row, &grain, NULL, hits, NULL, NULL, &fall) != ENGINE_OK) {
         fprintf(stderr, "s %g, q %g, mu %g, r %.9g: the engine's row comes to no end\n", scene->s, scene->q,
                 scene->mu, scene->r);
         exit(2);
@@ -79,7 +89,7 @@ static bool hit(const struct domq_fall *fall, void *context)
 static bool dominoes_fall(const struct scene *scene, double r, void *next)
 {
     struct scene at = *scene;
-    struct domq_domino domino[ENGINE_MOST];
+    struct domq_domino domino[SCENE_MOST];
     struct domq_scale unit = {.h = 1, .g = 1};
     struct domq_verdict verdict;
 
@@ -190,7 +200,7 @@ static double duration_of(const struct scene *scene, int times, struct found *fo
 
     if (fall.hits < scene->count)
         return (double)NAN;
-    return (fall.time[last] - fall.time[last - SCENE_CYCLES]) / taus(scene);
+    return (hits[last].time - hits[last - SCENE_CYCLES].time) / taus(scene);
 }
 
 static double duration(const struct scene *scene, struct found *found)
@@ -257,7 +267,7 @@ void scene_duration(const struct scene *scene, struct found *found)
 
 double scene_duration_of_row(const struct scene *scene)
 {
-    double time[ENGINE_MOST], *next = time;
+    double time[SCENE_MOST], *next = time;
     size_t last = scene->count - 1;
 
     if (!dominoes_fall(scene, scene->r, &next))

@@ -4,14 +4,21 @@
 #define VERIFY_SCENE_H
 
 #include "../unit/ask.h"
-#include "engine.h"
+#include "engine/engine.h"
 
 struct scene {
     double s, q, mu, r; /* r is not used if it is searched */
-    size_t count;       /* number of dominoes, the first of height 1; g = 1 */
+    size_t count;       /* number of dominoes, the first of height 1; g = 1; at most SCENE_MOST */
     double push;        /* angular velocity that the first gets */
     double bevel;       /* of the engine's boxes */
+    /* What only the engine has; the friction of the floor is 0 where feet are hinges. */
+    double feet, bounce, slope, radius;
 };
+
+enum { SCENE_MOST = 64 };
+
+/* Returns the row in the engine. Its boxes are those of the last call. */
+struct engine_row scene_boxes(const struct scene *scene);
 
 /* A value of the engine, and its uncertainty. */
 struct found {

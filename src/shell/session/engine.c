@@ -213,6 +213,81 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
     return run_once(row, compute, &engine_coarsest, NULL, NULL);
 }
 
+/* ---- The row in time ---- */
+
+struct watch {
+    struct unit unit;
+    double zero;             /* of the clock, in the engine's time */
+    const domq_real *times;  /* those that are left */
+    size_t left, count;      /* times that are left; dominoes */
+    domq_real *tilt, *omega; /* at the step before */
+    double *feet, time;      /* of that step */
+    size_t head;
+    domq_moment_visit *visit;
+    void *context;
+    bool more;
+};
+
+/* Visits the state of the last step for a time. */
+static void watch_visit(struct watch *w, double time)
+{
+    const struct domq_moment moment = {.time = (domq_real)time,
+                                       .head = w->head + 1,
+                                       .moving = w->head + 1,
+                                       .tilt = w->tilt,
+                                       .omega = w->omega};
+    w->more = w->visit(&moment, w->context);
+    w->times++;
+    w->left--;
+}
+
+/* Takes a step of the engine: an engine_visit. A picture needs no more than the state of the nearest step. */
+static bool watch_step(const struct engine_moment *m, void *context)
+{
+    struct watch *w = context;
+    const double time = (m->time - w->zero) * w->unit.time, last = w->time, dt = time - last;
+    w->time = time;
+    w->head = m->head;
+    for (size_t k = 0; k < m->count; k++) {
+        w->omega[k] = dt > 0 ? (domq_real)((m->tilt[k] - (double)w->tilt[k]) / dt) : 0;
+        w->tilt[k] = (domq_real)m->tilt[k];
+        w->feet[k] = m->foot[k] * w->unit.length;
+    }
+    while (w->more && w->left > 0 && (double)*w->times <= time)
+        watch_visit(w, (double)*w->times);
+    return w->more && w->left > 0;
+}
+
+enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
+                                   const domq_real *times, size_t count, domq_moment_visit *visit,
+                                   void *context, double *feet)
+{
+    const struct scene_engine *own = row->engine->own;
+    const struct engine_settled *settled = &own->report->settled;
+    const struct engine_grain grain = {settled->steps, engine_coarsest.iterations};
+    struct watch w = {.unit = unit_of(row),
+                      .zero = settled->fall.zero,
+                      .times = times,
+                      .left = count,
+                      .count = row->count,
+                      .feet = feet,
+                      .visit = visit,
+                      .context = context,
+                      .more = true};
+    w.time = -w.zero * w.unit.time;
+    w.tilt = calloc(2 * row->count, sizeof *w.tilt);
+    if (!w.tilt)
+        return DOM_NO_MEMORY;
+    w.omega = w.tilt + row->count;
+    memset(feet, 0, row->count * sizeof *feet);
+    enum dom_status status = run_once(row, compute, &grain, watch_step, &w);
+    /* Times after the motion give its end. */
+    while (status == DOM_OK && w.more && w.left > 0)
+        watch_visit(&w, w.time);
+    free(w.tilt);
+    return status;
+}
+
 /* ---- What the engine can do ---- */
 
 /* Reports an error for an effect that is on, and that the engine lacks. */

@@ -41,8 +41,12 @@ bool scene_engine_make(struct session *session, size_t count, struct scene_engin
 /* Runs a row once with coarse steps, for its cost. */
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
-/* Runs a row again with the steps of the report, and visits each step: times in s, feet in m. */
+/*
+ * Does what domq_row_watch does, with the steps of the report, which an earlier run has filled. feet, of the
+ * row's length, takes how far each foot has slid, in m, before each visit.
+ */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
-                                   engine_visit *visit, void *context);
+                                   const domq_real *times, size_t count, domq_moment_visit *visit,
+                                   void *context, double *feet);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/drawing/falling_row.h"
 #include "commands/rows/falling.h"
+#include "commands/rows/slid.h"
 #include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>
@@ -46,13 +47,14 @@ bool falling_row_make(struct session *session, struct falling_row *row)
     row->count = row->scene.row.count;
     row->tipped = isnan(row->scene.row.push);
     row->scene.row.floor = false; /* no picture shows it */
-    row->at = malloc(3 * row->count * sizeof *row->at);
-    if (!row->at) {
+    row->at = calloc(4 * row->count, sizeof *row->at);
+    if (!row->at || !report_begin(session, &row->scene)) {
         falling_row_free(row);
         return session_status(session, DOM_NO_MEMORY);
     }
     row->hit = row->at + row->count;
     row->share = row->hit + row->count;
+    row->slid = row->share + row->count;
     row_place(row);
     enum dom_status status =
         domq_row_run(&row->scene.row, &row->scene.compute, true, domino_falls, row, &row->verdict);
@@ -68,6 +70,7 @@ bool falling_row_make(struct session *session, struct falling_row *row)
 
 void falling_row_free(struct falling_row *row)
 {
+    report_end(&row->scene);
     free(row->scene.domino);
     free(row->at);
 }
@@ -85,6 +88,9 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
                                   domq_moment_visit *visit, void *context)
 {
     struct domq_verdict verdict;
+    if (row->scene.row.engine)
+        return scene_engine_watch(&row->scene.row, &row->scene.compute, times, count, visit, context,
+                                  row->slid);
     return domq_row_watch(&row->scene.row, &row->scene.compute, times, count, visit, context, &verdict);
 }
 
@@ -92,7 +98,7 @@ struct drawn falling_row_domino(const struct falling_row *row, size_t k, double 
 {
     const struct domq_domino *d = &row->scene.domino[k];
     double height = (double)d->height, thickness = (double)d->thickness;
-    return drawn_at((int)k + 1, height, row->at[k] + thickness, tilt, thickness / height);
+    return drawn_at((int)k + 1, height, row->at[k] + row->slid[k] + thickness, tilt, thickness / height);
 }
 
 bool row_ends_at(const struct falling_row *row, size_t k)

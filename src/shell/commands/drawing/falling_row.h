@@ -13,6 +13,7 @@ struct falling_row {
     size_t count;
     double *at;    /* of each domino: its back, from the back of the first: the tape measure */
     double *hit;   /* when it is hit; NaN: never, or it is the first and tips over its edge */
+    double *slid;  /* how far its foot has slid at the moment that is watched */
     double *share; /* the energy that it has, of the energy that it needs; NaN: not known */
     struct domq_verdict verdict;
     double end;      /* when the motion ends; NaN: a time has no value */
