@@ -61,6 +61,23 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; rowmax'
 }
 
+@test "without the library a row that needs it is one line, and all else works" {
+    cat >"$BATS_TEST_TMPDIR/none.c" <<'C'
+#include <string.h>
+void *dlopen(const char *name, int flags);
+void *dlopen(const char *name, int flags)
+{
+    (void)name, (void)flags;
+    return 0;
+}
+C
+    [ -z "$(checked "$DOMINO")" ] || skip 'the sanitizers bring a loader of their own'
+    cc -shared -fPIC "$BATS_TEST_TMPDIR/none.c" -o "$BATS_TEST_TMPDIR/none.so"
+    run env LD_PRELOAD="$BATS_TEST_TMPDIR/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; rmax > /dev/null; fall"
+    same missing "-e:1: fall: feet is on, but the rigid-body engine Chipmunk 7 is not installed; on Debian enter 'apt-get install libchipmunk7'" "$output"
+    run -0 env LD_PRELOAD="$BATS_TEST_TMPDIR/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; effect feet off; verdict"
+}
+
 @test "what the engine cannot do is one line, with what would be right" {
     while IFS='|' read -r commands message; do
         run "$DOMINO" -n -e "$commands"

@@ -64,7 +64,7 @@ static struct job job_of(int k)
 
         j = (struct job){.scene = {.s = feet[row].s, .mu = feet[row].mu, .feet = floors[floor]},
                          .known = feet[row].growth[floor],
-                         .off = 0.01};
+                         .off = 0.012}; /* 0.01, and the digits that are known */
     } else {
         j = (struct job){.scene = others[k - ROWS * FLOORS].scene,
                          .known = others[k - ROWS * FLOORS].growth,

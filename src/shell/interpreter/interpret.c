@@ -8,6 +8,7 @@
 #include "io/terminal.h"
 #include "picture/ending.h"
 #include "picture/picture.h"
+#include "session/engine.h"
 #include "session/parameters.h"
 #include "session/undo.h"
 #include <limits.h>
@@ -23,7 +24,11 @@
  */
 static void say_train(const struct session *session, struct answer *answer)
 {
-    static const char note[] = "(This is " TRAIN_NOTE ")";
+    const char *note =
+        session_engine(session)
+            ? "(This is the endless train in the model, with feet on hinges and without bounce: "
+              "'fall' and 'rowmax' run the row in the rigid-body engine.)"
+            : "(This is " TRAIN_NOTE ")";
     if (!answer_for_people(answer))
         return;
     if (session->redirected && ending_of(session->redirected)->kind == ENDING_PICTURE)
