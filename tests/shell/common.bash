@@ -28,9 +28,9 @@ curve 0.3 0.5 3|s exact paper pair reach
 count 112|height r dominoes exact first_height last_height feasible
 count 112 2|height r dominoes exact first_height last_height feasible reason
 scene|part dominoes why solved
-slip|needs motion theta domino hit hit_domino slips
+slip|motion theta domino hit hit_domino slips slips_hit
 effect row 5; fall|domino height hit falls omega kinetic barrier margin energy
-effect row 5; effect floor 0.5; fall|domino height hit falls omega kinetic barrier margin energy floor
+effect row 5; effect floor 0.5; fall|domino height hit falls omega kinetic barrier margin energy floor floor_hit
 effect row 5; verdict|verdict domino short_by seconds weakest spare
 effect row 3; set mass 1; row|domino height thickness gap mass
 effect row 3; tolerance|domino place from to gap gap_low gap_high height height_low height_high friction_low friction_high first
