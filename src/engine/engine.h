@@ -15,6 +15,7 @@
 struct engine_box {
     double height, thickness, gap, mass;
     double inertia; /* moment of inertia about its centre, over that of a solid box; 0: a solid box */
+    double radius;  /* of its edges, if those of the row are rounded; 0: as the row says */
 };
 
 struct engine_row {

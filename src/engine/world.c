@@ -26,10 +26,17 @@ cpVect world_tip(const struct world *w, size_t k)
     return w->cp->cpBodyLocalToWorld(w->body[k].body, cpv(box->thickness / 2, box->height / 2));
 }
 
+/* Returns the radius of the edges of box k. */
+static double radius_of(const struct world *w, size_t k)
+{
+    const struct engine_box *box = &w->row->box[k];
+    return w->row->radius > 0 && box->radius > 0 ? box->radius : w->row->radius * box->height;
+}
+
 cpVect world_front(const struct world *w, size_t k, bool upper)
 {
     const struct engine_box *box = &w->row->box[k];
-    double r = w->row->radius * box->height, y = box->height / 2 - r;
+    double r = radius_of(w, k), y = box->height / 2 - r;
     cpVect centre = cpv(box->thickness / 2 - r, upper ? y : -y);
     return cpvadd(w->cp->cpBodyLocalToWorld(w->body[k].body, centre), cpv(r, 0));
 }
@@ -81,7 +88,7 @@ static cpShapeFilter touches(const struct world *w, size_t k)
 static cpShape *shape_of(const struct world *w, size_t k)
 {
     const struct engine_box *box = &w->row->box[k];
-    double r = w->row->radius * box->height, x = box->thickness / 2 - r, y = box->height / 2 - r;
+    double r = radius_of(w, k), x = box->thickness / 2 - r, y = box->height / 2 - r;
     const cpVect edge[] = {{x, -y}, {x, y}, {-x, y - w->row->bevel * box->height}, {-x, -y}};
     return w->cp->cpPolyShapeNewRaw(w->body[k].body, 4, edge, r);
 }
@@ -126,7 +133,7 @@ static void start(struct world *w)
 {
     const struct engine_row *row = w->row;
     const struct engine_box *box = &row->box[0];
-    double h = box->height, d = box->thickness, rounded = 2 * row->radius * h;
+    double h = box->height, d = box->thickness, rounded = 2 * radius_of(w, 0);
     if (!isnan(row->push)) {
         turn(w, 0, row->push);
         return;

@@ -50,9 +50,12 @@ static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engi
 {
     for (size_t k = 0; k < row->count; k++) {
         const struct domq_domino *d = &row->domino[k];
-        box[k] = (struct engine_box){(double)d->height / unit.length, (double)d->thickness / unit.length,
-                                     (double)d->gap / unit.length, (double)d->mass / unit.mass,
-                                     box_inertia(row, d)};
+        box[k] = (struct engine_box){(double)d->height / unit.length,
+                                     (double)d->thickness / unit.length,
+                                     (double)d->gap / unit.length,
+                                     (double)d->mass / unit.mass,
+                                     box_inertia(row, d),
+                                     (double)d->radius / unit.length};
         if (!(box[k].height > 0 && box[k].thickness > 0 && box[k].gap >= 0 && box[k].mass > 0) ||
             !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
             return false;
