@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the law of motion from the list of effects. */
 #include "dynamics/choose.h"
+#include "geometry/far.h"
 
 /* Each effect of the list has its own file, with a function that turns the effect on. */
 #define DYNAMICS_DECLARE(effect, member, status)                                                             \
@@ -32,7 +33,11 @@ KERNEL enum dom_status dynamics_read(const struct request *train, struct geometr
 KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry)
 {
     enum dom_status status = dynamics_read(train, geometry);
-    return status == DOM_OK ? geometry_set(geometry, geometry->s, geometry->r) : status;
+    if (status == DOM_OK)
+        status = geometry_set(geometry, geometry->s, geometry->r);
+    if (status == DOM_OK)
+        far_make(geometry, 16); /* an answer about one train takes many passes */
+    return status;
 }
 
 KERNEL enum dom_status dynamics_begin(struct geometry *geometry)

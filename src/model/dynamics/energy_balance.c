@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "dynamics/energy_balance.h"
+#include "geometry/far.h"
 #include "geometry/rounded.h"
 
 #ifdef KERNEL_TEXTS
@@ -180,16 +181,18 @@ static bool acceleration_closes(const struct link *k, real second_derivative, st
 {
     const struct geometry *geometry = k->geometry;
     const struct far *far = &geometry->far;
-    if (geometry->n != CHAIN_ENDLESS || geometry->detaches || geometry->follower)
+    if (geometry->n != CHAIN_ENDLESS || far->order == 0 || geometry->follower)
         return false;
-    real e = far_off(geometry, k->tilt), H1 = k->weight * k->slope, J = k->inertia * k->slope * k->slope;
-    if (e > geometry->inf.x / 16 || !far_done(&a->H1, H1 * far->H1, H1 * far->H3 * e * e, geometry->tol) ||
-        !far_done(&a->J, J * far->J0, J * far->J2 * e * e, geometry->tol))
+    real z = far_off(geometry, k->tilt), share = far_share(far, z), H1 = k->weight * k->slope,
+         J = k->inertia * k->slope * k->slope;
+    if (!far_done(&a->H1, -H1 / 2 * far->H[1], H1 / 2 * far->rest_H * share, geometry->tol) ||
+        !far_done(&a->J, J * far->J[0], J * far->rest_J * share, geometry->tol))
         return false;
-    real J_far = far->J0 - far->J1 * e + far->J2 * e * e / 2, J1_far = far->J1 - far->J2 * e;
-    series_add(&a->H1, H1 * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
-    series_add(&a->J, J * J_far);
-    *half_J1 += k->inertia * k->slope * (second_derivative * J_far + k->slope * k->slope * J1_far / 2);
+    struct far_point J_far = far_J(far, z);
+    series_add(&a->H1, H1 * far_H(far, z).first);
+    series_add(&a->J, J * J_far.value);
+    *half_J1 +=
+        k->inertia * k->slope * (second_derivative * J_far.value + k->slope * k->slope * J_far.first / 2);
     return true;
 }
 

@@ -14,6 +14,7 @@
  */
 #include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"
+#include "geometry/far.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
 
@@ -164,6 +165,13 @@ static bool friction_done(const struct friction_link *k, struct series *A, struc
                        geometry->tol);
 }
 
+/* Returns the distance of a tilt from theta_inf, to the fourth order. */
+static real far_angle(const struct geometry *geometry, struct tilt t)
+{
+    real z = far_off(geometry, t);
+    return 2 * z * (1 - z * z / 3);
+}
+
 static real far_value(const real f[3], real e)
 {
     return f[0] - f[1] * e + f[2] * e * e / 2;
@@ -178,7 +186,7 @@ static bool drive_closes(const struct friction_link *k, struct series *C, real t
     if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far_friction_of(geometry)->known)
         return false;
     const struct far_friction *far = far_friction_of(geometry);
-    real e = far_off(geometry, link->tilt), part = link->weight * k->S;
+    real e = far_angle(geometry, link->tilt), part = link->weight * k->S;
     if (e > geometry->inf.x / 16 || !far_done(C, part * far->C[0], part * far->C[2] * e * e, tol))
         return false;
     series_add(C, part * far_value(far->C, e));
@@ -192,7 +200,7 @@ static bool friction_closes(const struct friction_link *k, struct series *A, str
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
     const struct far_friction *far = far_friction_of(geometry);
-    real e = far_off(geometry, link->tilt), part = link->inertia * k->S, slope = link->slope;
+    real e = far_angle(geometry, link->tilt), part = link->inertia * k->S, slope = link->slope;
     if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far->known ||
         !far_done(A, part * slope * far->A[0], part * slope * far->A[2] * e * e, geometry->tol))
         return false;

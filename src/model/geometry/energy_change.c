@@ -2,6 +2,7 @@
 /* Differences of H: two chains together, and the far end of both in closed form. */
 #include "geometry/bound.h"
 #include "geometry/chain.h"
+#include "geometry/far.h"
 #include "geometry/rounded.h"
 
 /*
@@ -58,48 +59,33 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
     return t * F / (1 + t * t * G);
 }
 
-/* Returns the distance of a tilt from theta_inf, to the second order. */
-KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt tilt)
-{
-    real part = (geometry->inf.v - tilt.v) * geometry->far.per_sine;
-    return part + part * part * geometry->far.half_cot;
-}
-
-/* Returns true if the last term of a tail is below the tolerance of the sum with the tail. rest is the first
- * term, which may cancel the sum. */
-KERNEL_LOOP bool far_done(const struct series *s, real rest, real last, real tol)
-{
-    return fabs(last) <= TAIL_SHARE * fmax(tol * fabs(s->sum + rest), UNIT * s->size);
-}
-
 /*
- * Returns true if both a and b are so near to theta_inf that the last term of the far series does not matter.
- * Then the series gives the rest of the pass.
+ * Returns true if both a and b are so near to theta_inf that the terms which the far series leave out do not
+ * matter. Then the series give the rest of the pass.
  */
 KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
                           const struct link *a, const struct link *b, real t)
 {
     const struct far *far = &geometry->far;
-    real off = far_off(geometry, b->tilt), H = a->weight * 2 * t;
-    if (!far_done(&state->dH, H * far->H1, H * far->H3 * off * off, geometry->tol) ||
-        off > geometry->inf.x / 16)
+    real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
+    if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
-    real e = far_off(geometry, a->tilt), H1 = a->weight * a->slope, J = a->inertia * a->slope * a->slope;
-    return far_done(&state->H1, H1 * far->H1, H1 * far->H3 * e * e, geometry->tol) &&
-           far_done(&state->J, J * far->J0, J * far->J2 * e * e, geometry->tol);
+    share = far_share(far, far_off(geometry, a->tilt));
+    real H1 = a->weight * a->slope / 2, J = a->inertia * a->slope * a->slope;
+    return far_done(&state->H1, -H1 * far->H[1], H1 * far->rest_H * share, geometry->tol) &&
+           far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
 }
 
-static void far_add(const struct geometry *geometry, struct sum_state *state, const struct link *a,
-                    const struct link *b, real t)
+static struct far_point far_add(const struct geometry *geometry, struct sum_state *state,
+                                const struct link *a, const struct link *b, real t)
 {
     const struct far *far = &geometry->far;
-    real off = far_off(geometry, b->tilt),
-         e = far_off(geometry, a->tilt); /* distances below theta_inf: the tilts deviate by -off and -e */
-    series_add(&state->dH,
-               a->weight * 2 * t * (1 - t * t / 3) *
-                   (far->H1 - far->H2 * (e + off) / 2 + far->H3 * (e * e + e * off + off * off) / 6));
-    series_add(&state->H1, a->weight * a->slope * (far->H1 - far->H2 * e + far->H3 * e * e / 2));
-    series_add(&state->J, a->inertia * a->slope * a->slope * (far->J0 - far->J1 * e + far->J2 * e * e / 2));
+    real z_a = far_off(geometry, a->tilt), z_b = far_off(geometry, b->tilt);
+    struct far_point H = far_H(far, z_a);
+    series_add(&state->dH, a->weight * far_difference(far, z_a, z_b, t));
+    series_add(&state->H1, a->weight * a->slope * H.first);
+    series_add(&state->J, a->inertia * a->slope * a->slope * far_J(far, z_a).value);
+    return H;
 }
 
 /* Return H2 of one domino, whose theta'' is second_derivative, and H2 of all dominoes from there on. */
@@ -109,9 +95,9 @@ KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivati
                         k->slope * k->slope * geometry_height(k->geometry, k->tilt));
 }
 
-static real far_H2(const struct link *k, real second_derivative)
+static real far_H2(const struct link *k, real second_derivative, const struct far_point *H)
 {
-    return k->weight * (second_derivative * k->geometry->far.H1 + k->slope * k->slope * k->geometry->far.H2);
+    return k->weight * (second_derivative * H->first + k->slope * k->slope * H->second);
 }
 
 /* Adds one pair of dominoes to the sums. */
@@ -142,44 +128,7 @@ enum {
     PASS_ERROR = 1,             /* bounds */
     PASS_SHIFT = 2,             /* a is the endless train at theta_c; b is a from its second domino on */
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
-    PASS_PUSHES = 8,            /* signs of contact forces */
 };
-
-/*
- * Returns true if one contact surely does its part to keep all contacts closed while its leader moves from b
- * to a.
- *
- * The torques of all dominoes from i on, times the factors S of friction.c (without friction theta_i'), pass
- * through the contact of domino i with its leader. What they do not need for their own acceleration is the
- * contact force times S_i b_i > 0. With the acceleration of the whole chain this is the sum over k >= i of
- *
- *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
- *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
- *
- * g = -h'/2, where <> is the mean of the whole chain with the same weights I S theta'. Where a_k and c_k do
- * not decrease down the chain, no such sum is negative: all contacts push, at every speed.
- *
- * c increases by r L (y_1 + theta_1' x X) / Y^2 times a square (link_second_derivative), y_1 of the follower.
- * a does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0, where X, Y of the contact turn g to g_1,
- *
- *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
- *
- * From b to a, X and theta_1' decrease, and Y increases as long as X >= 0: the terms at the two ends give a
- * bound. The arm a of the contact, which must be positive, decreases too.
- */
-static bool contact_pushes(const struct link *a, const struct link *b)
-{
-    const struct geometry *own = a->geometry, *next = own->follower ? own->follower : own;
-    const real X = a->contact.X, Y = fmin(a->contact.Y, b->contact.Y), Y_most = X < 0 ? 1 : a->contact.Y;
-    const real less = fmin(X, 0), R = own->weight / own->inertia;
-    const real of_x =
-                   R * (next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X)) - b->step * own->h.y,
-               of_y = R * (next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most)) +
-                      fmin(a->step * own->h.x, b->step * own->h.x);
-    return a->tilt.y >= 0 && a->contact.Y * a->tilt.y - X * a->tilt.x + less >= 0 && Y + own->mu * less > 0 &&
-           contact_arm_a(a) >= 0 && own->h.y > 0 && next->h.y > 0 &&
-           fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
-}
 
 /*
  * Finds differences between two chains: a from the head's tilt, b from upright. With t = tan((theta_a -
@@ -195,9 +144,8 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     struct link a = link_head(geometry, head), b = link_head(geometry, from);
     struct energy_change_bound e;
     real H2 = 0, second_derivative = 0;
-    bool ended = true, pushes = true,
-         closes = !(pass & PASS_ERROR) && !geometry->detaches && !geometry->follower &&
-                  geometry->n == CHAIN_ENDLESS;
+    bool ended = true, closes = !(pass & PASS_ERROR) && geometry->far.order > 0 && !geometry->follower &&
+                                geometry->n == CHAIN_ENDLESS;
     if (pass & PASS_ERROR)
         e = error_head(geometry, &a, &b, t);
     for (;;) {
@@ -205,9 +153,9 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         if (status != DOM_OK)
             return status;
         if (closes && far_near(geometry, &state, &a, &b, t)) {
-            far_add(geometry, &state, &a, &b, t);
+            struct far_point rest = far_add(geometry, &state, &a, &b, t);
             if (pass & PASS_SECOND_DERIVATIVE)
-                H2 += far_H2(&a, second_derivative);
+                H2 += far_H2(&a, second_derivative, &rest);
             break;
         }
         pair_add(&state, &a, &b, t);
@@ -240,8 +188,6 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
             }
             break;
         }
-        if (pass & PASS_PUSHES)
-            pushes = pushes && contact_pushes(&a, &b);
         real shrinks = pair_shrinks(&a, &b, t);
         ended = false;
         if (pair_done(&state, &a, t, shrinks, geometry->tol))
@@ -269,9 +215,7 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         *error = (struct sums){.J = e.sums.J + series_error(&state.J, ended),
                                .H1 = e.sums.H1 + series_error(&state.H1, ended),
                                .dH = e.sums.dH + series_error(&state.dH, ended)};
-    enum dom_status status = sum_result(geometry, &state, H2, a.i + 1, sums);
-    sums->pushes = pushes;
-    return status;
+    return sum_result(geometry, &state, H2, a.i + 1, sums);
 }
 
 /* Returns tan of half the difference of two tilts; exact if the difference is the whole tilt. */
@@ -341,12 +285,6 @@ KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry,
     return energy_change_between(geometry, from, head, half_turn(from, head), 0, sums, NULL);
 }
 
-KERNEL enum dom_status chain_pushes(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    struct sums *sums)
-{
-    return energy_change_between(geometry, from, head, half_turn(from, head), PASS_PUSHES, sums, NULL);
-}
-
 KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,
                                               struct tilt head, real by, struct sums *sums)
 {
@@ -375,14 +313,15 @@ KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt h
     struct link a = link_head(geometry, head), b = link_head(geometry, standing),
                 c = link_head(geometry, geometry->c);
     real t = half_of_tilt(head), t_c = half_of_tilt(geometry->c), H2 = 0, second_derivative = 0;
+    bool closes = geometry->far.order > 0;
     for (;;) {
         enum dom_status status = chain_watch(geometry, a.i);
         if (status != DOM_OK)
             return status;
-        if (far_near(geometry, &up, &a, &b, t) && far_near(geometry, &down, &c, &b, t_c)) {
-            far_add(geometry, &up, &a, &b, t);
+        if (closes && far_near(geometry, &up, &a, &b, t) && far_near(geometry, &down, &c, &b, t_c)) {
+            struct far_point rest = far_add(geometry, &up, &a, &b, t);
             far_add(geometry, &down, &c, &b, t_c);
-            H2 += far_H2(&a, second_derivative);
+            H2 += far_H2(&a, second_derivative, &rest);
             break;
         }
         pair_add(&up, &a, &b, t);

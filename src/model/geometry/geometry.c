@@ -47,31 +47,6 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down)
     geometry->rounded = (struct rounded){.tall = 1, .wide = d, .i.c = 1};
 }
 
-static struct far far_make(const struct geometry *geometry)
-{
-    real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, y = geometry->inf.y;
-    /* Derivatives of theta_1: of its slope 1 - r L x / Y, with Y' = 0 and Y'' = -(r L x)^2. */
-    real off = geometry->r * geometry->L * x, slope = 1 - off, second_derivative = -geometry->r * geometry->d,
-         twist = off * (1 - off * off);
-    real slope2 = slope * slope, slope3 = slope2 * slope;
-    real h1 = geometry_height_slope(geometry, geometry->inf), h2 = -geometry_height(geometry, geometry->inf),
-         h3 = -h1;
-    struct far f = {.per_sine = 1 / x};
-    f.half_cot = y * f.per_sine / 2;
-    /* 1 - r^-q slope^k, from r^q - 1. */
-    f.H1 = h1 / (w * (geometry->rq_1 + off));
-    f.H2 = (h2 + w * second_derivative * f.H1) / (w * (geometry->rq_1 + off * (1 + slope)));
-    f.H3 = (h3 + w * (twist * f.H1 + 3 * slope * second_derivative * f.H2)) /
-           (w * (geometry->rq_1 + off * (1 + slope + slope2)));
-    f.J0 = 1 / (1 - m * slope2);
-    f.J1 = 2 * m * slope * second_derivative * f.J0 / (1 - m * slope3);
-    f.J2 = m *
-           (2 * (second_derivative * second_derivative + slope * twist) * f.J0 +
-            5 * slope2 * second_derivative * f.J1) /
-           (1 - m * slope3 * slope);
-    return f;
-}
-
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
 {
     real d = geometry->d, L = s + d;
@@ -112,10 +87,9 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
         geometry->f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
     }
+    geometry->far.order = 0;
     if (geometry->rounded.on)
         return rounded_set(geometry);
-    if (!geometry->detaches)
-        geometry->far = far_make(geometry);
     return DOM_OK;
 }
 

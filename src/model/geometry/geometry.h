@@ -21,15 +21,20 @@ static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 struct dynamics; /* dynamics.h */
 struct flow;     /* flow.h */
 
-/*
- * H and J of a train whose head leans at theta_inf - e, a far follower: H1 is dH/dtheta there, J0 is J, and
- * so on. They follow from H(theta) = h(theta) + r^-q H(theta_1) and J(theta) = 1 + r^-(q+1) theta_1'^2
- * J(theta_1), differentiated repeatedly at theta_1 = theta = theta_inf, where X = 0.
- */
+/* The most terms of the series of the far tail, and the fewest. */
+#if REAL_BITS <= 24
+enum { FAR_FIRST = 4, FAR_ORDER = 4 };
+#elif REAL_BITS <= 64
+enum { FAR_FIRST = 4, FAR_ORDER = 12 };
+#else
+enum { FAR_FIRST = 4, FAR_ORDER = 20 };
+#endif
+
+/* H and J of a train, as power series around theta_inf (far.h). */
 struct far {
-    real H1, H2, H3;
-    real J0, J1, J2;
-    real per_sine, half_cot; /* 1 / sin theta_inf, and half of its cotangent */
+    int order; /* even; 0: no series */
+    real radius, rest_H, rest_J;
+    real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
 
 /*
@@ -81,7 +86,7 @@ struct geometry {
     struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */
     struct tilt leave; /* theta_leave, only if detaches */
     bool detaches;     /* (41; A17) */
-    struct far far;    /* only if not detaches */
+    struct far far;    /* only after far_make */
     size_t n;          /* number of dominoes from here to the end of the chain */
     /* Geometry of the follower, and so on; NULL: the train is self-similar, so this geometry serves for
      * all. */

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
+#include "geometry/far.h"
 #include "geometry/rounded.h"
+
+/* About as many passes need the far tail of one growth. */
+#define FAR_PASSES 2
 
 /* Finds the barrier to compare with the kinetic energy, as the context asks. near: the tilt from
  * barrier_near, or NULL. */
@@ -139,6 +143,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
     struct geometry geometry = c->geometry;
     geometry.tol = tol;
     c->status = geometry_set(&geometry, c->s, r);
+    if (c->status == DOM_OK && c->dominoes == CHAIN_ENDLESS && geometry.dynamics->conservative)
+        far_make(&geometry, FAR_PASSES);
     if (c->status == DOM_OK)
         c->status = dynamics_begin(&geometry);
     if (c->status == DOM_OK)

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sums over the far followers of a domino, which lean nearly at theta_inf, from their power series. */
+#ifndef DOM_FAR_H
+#define DOM_FAR_H
+
+#include "geometry/sums.h"
+
+/* Finds geometry->far for a train from which no domino detaches, of the order that costs least for about that
+ * number of passes. */
+KERNEL void far_make(struct geometry *geometry, real passes);
+
+/* Returns the variable of the series, tan((theta_inf - theta) / 2). */
+KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
+{
+    real sine = geometry->inf.x * t.y - geometry->inf.y * t.x,
+         cosine = geometry->inf.y * t.y + geometry->inf.x * t.x;
+    return sine / (1 + cosine);
+}
+
+/* Returns (z / radius)^order, over which `rest_H` and `rest_J` bound the terms that are left out; infinite
+ * where the bounds do not hold. */
+KERNEL_LOOP real far_share(const struct far *far, real z)
+{
+    real part = fabs(z) / far->radius, square = part * part, share = 1;
+    if (part > (real)0.5)
+        return (real)INFINITY;
+    for (int k = far->order; k > 1; k -= 2)
+        share *= square;
+    return share;
+}
+
+/* Returns true if a rest is below the tolerance of a sum with its tail `tail`, which may cancel the sum. */
+KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
+{
+    return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
+}
+
+/* A function at z, with its derivatives to theta. */
+struct far_point {
+    real value, first, second;
+};
+
+KERNEL struct far_point far_point(const real *series, int order, real z)
+{
+    real value = 0, first = 0, second = 0; /* second: half of the derivative */
+    for (int k = order; k >= 0; k--) {
+        second = second * z + first;
+        first = first * z + value;
+        value = value * z + series[k];
+    }
+    real by = -(1 + z * z) / 2; /* dz / dtheta */
+    return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
+}
+
+/* Returns H, but for a constant, and J of the train from a domino at z on. */
+KERNEL struct far_point far_H(const struct far *far, real z)
+{
+    return far_point(far->H, far->order, z);
+}
+
+KERNEL struct far_point far_J(const struct far *far, real z)
+{
+    struct far_point at = far_point(far->J, far->order, z);
+    real one = 1 + z * z; /* the series is that of J / one^2; d one / dtheta is -z one */
+    return (struct far_point){.value = one * one * at.value,
+                              .first = one * one * (at.first - 2 * z * at.value)};
+}
+
+/* Returns H(theta_a) - H(theta_b) from the z of both and t = tan((theta_a - theta_b) / 2). */
+KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
+{
+    real sum = 0, part = 1, power = 1; /* part: (z_a^k - z_b^k) / (z_a - z_b) */
+    for (int k = 1; k <= far->order; k++) {
+        sum += far->H[k] * part;
+        power *= z_b;
+        part = part * z_a + power;
+    }
+    return -t * (1 + z_a * z_b) * sum;
+}
+
+#endif
