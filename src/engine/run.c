@@ -18,9 +18,10 @@ static const double brakes = 0.9;          /* a step goes this part of the way t
 static const double lies = 1e-3;           /* so low is the tip of a box that lies, over its height */
 static const double rests = 1e-5;          /* an angular velocity, in that unit */
 static const double hinged_rest = 0.1, any_rest = 3; /* so long a box rests that has stopped, in that unit */
-static const size_t most_steps = 20 * 1000 * 1000;   /* a hundred times as many as a row takes */
-enum { CALM = 2, HARDER = 50 };                      /* short steps after a hit; their iterations */
-enum { FOREMOST = 4 };                               /* boxes whose drift is noted */
+static const double most_steps = 100; /* times the steps in a unit, for each box and some more: ten times as
+                                       * many as a row takes */
+enum { CALM = 2, HARDER = 50 };       /* short steps after a hit; their iterations */
+enum { FOREMOST = 4 };                /* boxes whose drift is noted */
 
 struct run {
     struct world world;
@@ -142,6 +143,8 @@ static void finish(struct run *r)
     const double zero = !tipped || !w->hit ? 0 : hits > 1 ? w->hit[1].time : w->fall->seconds;
     w->fall->seconds -= zero;
     w->fall->zero = zero;
+    if (tipped && w->hit)
+        w->hit[0].omega = 0; /* it was let go */
     for (size_t k = 0; k < hits && w->hit; k++) {
         struct engine_hit *h = &w->hit[k];
         h->time = tipped && k == 0 ? (double)NAN : h->time - zero;
@@ -169,6 +172,7 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
     if (status == ENGINE_OK)
         note_state(&r);
     bool done = fall->leans;
+    const double most = most_steps * grain->steps * ((double)row->count + 20);
     for (size_t i = 0; status == ENGINE_OK && !done; i++) {
         if (r.world.count < row->count && r.world.count < r.world.head + 2)
             world_stand(&r.world);
@@ -176,7 +180,7 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
         done = ends(&r) || (visit && !visited(&r, visit, context));
         if (interrupt && *interrupt)
             status = ENGINE_INTERRUPTED;
-        else if (i == most_steps)
+        else if ((double)i >= most)
             status = ENGINE_NO_END;
     }
     if (status == ENGINE_OK)

@@ -60,8 +60,10 @@ static void same_hits(double s, double r, double mu, double slope)
     b.row.mu = mu;
     b.row.slope = slope;
     for (size_t k = 0; k < b.row.count; k++)
-        domino[k] =
-            (struct dom_domino){b.box[k].height, b.box[k].thickness, k ? b.box[k].gap : 0, b.box[k].mass};
+        domino[k] = (struct dom_domino){.height = b.box[k].height,
+                                        .thickness = b.box[k].thickness,
+                                        .gap = k ? b.box[k].gap : 0,
+                                        .mass = b.box[k].mass};
     const struct dom_row row = {
         .domino = domino, .count = b.row.count, .g = 1, .push = b.row.push, .mu = mu, .alpha = slope};
     assert_status(dom_row_run(&row, NULL, true, time_seen, &t, &verdict), DOM_OK);
@@ -218,7 +220,7 @@ static void grown(double r, struct dom_domino *domino, size_t count, void *conte
 {
     (void)context;
     for (size_t k = 0; k < count; k++)
-        domino[k] = (struct dom_domino){pow(r, (double)k), 0.1, 0.1, 1};
+        domino[k] = (struct dom_domino){.height = pow(r, (double)k), .thickness = 0.1, .gap = 0.1, .mass = 1};
 }
 
 static void the_library_asks_an_engine(void **state)

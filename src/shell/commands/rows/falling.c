@@ -18,8 +18,8 @@ bool row_status(struct session *session, enum dom_status status)
     enum dom_precision precision = session->compute.precision;
     if (status == DOM_NOT_CONVERGED && session_engine(session))
         return session_no_answer(session,
-                                 "the rigid-body engine cannot decide: with ever shorter steps the verdict "
-                                 "still changes; a slightly different row is farther from that edge");
+                                 "the rigid-body engine cannot decide: the row comes to no end, or with ever "
+                                 "shorter steps the verdict still changes; try a slightly different row");
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return session_status(session, status);
     if (session_engine(session))
