@@ -108,6 +108,42 @@ let big = 0.5; rmax big; ans.s|0.5
 END
 }
 
+@test "let: what is defined is shown, explained, forgotten and completed" {
+    local all='let xx = 2 m; let ff(a) = 2*a'
+    while IFS='|' read -r line commands; do same "$line" "$(json "$all; $commands")" "$(json "$all; $line")"; done <<'END'
+xx?|help xx
+? ff|help ff
+ff|show ff
+END
+    same 'let alone' 'xx ff(a)' "$("$DOMINO" -e "$all; let" | awk 'NR > 1 { print $1 }' | paste -sd ' ' -)"
+    same 'let with a name' 'xx' "$("$DOMINO" -e "$all; let xx" | awk 'NR > 1 { print $1 }')"
+    same 'forgotten' 'ff(a)' "$("$DOMINO" -e "$all; reset xx; let" | awk 'NR > 1 { print $1 }')"
+    same 'back again' '2 m' "$("$DOMINO" -e "$all; reset xx" -e 'undo; xx' | tail -n 1)"
+    same 'reset keeps them' '2 m' "$("$DOMINO" -e "$all; reset; xx")"
+    wrong "$all; reset xx; xx" "unknown command 'xx'"
+    wrong "$all; set xx 3" "'xx' is a variable; 'xx = VALUE' changes it"
+    while IFS='|' read -r line words; do
+        same "complete $line" "$words" "$("$DOMINO" -e "$all" -e "complete $line" | paste -sd ' ' -)"
+    done <<'END'
+x|xx
+show x|xx
+reset x|xx
+help x|xx
+let x|xx
+let y = 3*x|3*xx
+print 2+x|2+xx
+print 2+ff|2+ff(
+count x|xx
+rmax x|(nothing)
+END
+}
+
+@test "the last values of other calculators, and '==', lead to what is here" {
+    local line
+    for line in _ % %1 ans2 _*2; do wrong "2+2; $line" "the last value is 'ans'"; done
+    for line in r==2 'r == 2' 2==2 'print r == 2' 'rmax(0.3) == 2'; do wrong "$line" "not compared by '=='"; done
+}
+
 @test "let: a function of one line" {
     all_print <<'END'
 let f(s) = rmax(s)*s; f(0.3)|0.454336
@@ -129,6 +165,7 @@ END
     wrong 'let ans = 2' "'ans' is a value"
     wrong 'let x' "a definition is 'let x"
     wrong 'let x =' "the value of 'x' is missing"
+    wrong 'let x 2' "a definition is 'let x"
     wrong 'let f(a = 3' 'a definition is'
     wrong 'let f(a,b,c,d,e) = 3' 'a function of 1 .. 4 values'
     wrong 'let f(a,a) = 3' "two values of 'f' have the name 'a'"

@@ -248,8 +248,28 @@ static void help_rows(struct answer *a, const char *topic)
             help_row_parameter(a, p);
 }
 
+/* Explains what 'let' has defined. */
+static void help_variable(struct session *session, const struct call *call)
+{
+    const struct variable *v = call->variable;
+    char head[VARIABLE_HEAD], value[VARIABLE_VALUE];
+    if (!answer_for_people(call->answer)) {
+        help_rows_begin(call->answer);
+        help_row_variable(call->answer, v);
+        return;
+    }
+    fprintf(session->out, "%s = %s\n\n", variable_head(v, head),
+            v->body ? v->body : variable_value(v, value));
+    help_say(session->out, "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' forgets it.",
+             v->body ? "function" : "variable", head, v->name);
+}
+
 static bool run_help(struct session *session, const struct call *call)
 {
+    if (call->variable) {
+        help_variable(session, call);
+        return true;
+    }
     if (!answer_for_people(call->answer)) {
         help_rows(call->answer, call->count ? topic_names(NULL, (int)call->number[0]) : NULL);
         return true;

@@ -7,7 +7,7 @@
 
 static const struct column help_columns[] = {
     {"name", "", "what is explained", 0},
-    {"kind", "", "command, parameter or effect", 0},
+    {"kind", "", "command, parameter, effect, variable or function", 0},
     {"usage", "", "how it is typed", 0},
     {"summary", "", "what it does, in one line", 0},
     {"equation", "", "of the paper", 0},
@@ -46,4 +46,13 @@ void help_row_parameter(struct answer *answer, const struct parameter *p)
                  cell_word(parameter_meaning(p)), cell_word(p->effect ? p->effect->source : NULL),
                  cell_word(parameter_help(p)), cell_word(NULL),
                  cell_word(p->effect ? effect_example(p->which, example) : NULL), cell_word(NULL));
+}
+
+void help_row_variable(struct answer *answer, const struct variable *v)
+{
+    char head[VARIABLE_HEAD], value[VARIABLE_VALUE], usage[VARIABLE_HEAD + 16];
+    snprintf(usage, sizeof usage, "let %s = VALUE", variable_head(v, head));
+    answer_cells(answer, cell_word(v->name), cell_word(v->body ? "function" : "variable"), cell_word(usage),
+                 cell_word(v->body ? v->body : variable_value(v, value)), cell_word(NULL), cell_word(NULL),
+                 cell_word(NULL), cell_word(NULL), cell_word("let"));
 }

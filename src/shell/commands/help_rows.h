@@ -10,6 +10,7 @@ void help_rows_begin(struct answer *answer);
 
 /* Write what the tables say of a command; of a parameter or an effect. */
 void help_row_command(struct answer *answer, const struct command *command);
+void help_row_variable(struct answer *answer, const struct variable *variable);
 void help_row_parameter(struct answer *answer, const struct parameter *parameter);
 
 #endif

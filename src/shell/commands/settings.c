@@ -64,6 +64,10 @@ static bool run_reset(struct session *session, const struct call *call)
 {
     const struct parameter *p;
     bool done = true;
+    if (call->variable) {
+        variable_drop(&session->variables, call->word[0]);
+        return true;
+    }
     for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++) {
         domq_real value = parameter_fallback(session, p);
         if (call->parameter ? p == call->parameter : !p->setting && !p->effect)
@@ -138,12 +142,12 @@ const struct command session_commands[] = {
      ANSWER(show)},
     {.name = "reset",
      .shortest = "re",
-     .synonyms = "undo default clear restore",
+     .synonyms = "undo default clear restore variable delete remove unset forget",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME all effects are turned off, too, and the settings of the session are kept: "
              "threads, output, "
-             "digits, angle, errors, timing, hints.",
+             "digits, angle, errors, timing, hints. So are variables; 'reset x' forgets the variable x.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .changes = true,
@@ -195,13 +199,15 @@ const struct command session_commands[] = {
      .synonyms = "variable define function assign name constant",
      .argument = {{.name = "NAME = VALUE",
                    .kind = ARGUMENT_WORDS,
-                   .choices = definition_names,
+                   .choices = value_names,
+                   .optional = true,
                    .read = read_definition}},
      .summary = "give a value a name, or define a function",
      .help = "'let x = 0.9*rmax' keeps the value that the expression has now; every expression can use x. "
              "'let f(s) = rmax(s)*s' keeps the text; f(0.3) evaluates it with s = 0.3. A "
-             "function has 1 .. 4 values and cannot use itself. 'x' shows the value, 'x = 2' changes it, "
-             "'show' lists all, and 'save' keeps them.",
+             "function has 1 .. 4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' "
+             "changes it, "
+             "'reset x' forgets it; 'let' lists all, and 'save' keeps them.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
      .see = "print set show",
      .changes = true,

@@ -127,6 +127,10 @@ static bool show(struct session *session, const struct call *call, bool differin
     struct column *fitted = answer_columns(call->answer, show_columns);
     struct shown shown;
     unsigned left_out = 0;
+    if (call->variable) {
+        variable_row(call->answer, call->variable, show_fit(session, call->answer));
+        return true;
+    }
     for (int pass = 0; pass < 2; pass++) {
         if (pass == 1 && call->answer->style.format->for_people)
             left_out = show_fit(session, call->answer);
@@ -151,6 +155,23 @@ static bool show(struct session *session, const struct call *call, bool differin
 bool run_show(struct session *session, const struct call *call)
 {
     return show(session, call, false);
+}
+
+bool show_variables(struct session *session, const struct call *call)
+{
+    const struct variables *all = &session->variables;
+    call->answer->rows = true;
+    if (call->variable)
+        return show(session, call, false);
+    if (all->count == 0) {
+        answer_say(call->answer, "No variable is defined; for example 'let x = 0.9*rmax'.");
+        return true;
+    }
+    answer_columns(call->answer, show_columns);
+    unsigned left_out = show_fit(session, call->answer);
+    for (size_t i = 0; i < all->count; i++)
+        variable_row(call->answer, &all->list[i], left_out);
+    return true;
 }
 
 bool run_diff(struct session *session, const struct call *call)

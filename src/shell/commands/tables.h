@@ -34,7 +34,6 @@ extern const struct column print_columns[];
 const char *conversion_word(const void *context, int k);
 bool read_conversion(struct reader *reader, struct call *call);
 bool read_definition(struct reader *reader, struct call *call);
-const char *definition_names(const void *context, int k);
 extern const struct column show_columns[];
 bool run_show(struct session *session, const struct call *call);
 bool run_diff(struct session *session, const struct call *call);
@@ -42,6 +41,8 @@ bool run_diff(struct session *session, const struct call *call);
 bool run_undo(struct session *session, const struct call *call);
 bool run_redo(struct session *session, const struct call *call);
 bool run_print(struct session *session, const struct call *call);
+/* Shows the variable of the call, or all of them. */
+bool show_variables(struct session *session, const struct call *call);
 bool run_let(struct session *session, const struct call *call);
 
 bool run_animate(struct session *session, const struct call *call);

@@ -134,12 +134,6 @@ bool run_print(struct session *session, const struct call *call)
 
 /* ---- let ---- */
 
-const char *definition_names(const void *context, int k)
-{
-    (void)context; /* of completion, which knows the word before, not the session */
-    return value_names(NULL, k);
-}
-
 /* Reports an error where a name has a meaning already. */
 static bool name_free(struct session *session, const char *name)
 {
@@ -177,9 +171,25 @@ static void definition_free(void *own)
     free(own);
 }
 
+/* Finds the variable whose name is all of the definition; it is shown. */
+static const struct variable *read_defined(struct reader *r)
+{
+    char name[VARIABLE_NAME];
+    size_t n = strcspn(r->at, " \t;>#(=");
+    const char *end = skip_blanks(r->at + n);
+    if (n >= sizeof name || !(command_ends(end) || *end == '>'))
+        return NULL;
+    snprintf(name, sizeof name, "%.*s", (int)n, r->at);
+    const struct variable *v = variable_find(&r->session->variables, name);
+    r->at = v ? end : r->at;
+    return v;
+}
+
 bool read_definition(struct reader *r, struct call *call)
 {
     struct session *session = r->session;
+    if ((call->variable = read_defined(r)) != NULL)
+        return true;
     struct variable *v = malloc(sizeof *v);
     if (!v)
         return session_status(session, DOM_NO_MEMORY);
@@ -220,6 +230,8 @@ bool read_definition(struct reader *r, struct call *call)
 bool run_let(struct session *session, const struct call *call)
 {
     const struct variable *v = call->own;
+    if (!v)
+        return show_variables(session, call);
     if (!variable_find(&session->variables, v->name) && session->variables.count == VARIABLES_MOST)
         return session_error(session, "there are %d variables, and that is the most", VARIABLES_MOST);
     return variable_put(&session->variables, v) || session_status(session, DOM_NO_MEMORY);

@@ -149,6 +149,12 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
     }
     bool ended = isspace((unsigned char)*e.end) || (command_ends(e.end) && *e.end != '#') || *e.end == '>' ||
                  (r->stops && strchr(r->stops, *e.end));
+    const char *compared = skip_blanks(e.end);
+    if (strncmp(compared, "==", 2) == 0) {
+        session->column = reader_column(r, compared);
+        return session_error(session, "values are not compared by '=='; 'r = 2' gives r a value, and "
+                                      "'assert verdict' or 'solve r: rmax = 1.6' asks");
+    }
     if (!ended) {
         char shown[NAMES_SHOWN];
         session->column = reader_column(r, e.end);
@@ -309,6 +315,27 @@ static bool read_effect(struct reader *r, const struct argument *a, struct call 
     return done;
 }
 
+/* Reads the name of a parameter or a topic; a variable of the session is one where no value follows. */
+static bool read_topic(struct reader *r, const struct argument *a, struct call *call, int i)
+{
+    char message[NAMES_MESSAGE] = NO_MEMORY;
+    bool topic = a->kind == ARGUMENT_TOPIC, valued = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE;
+    char *word = call->word[i] = read_name(r, valued ? "=" : "?");
+    const struct variable *v = word ? variable_find(&r->session->variables, word) : NULL;
+    if (v && valued)
+        return session_error(r->session, "'%s' is a variable; '%s = VALUE' changes it", word, word);
+    if (v) {
+        call->variable = v;
+        return true;
+    }
+    int k = word ? names_find(a->choices, NULL, a->of, word, message) : -1;
+    if (k < 0 && topic && word && is_expression_topic(word))
+        k = names_exact(a->choices, NULL, "print");
+    call->number[i] = k;
+    call->parameter = k >= 0 && !topic ? &session_parameters[k] : NULL;
+    return k >= 0 || session_error(r->session, "%s", message);
+}
+
 static bool read_argument(struct reader *r, const struct command *c, struct call *call)
 {
     struct session *session = r->session;
@@ -316,7 +343,6 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     const struct argument *a = &c->argument[i];
     session->column = call->column[i] = reader_column(r, r->at);
     r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind || c->argument[i + 1].kind == ARGUMENT_UNIT;
-    char message[NAMES_MESSAGE] = NO_MEMORY;
     switch (a->kind) {
     case ARGUMENT_OF:
         return read_value(r, parameter_find(a->of), 0, a->name, &call->number[i]);
@@ -324,13 +350,7 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
         return read_setting(r, c, call, i);
     case ARGUMENT_PARAMETER:
     case ARGUMENT_TOPIC:
-        call->word[i] = read_name(r, a->kind == ARGUMENT_TOPIC ? "?" : "=");
-        int k = call->word[i] ? names_find(a->choices, NULL, a->of, call->word[i], message) : -1;
-        if (k < 0 && a->kind == ARGUMENT_TOPIC && call->word[i] && is_expression_topic(call->word[i]))
-            k = names_exact(a->choices, NULL, "print");
-        call->number[i] = k;
-        call->parameter = k >= 0 && a->kind == ARGUMENT_PARAMETER ? &session_parameters[k] : NULL;
-        return k >= 0 || session_error(session, "%s", message);
+        return read_topic(r, a, call, i);
     case ARGUMENT_CHOICE:
         return read_choice(r, a, &call->word[i], &call->number[i]);
     case ARGUMENT_PLACE:

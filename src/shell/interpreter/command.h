@@ -18,10 +18,10 @@ enum argument_kind {
     ARGUMENT_LENGTH,    /* a length >= 0 */
     ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,       /* any value */
-    ARGUMENT_PARAMETER, /* the name of a parameter */
+    ARGUMENT_PARAMETER, /* the name of a parameter; without a value after it, or of a variable */
     ARGUMENT_EFFECT,    /* the name of an effect */
     ARGUMENT_VALUE,     /* a value for the parameter or effect before it, or a file that gives it */
-    ARGUMENT_TOPIC,     /* a command or a parameter */
+    ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
     ARGUMENT_CHOICE,    /* one of the names in argument.choices; its number */
     ARGUMENT_PLACE,     /* the same, as -1 - its number, or an angle in [0, theta_c] */
     ARGUMENT_WORD,      /* any word, or several between "..." */
@@ -47,7 +47,7 @@ struct argument {
     bool optional;
     names_list *choices; /* the names that it takes, or that completion offers for it */
     /* Reads ARGUMENT_GRID, ARGUMENT_COMMAND and ARGUMENT_WORDS; the context of choices of the last is the
-     * word before the one that is completed. */
+     * word before the one that is completed. Where choices is value_names, it is a definition. */
     bool (*read)(struct reader *reader, struct call *call);
     /* Unless NULL, returns true if the argument may follow the one before it, given as its choice or
      * place. */
@@ -69,8 +69,10 @@ struct call {
     char *word[ARGUMENTS_MAX];
     const struct parameter
         *parameter; /* the parameter that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
-    int column[ARGUMENTS_MAX]; /* their places in the line, for messages */
-    void *own;                 /* what argument.read keeps for its command; call_free calls own_free */
+    const struct variable *variable; /* the one that ARGUMENT_PARAMETER, ARGUMENT_TOPIC or a definition names;
+                                        NULL: none */
+    int column[ARGUMENTS_MAX];       /* their places in the line, for messages */
+    void *own;                       /* what argument.read keeps for its command; call_free calls own_free */
     void (*own_free)(void *own);
     struct answer *answer;
 };

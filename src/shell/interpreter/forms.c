@@ -79,6 +79,16 @@ static const struct command *called(struct reader *r, const char *c, size_t n)
     return command;
 }
 
+/* Returns true for what other calculators call their last values: '_', '%', '%1', 'ans2'. */
+static bool is_history(const struct session *session, const char *c, size_t n)
+{
+    size_t name = n ? n : *c == '%' || *c == '$' ? 1 : 0;
+    bool digits = n > 3 && strncmp(c, "ans", 3) == 0 && strspn(c + 3, "0123456789") == n - 3;
+    char word[VARIABLE_NAME];
+    snprintf(word, sizeof word, "%.*s", (int)n, c);
+    return name > 0 && (digits || n == 0 || strspn(c, "_") == n) && !variable_find(&session->variables, word);
+}
+
 /* Returns the command that an assignment means, or NULL after an error: there is nothing of this name. */
 static const struct command *assignment(struct session *session, const struct variable *v)
 {
@@ -114,6 +124,14 @@ const struct command *read_form(struct reader *r)
         session->column = reader_column(r, c);
         return assignment(session, &v);
     }
+    if (n > 0 && strncmp(next, "==", 2) == 0)
+        return command_find("print"); /* whose value says that there are no comparisons */
+    if (is_history(session, c, n)) {
+        session->column = reader_column(r, c);
+        session_error(session,
+                      "the last value is 'ans', as in '2*ans'; 'let x = ans' keeps it for later lines");
+        return NULL;
+    }
     if ((*c == '.' || *c == '\\') && name_start(c[1])) {
         session->column = reader_column(r, c);
         session_error(session, "commands have no '%c' before their names; 'help' lists them", *c);
@@ -122,10 +140,13 @@ const struct command *read_form(struct reader *r)
     const struct command *command = called(r, c, n);
     if (command)
         return command;
+    bool name = n < VARIABLE_NAME && definition_name(c, v.name) && (command_ends(next) || *next == '>');
+    const struct variable *known = name ? variable_find(&session->variables, v.name) : NULL;
+    if (known && known->body)
+        return command_find("show");
     if (is_expression(session, c))
         return command_find("print");
-    if (n < VARIABLE_NAME && definition_name(c, v.name) && !command_find(v.name) && parameter_find(v.name) &&
-        (command_ends(next) || *next == '>'))
+    if (name && !command_find(v.name) && parameter_find(v.name))
         return command_find("show");
     return NULL;
 }

@@ -35,6 +35,18 @@ bool variable_put(struct variables *variables, const struct variable *variable)
     return true;
 }
 
+void variable_drop(struct variables *variables, const char *name)
+{
+    size_t i = 0;
+    while (i < variables->count && strcmp(variables->list[i].name, name) != 0)
+        i++;
+    if (i == variables->count)
+        return;
+    free(variables->list[i].body);
+    variables->count--;
+    memmove(&variables->list[i], &variables->list[i + 1], (variables->count - i) * sizeof *variables->list);
+}
+
 bool variables_copy(struct variables *to, const struct variables *from)
 {
     *to = (struct variables){.list = NULL};

@@ -32,6 +32,9 @@ const struct variable *variable_find(const struct variables *variables, const ch
 /* Keeps a variable, which replaces an earlier one of this name; its body is copied.  False: no memory. */
 bool variable_put(struct variables *variables, const struct variable *variable);
 
+/* Forgets a variable or function; nothing happens if there is none of this name. */
+void variable_drop(struct variables *variables, const char *name);
+
 /* Copies all variables; returns false without memory. */
 bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);

@@ -19,6 +19,7 @@ struct offer {
     int lists;
     struct argument value; /* the argument that takes an expression; else of kind ARGUMENT_NONE */
     bool files;
+    bool variables; /* those of the session */
 };
 
 static void offer_list(struct offer *offer, names_list *list, const void *context)
@@ -33,6 +34,8 @@ static void offer_list(struct offer *offer, names_list *list, const void *contex
 static struct offer offer_for(const struct argument *a, const struct parameter *p)
 {
     struct offer offer = {.files = a->kind == ARGUMENT_FILE || (p && p->value->or_file)};
+    offer.variables =
+        a->kind == ARGUMENT_TOPIC || (a->kind == ARGUMENT_PARAMETER && a[1].kind != ARGUMENT_VALUE);
     if (a->choices)
         offer_list(&offer, a->choices, NULL);
     else if (p && p->words)
@@ -105,13 +108,17 @@ static struct offer offer_at(const struct typed *t)
     struct offer offer = {.files = t->file};
     if (t->file)
         return offer;
-    if (own)
+    if (own && own->choices == value_names) { /* a definition */
+        offer.variables = !strchr(t->begin, '=');
+        offer.value = (struct argument){.kind = offer.variables ? ARGUMENT_NONE : ARGUMENT_ANY};
+    } else if (own)
         offer_list(&offer, own->choices, t->before);
     else if (!c && t->last[strspn(t->last, NAME_LETTERS)]) /* a line may be an expression */
         offer.value = (struct argument){.kind = ARGUMENT_ANY};
-    else if (k < 0)
+    else if (k < 0) {
         offer_list(&offer, t->sweep ? names_after_colon(t->sweep) : command_names, NULL);
-    else if (c && k > 0 && c->argument[1].offers)
+        offer.variables = !t->sweep;
+    } else if (c && k > 0 && c->argument[1].offers)
         offer = offer_behind(c, t->choice, k);
     else if (c && c->argument[0].kind == ARGUMENT_GRID)
         offer = offer_for(&c->argument[0], NULL); /* as long as it may be */
@@ -217,6 +224,20 @@ static bool of_kind(const struct argument *a, const char *name, const char *unit
     return length > 0 && strncmp(name, a->of, length) == 0 && (name[length] == '\0' || name[length] == '_');
 }
 
+/* Emits the variables whose value the argument may be, and functions; without an argument the names of all.
+ */
+static void emit_variables(const struct completion *c, const struct argument *a, bool any)
+{
+    const struct variables *all = &c->session->variables;
+    for (size_t i = 0; i < all->count; i++) {
+        const struct variable *v = &all->list[i];
+        bool fits =
+            any || (a->kind != ARGUMENT_GRID && (v->body || quantity_alike(v->value, argument_unit(a))));
+        if (!a || fits)
+            emit_name(c, v->name, a && v->body ? "(" : "", a && !any);
+    }
+}
+
 /* Emits what has a value: parameters, answers, functions. */
 static void emit_values(const struct completion *c, const struct argument *a)
 {
@@ -238,6 +259,7 @@ static void emit_values(const struct completion *c, const struct argument *a)
             emit_name(c, name, fewest ? "(" : "", !any);
     }
     emit_name(c, "ans", "", !any);
+    emit_variables(c, a, any);
     for (int i = 0;
          (any || (*c->name && a->kind != ARGUMENT_COUNT)) && (name = expression_names(NULL, i)) != NULL; i++)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !any);
@@ -329,6 +351,8 @@ void complete_line(struct session *session, const char *line, bool files, void (
         for (int k = 0; (candidate = offer.list[l](offer.context[l], k)) != NULL; k++)
             emit_name(&c, candidate, "", typed_argument(&t) >= 0);
     }
+    if (offer.variables && c.name == t.last)
+        emit_variables(&c, NULL, true);
     if (value && unit) {
         c.name = unit;
         emit_units(c);
@@ -338,50 +362,4 @@ void complete_line(struct session *session, const char *line, bool files, void (
         emit_units(c);
     if (offer.files && files)
         emit_files(&c);
-}
-
-/* ---- Readline asks for one candidate after the other ---- */
-
-struct collected {
-    char **word;
-    size_t count;
-};
-
-static void collect(const char *candidate, void *context)
-{
-    struct collected *c = context;
-    char **more = realloc(c->word, (c->count + 2) * sizeof *more);
-    if (!more)
-        return;
-    c->word = more;
-    c->word[c->count] = strdup(candidate);
-    c->word[++c->count] = NULL;
-}
-
-static struct collected collected;
-
-static char *next_match(const char *text, int state)
-{
-    static size_t k;
-    (void)text;
-    k = state ? k + 1 : 0;
-    return k < collected.count ? collected.word[k] : NULL; /* Readline frees it */
-}
-
-struct session *complete_session;
-
-char **complete_word(const char *text, int start, int end)
-{
-    char *line = strndup(rl_line_buffer, (size_t)end);
-    (void)start;
-    rl_attempted_completion_over = 1; /* never fall back to file names */
-    collected = (struct collected){NULL, 0};
-    if (line)
-        complete_line(complete_session, line, true, collect, &collected);
-    free(line);
-    const char *first = collected.count ? collected.word[0] : "";
-    rl_completion_suppress_append = *first && first[strlen(first) - 1] == '('; /* no blank in a function */
-    char **matches = rl_completion_matches(text, next_match);
-    free(collected.word);
-    return matches;
 }
