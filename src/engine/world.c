@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "world.h"
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 static const double parallel = 0.999; /* a cosine */
@@ -108,7 +107,7 @@ void world_stand(struct world *w)
     w->count++;
     cp->cpBodySetPosition(b->body, cpvadd(b->corner, cpv(-d / 2, h / 2)));
     cp->cpShapeSetFilter(b->shape, touches(w, k));
-    cp->cpShapeSetUserData(b->shape, (void *)(uintptr_t)k);
+    cp->cpShapeSetUserData(b->shape, b);
     if (w->floor)
         return;
     b->hinge = cp->cpSpaceAddConstraint(w->space, cp->cpPivotJointNew(ground, b->body, b->corner));
@@ -181,7 +180,8 @@ static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
     w->cp->cpArbiterSetRestitution(arbiter, floor ? 0 : w->row->bounce);
     if (floor)
         return cpTrue;
-    size_t i = (uintptr_t)w->cp->cpShapeGetUserData(a), j = (uintptr_t)w->cp->cpShapeGetUserData(b);
+    const struct body *one = w->cp->cpShapeGetUserData(a), *other = w->cp->cpShapeGetUserData(b);
+    size_t i = (size_t)(one - w->body), j = (size_t)(other - w->body);
     size_t front = i > j ? i : j;
     note_touch(w, arbiter, front);
     if (front > w->head)
