@@ -48,8 +48,8 @@ static double ask(const char *question, const char *key)
     }
     snprintf(name, sizeof name, "\"%s\":", key);
     const char *value = strstr(answer, name);
-    if (!value) { /* the program has said why on standard error, which is that of this one */
-        fprintf(stderr, "client: no %s\n", key);
+    if (!value) { /* the object of an error says what is wrong */
+        fprintf(stderr, "client: no %s in %s", key, answer);
         exit(1);
     }
     return strtod(value + strlen(name), NULL);

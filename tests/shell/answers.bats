@@ -234,7 +234,7 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
         "$DOMINO" -e "$scene; effects" | sed '/^Times are/,$d' | awk -v count="$count" '
             NR == 1 { for (i = 3; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
             NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
-            END { exit bad || rows != count + 1 }'
+            END { exit bad || rows != count }'
     done
 }
 
