@@ -121,7 +121,7 @@ END
 # Of one number in each line: parameter, less, more, in percent.
 @test "sensitivity: known changes of r_max, the largest first" {
     json 'effect friction 0.2; sensitivity rmax' >answers
-    same order 'slope q d friction s g h r' "$(values parameter <answers | paste -sd ' ')"
+    same order 'edges slope q d friction s g h r' "$(values parameter <answers | paste -sd ' ')"
     while read -r parameter key percent; do
         close "$parameter" "$percent" "$(grep "\"$parameter\"" answers | values "$key" | awk '{ print 100 * $1 }')" 2e-3
     done <<'END'

@@ -218,6 +218,17 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
     return done;
 }
 
+/*
+ * Returns true if a program is to get an object of a command that gave no answer.  Parts of a sweep
+ * concatenate to the whole: there the first one writes such objects, and none for a part without points.
+ */
+static bool is_silent(const struct session *session, const struct command *c, bool file)
+{
+    const struct shard *shard = &session->shard;
+    bool due = shard->parts == 0 || (shard->part == 1 && !c->rows);
+    return due && (file || c->runs || !session->wrote);
+}
+
 /* Runs the command at the reader. */
 static void run_command(struct reader *r)
 {
@@ -241,7 +252,7 @@ static void run_command(struct reader *r)
             done = file ? run_redirected(r, c, &call) : run_paged(session, c, &call);
         }
         bool same = session_answers(session) == format; /* 'set output' itself answers nothing */
-        if (done && same && format->done && (file || c->runs || !session->wrote))
+        if (done && same && format->done && is_silent(session, c, file))
             format->done(session->out, c->name);
         call_free(&call);
         if (changes)
