@@ -33,6 +33,11 @@ KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *
 KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry, struct tilt from,
                                                 struct tilt head, struct sums *sums);
 
+/* Finds the same sums, and whether all contacts surely push at all tilts from `from` to `head`, at every
+ * speed. */
+KERNEL enum dom_status chain_pushes(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    struct sums *sums);
+
 /* Finds the same sums where the head is `by` farther than `from`; `by` may be too small to change the
  * tilt. */
 KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,

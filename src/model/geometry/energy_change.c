@@ -128,7 +128,44 @@ enum {
     PASS_ERROR = 1,             /* bounds */
     PASS_SHIFT = 2,             /* a is the endless train at theta_c; b is a from its second domino on */
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
+    PASS_PUSHES = 8,            /* signs of contact forces */
 };
+
+/*
+ * Returns true if one contact surely does its part to keep all contacts closed while its leader moves from b
+ * to a.
+ *
+ * The torques of all dominoes from i on, times the factors S of friction.c (without friction theta_i'), pass
+ * through the contact of domino i with its leader. What they do not need for their own acceleration is the
+ * contact force times S_i b_i > 0. With the acceleration of the whole chain this is the sum over k >= i of
+ *
+ *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
+ *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
+ *
+ * g = -h'/2, where <> is the mean of the whole chain with the same weights I S theta'. Where a_k and c_k do
+ * not decrease down the chain, no such sum is negative: all contacts push, at every speed.
+ *
+ * c increases by r L (y_1 + theta_1' x X) / Y^2 times a square (link_second_derivative), y_1 of the follower.
+ * a does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0, where X, Y of the contact turn g to g_1,
+ *
+ *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
+ *
+ * From b to a, X and theta_1' decrease, and Y increases as long as X >= 0: the terms at the two ends give a
+ * bound. The arm a of the contact, which must be positive, decreases too.
+ */
+static bool contact_pushes(const struct link *a, const struct link *b)
+{
+    const struct geometry *own = a->geometry, *next = own->follower ? own->follower : own;
+    const real X = a->contact.X, Y = fmin(a->contact.Y, b->contact.Y), Y_most = X < 0 ? 1 : a->contact.Y;
+    const real less = fmin(X, 0), R = own->weight / own->inertia;
+    const real of_x =
+                   R * (next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X)) - b->step * own->h.y,
+               of_y = R * (next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most)) +
+                      fmin(a->step * own->h.x, b->step * own->h.x);
+    return a->tilt.y >= 0 && a->contact.Y * a->tilt.y - X * a->tilt.x + less >= 0 && Y + own->mu * less > 0 &&
+           contact_arm_a(a) >= 0 && own->h.y > 0 && next->h.y > 0 &&
+           fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
+}
 
 /*
  * Finds differences between two chains: a from the head's tilt, b from upright. With t = tan((theta_a -
@@ -144,8 +181,9 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     struct link a = link_head(geometry, head), b = link_head(geometry, from);
     struct energy_change_bound e;
     real H2 = 0, second_derivative = 0;
-    bool ended = true, closes = !(pass & PASS_ERROR) && geometry->far.order > 0 && !geometry->follower &&
-                                geometry->n == CHAIN_ENDLESS;
+    bool ended = true, pushes = true,
+         closes = !(pass & PASS_ERROR) && geometry->far.order > 0 && !geometry->follower &&
+                  geometry->n == CHAIN_ENDLESS;
     if (pass & PASS_ERROR)
         e = error_head(geometry, &a, &b, t);
     for (;;) {
@@ -188,6 +226,8 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
             }
             break;
         }
+        if (pass & PASS_PUSHES)
+            pushes = pushes && contact_pushes(&a, &b);
         real shrinks = pair_shrinks(&a, &b, t);
         ended = false;
         if (pair_done(&state, &a, t, shrinks, geometry->tol))
@@ -215,7 +255,9 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         *error = (struct sums){.J = e.sums.J + series_error(&state.J, ended),
                                .H1 = e.sums.H1 + series_error(&state.H1, ended),
                                .dH = e.sums.dH + series_error(&state.dH, ended)};
-    return sum_result(geometry, &state, H2, a.i + 1, sums);
+    enum dom_status status = sum_result(geometry, &state, H2, a.i + 1, sums);
+    sums->pushes = pushes;
+    return status;
 }
 
 /* Returns tan of half the difference of two tilts; exact if the difference is the whole tilt. */
@@ -283,6 +325,12 @@ KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry,
     if (geometry->rounded.on)
         return rolling_change(geometry, from, head, 2 * atan(half_turn(from, head)), sums);
     return energy_change_between(geometry, from, head, half_turn(from, head), 0, sums, NULL);
+}
+
+KERNEL enum dom_status chain_pushes(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    struct sums *sums)
+{
+    return energy_change_between(geometry, from, head, half_turn(from, head), PASS_PUSHES, sums, NULL);
 }
 
 KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,

@@ -11,9 +11,10 @@ struct sums {
     /* d2H/dtheta2, with rounding errors and a part of the tail of H1; only from
      * chain_second_derivative_from */
     real H2;
-    real dH;   /* H(theta) - H(0), or from another tilt; only from chain_energy_change */
-    real left; /* the part of dH in a follower that has detached during the cycle */
-    size_t n;  /* dominoes followed */
+    real dH;     /* H(theta) - H(0), or from another tilt; only from chain_energy_change */
+    real left;   /* the part of dH in a follower that has detached during the cycle */
+    size_t n;    /* dominoes followed */
+    bool pushes; /* true: no contact between the two tilts opens (chain_pushes); only from there */
 };
 
 /* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 needs

@@ -307,7 +307,7 @@ enum { CONTACT_SAMPLES = 3 };
 KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
 {
     struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
-    for (int k = 0; k <= CONTACT_SAMPLES && st->geometry.n > 1 && c.status == DOM_OK; k++) {
+    for (int k = 0; k <= CONTACT_SAMPLES && !st->end.pushes && c.status == DOM_OK; k++) {
         real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
         least_at(st->lo + u * (to - st->lo), &c);
     }

@@ -50,7 +50,7 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
 /* Lowers *least to the smallest contact force at a few tilts up to `to`, in the weight of the domino that the
- * force pushes. */
+ * force pushes; not if segment->end says that all push. */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
 /* Returns |x| / z of the floor's force: the friction that a hinge needs; infinite if the domino is lifted. */

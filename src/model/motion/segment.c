@@ -32,17 +32,6 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
     }
 }
 
-KERNEL real segment_climbed(struct segment *st, real theta, real *J)
-{
-    struct tilt head;
-    struct sums at = {.dH = REAL_NAN, .J = REAL_NAN};
-    st->status = geometry_tilt(&st->geometry, theta, &head);
-    if (st->status == DOM_OK)
-        st->status = chain_energy_change_from(&st->geometry, st->start.from, head, &at);
-    *J = at.J;
-    return at.dH;
-}
-
 KERNEL enum dom_status segment_speed(const struct segment *st, real theta, real *omegasq, real *error)
 {
     return st->geometry.dynamics->speed(&st->geometry, &st->start, theta, omegasq, error);
@@ -73,17 +62,25 @@ KERNEL enum dom_status segment_begin(struct segment *st)
 
 KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
 {
-    real J, omegasq = REAL_NAN;
-    segment_climbed(st, st->hi, &J);
+    const struct dynamics *dynamics = st->geometry.dynamics;
+    struct tilt head;
+    real omegasq = REAL_NAN;
+    st->status = geometry_tilt(&st->geometry, st->hi, &head);
     if (st->status == DOM_OK)
+        st->status = chain_pushes(&st->geometry, st->start.from, head, &st->end);
+    if (st->status != DOM_OK)
+        return st->status;
+    const real J = st->end.J;
+    if (dynamics->conservative)
+        omegasq = (st->start.kinetic - st->end.dH) / J;
+    else
         st->status = segment_speed(st, st->hi, &omegasq, NULL);
-    *next =
-        (struct segment){.geometry = st->geometry,
-                         .lo = st->hi,
-                         .start = {.J = J, .omegasq = omegasq, .kinetic = J * omegasq},
-                         .gain = st->geometry.dynamics->gain(&st->geometry, &st->start, st->gain, st->hi, J),
-                         .room = st->room};
-    return st->status == DOM_OK ? geometry_tilt(&st->geometry, st->hi, &next->start.from) : st->status;
+    *next = (struct segment){.geometry = st->geometry,
+                             .lo = st->hi,
+                             .start = {.from = head, .J = J, .omegasq = omegasq, .kinetic = J * omegasq},
+                             .gain = dynamics->gain(&st->geometry, &st->start, st->gain, st->hi, J),
+                             .room = st->room};
+    return st->status;
 }
 
 KERNEL enum dom_status segment_braked(const struct segment *st, bool *braked)

@@ -25,6 +25,7 @@ struct segment {
     real inertia_ratio;       /* of the collision that the segment begins with; 0: none */
     bool locks;               /* true: friction locks at hi */
     struct barrier barrier;   /* from lo to hi */
+    struct sums end;          /* at hi, from lo; segment_next finds them */
     struct room *room;        /* for forces; NULL: none */
     enum dom_status status;   /* status of the function that is searched or integrated */
 };
@@ -39,16 +40,14 @@ KERNEL enum dom_status segment_cut(struct segment *segment, size_t *stay);
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
- * Begins the next segment where this one ends, with the dominoes that move on. Its omegasq is linear in that
- * at the launch. It is negative where the energy is used up before: the amount that is missing.
+ * Finds segment->end, and begins the next segment there, with the dominoes that move on. Its omegasq is
+ * linear in that at the launch. It is negative where the energy is used up before: the amount that is
+ * missing.
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
 /* Finds whether the motion is braked where it locks at hi: then no motion reaches hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
-
-/* Returns H(theta) - H(lo), and finds J; NaN after an error, with a status. */
-KERNEL real segment_climbed(struct segment *segment, real theta, real *J);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
 KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, real *omegasq, real *error);

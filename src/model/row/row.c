@@ -187,7 +187,7 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
     struct segment *st = &d->st;
     bool ends = d->stops || d->locks;
-    real to = ends ? d->stop : st->hi, part = 0, J;
+    real to = ends ? d->stop : st->hi, part = 0;
     const struct since since = {d->begins, d->tau, d->time};
     enum dom_status status = st->lo < to ? segment_contact(st, to, &d->least_force) : DOM_OK;
     if (status == DOM_OK && floor && st->lo < to)
@@ -196,7 +196,7 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
         return watch_passage(d->watch, st, d->head, to, d->stops, &since, REAL_NAN);
     if (ends || status != DOM_OK)
         return status;
-    d->climbed += segment_climbed(st, st->hi, &J);
+    d->climbed += st->end.dH;
     if (times)
         status = segment_time(st, &part);
     if (status == DOM_OK)
