@@ -19,7 +19,7 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
 @test "unknown columns are named once and ignored; a wrong spelling is an error" {
     printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
     run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
-    same 'one note' "-e:1: effect: more.csv:1: not used: the columns 'colour', 'shop'; those that are: height, thickness, gap, and, if known, mass or density, width" "$stderr"
+    same 'one note' "-e:1: effect: more.csv:1: not used: the columns 'colour', 'shop'; those that are: height, thickness, gap, and, if known, mass or density, width, radius" "$stderr"
     printf 'height (mm), thickness (mm), gap (mm), mas (g)\n48, 7.5, -, 10\n' >typo.csv
     wrong 'effect row typo.csv' "typo.csv:1:40: unknown column 'mas'; did you mean 'mass'\?"
     printf 'height (mm), length (mm), thickness (mm), gap (mm)\n48, 50, 7.5, -\n' >twice.csv

@@ -13,25 +13,27 @@ file() { # NAME < text
 
 @test "effects are off, and entered 0 times; each alone enters its own code" {
     run -0 json effects
-    same states 'off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
-    same entered '0 0 0 0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
-    same names 'friction slope walls row push placement floor feet bounce' "$(values effect <<<"$output" | paste -sd ' ' -)"
+    same states 'off off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
+    same entered '0 0 0 0 0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
+    same names 'friction slope walls edges row push placement floor feet bounce' "$(values effect <<<"$output" | paste -sd ' ' -)"
     while IFS='|' read -r commands pattern; do
         entered=$(json "$commands; effects" | values entered | sed 's/^[1-9].*/x/' | paste -sd ' ' -)
         same "$commands" "$pattern" "$entered"
     done <<'END'
-effect friction 0.2|x 0 0 0 0 0 0 0 0
-effect slope 1 deg|0 x 0 0 0 0 0 0 0
-effect walls 1 mm|0 0 x 0 0 0 0 0 0
-effect floor 0.2|0 0 0 0 0 0 x 0 0
-effect row 4|0 0 0 x 0 0 0 0 0
-effect row 4; effect push 5|0 0 0 x x 0 0 0 0
-effect row 4; effect placement 1 mm|0 0 0 x 0 x 0 0 0
-effect row 4; effect friction 0.1; effect floor 1|x 0 0 x 0 0 x 0 0
-effect row 4; effect slope 1 deg|0 x 0 x 0 0 0 0 0
-effect row 4; effect walls 1 mm|0 0 x x 0 0 0 0 0
-effect row 4; effect feet 0.5|0 0 0 x 0 0 0 x 0
-effect row 4; effect push 5; effect bounce 0.2|0 0 0 x x 0 0 0 x
+effect friction 0.2|x 0 0 0 0 0 0 0 0 0
+effect slope 1 deg|0 x 0 0 0 0 0 0 0 0
+effect walls 1 mm|0 0 x 0 0 0 0 0 0 0
+effect floor 0.2|0 0 0 0 0 0 0 x 0 0
+effect row 4|0 0 0 0 x 0 0 0 0 0
+effect row 4; effect push 5|0 0 0 0 x x 0 0 0 0
+effect row 4; effect placement 1 mm|0 0 0 0 x 0 x 0 0 0
+effect row 4; effect friction 0.1; effect floor 1|x 0 0 0 x 0 0 x 0 0
+effect row 4; effect slope 1 deg|0 x 0 0 x 0 0 0 0 0
+effect row 4; effect walls 1 mm|0 0 x 0 x 0 0 0 0 0
+effect edges 0.01|0 0 0 x 0 0 0 0 0 0
+effect row 4; effect edges 0.5 mm|0 0 0 x x 0 0 0 0 0
+effect row 4; effect feet 0.5|0 0 0 0 x 0 0 0 x 0
+effect row 4; effect push 5; effect bounce 0.2|0 0 0 0 x x 0 0 0 x
 END
 }
 
@@ -73,6 +75,18 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'set fuel paper; effect slope 1 deg' "'fuel paper' cannot be combined with slope; first enter 'set fuel exact'"
     wrong 'effect slope 1 mm' 'ALPHA is an angle, not a length'
     same 'a row' 'stops' "$(json 'set r 1.6; set q hollow; effect slope -3 deg; effect row 6; effect push 3; verdict' | values verdict)"
+}
+
+@test "edges: r_max, lengths over h, a radius that does not fit, and what cannot be combined with them" {
+    close 'rounded by 1 %' 1.649661 "$(json 'set q hollow; effect edges 0.01; rmax 0.2' | values r_max)" 1e-6
+    close 'a length' 1.649661 "$(json 'set q hollow; effect edges 0.48 mm; rmax 0.2' | values r_max)" 1e-6
+    same sharp "$(json 'rmax; barrier' | values margin)" "$(json 'effect edges 0; rmax; barrier' | values margin)"
+    same 'no paper fuel' null "$(json 'effect edges 0.01; rmax' | values r_max_paper)"
+    wrong 'effect edges 0.08; rmax' 'at most half of the thickness'
+    wrong 'effect edges 0.08; effect row 4; fall' 'at most half of the thickness'
+    wrong 'effect edges 0.6' '0 .. 0.49'
+    wrong 'effect edges 0.01; set fuel paper' "'effect edges off' first"
+    same 'a row' falls "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
 @test "the ledger closes with friction at every event" {

@@ -111,10 +111,11 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
  */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
-/* Returns true if the floor is level: only then does the paper's closed form of the fuel hold. */
+/* Returns true if the floor is level and the edges are sharp: only then does the paper's closed form of the
+ * fuel hold. */
 KERNEL bool geometry_level(const struct geometry *geometry)
 {
-    return geometry->g.along == 0;
+    return geometry->g.along == 0 && !geometry->rounded.on;
 }
 
 /* Returns the slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. With rounded edges

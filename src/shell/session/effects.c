@@ -62,6 +62,7 @@ const char *effect_setting(const struct session *session, int name, char setting
 /* Commands that show an effect; effect_example makes them for effects that are not listed. */
 static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
+    [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",
     [DOM_EFFECT_walls] = "effect walls 1 mm; duration; effect walls off",
     [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
     [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",

@@ -128,6 +128,20 @@ bool session_status(struct session *session, enum dom_status status)
     session->column = 0;
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY) /* no matter with which values */
         return session_error(session, "%s", dom_status_text(status));
+    if (status == DOM_NO_ROUND && t->rho > t->d / 2)
+        return session_no_answer(session,
+                                 "edges with a radius of %s h do not fit: the radius is at most half of the "
+                                 "thickness; here 'effect edges %.6g' is the largest",
+                                 quad_shown(t->rho).text, (double)(t->d / 2));
+    if (status == DOM_OUT_OF_REACH && t->rho > 0) {
+        domq_real span = 1 - t->rho * (2 - 2 * quad(atan)(1)); /* l + rho pi/2 */
+        return session_no_answer(session,
+                                 "r s = %s: the head falls past the next domino without touching it; with "
+                                 "these rounded edges r s is at most %.6g, so that at s = %s r may be up to "
+                                 "%.6g",
+                                 quad_shown(t->r * t->s).text, (double)span, quad_shown(t->s).text,
+                                 (double)(span / t->s));
+    }
     if (status == DOM_OUT_OF_REACH)
         return session_no_answer(session,
                                  "r s = %s > 1: the head falls past the next domino without touching it; "

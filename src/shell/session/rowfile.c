@@ -12,9 +12,9 @@
 
 /* ---- Columns ---- */
 
-enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RELATIVE, DOMINO, KINDS };
+enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, RELATIVE, DOMINO, KINDS };
 
-#define COLUMNS "height, thickness, gap, and, if known, mass or density, width"
+#define COLUMNS "height, thickness, gap, and, if known, mass or density, width, radius"
 #define LENGTHS "m, mm, cm, km, in, ft, yd"
 #define LENGTH  "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
 #define WEIGHT  "write a number in the unit of the first line, as in "
@@ -34,6 +34,7 @@ static const struct kind {
     {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "'density (g/cm^3)'",
      "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3"},
     {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "mm"},
+    {"radius", "m", false, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "mm"},
     {"relative", "", false, false, 1e-40, 1e38, "1e-40 .. 1e38",
      "write a plain number: the mass over that of the first domino", "none", ""},
     {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "write a plain number; the program does not use it",
@@ -256,6 +257,9 @@ static bool head_read(struct reader *r)
     for (int k = 0; k < KINDS; k++)
         if (kinds[k].required && r->column[k] == 0)
             return wrong(r, NULL, "the column '%s' is missing; the first line names " COLUMNS, kinds[k].name);
+    if (r->column[RADIUS] > 0 && !r->session->effect[DOM_EFFECT_edges].on)
+        session_note(r->session, "%s:%ld: the radii are used while the effect edges is on: 'effect edges on'",
+                     r->path, r->line);
     if (*r->unused)
         session_note(r->session, "%s:%ld: not used: the columns %s; those that are: " COLUMNS, r->path,
                      r->line, r->unused);
@@ -330,6 +334,10 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
         return wrong(r, r->cell[r->column[THICKNESS] - 1],
                      "thickness / height = %s is out of range; it is 1e-12 .. 100", quad_shown(ratio).text);
+    if (2 * value[RADIUS] > value[THICKNESS])
+        return wrong(r, r->cell[r->column[RADIUS] - 1],
+                     "radius = %s m is more than half of the thickness, %s m", quad_shown(value[RADIUS]).text,
+                     quad_shown(value[THICKNESS] / 2).text);
     if (!value_check(r, MASS, mass, NULL))
         return false;
     if ((rows->count & (rows->count - 1)) == 0) { /* the arrays are full at 0, 1, 2, 4, ... */
@@ -342,8 +350,11 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
     }
     rows->width[rows->count] = width;
     domq_real gap = rows->count > 0 ? value[GAP] : 0;
-    rows->domino[rows->count++] = (struct domq_domino){
-        .height = value[HEIGHT], .thickness = value[THICKNESS], .gap = gap, .mass = mass};
+    rows->domino[rows->count++] = (struct domq_domino){.height = value[HEIGHT],
+                                                       .thickness = value[THICKNESS],
+                                                       .gap = gap,
+                                                       .mass = mass,
+                                                       .radius = value[RADIUS]};
     return true;
 }
 

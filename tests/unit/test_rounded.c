@@ -1,0 +1,367 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Rounded edges: published digits; Newton's law for the centre of each block, with contact points and forces
+ * as vectors, which shares no formula with the model; and the limits in which edges become sharp.
+ */
+#include "support.h"
+
+static struct asked train_of(double s, double rho, double mu)
+{
+    struct asked train = asked_default();
+    train.s = s;
+    train.q = 3;
+    train.rho = rho;
+    train.mu = mu;
+    return train;
+}
+
+static double rmax_of(const struct asked *train)
+{
+    struct domq_limit limit = {.r_max = DOM_NAN};
+    assert_status(ask_limit_rmax(train, &limit, NULL, NULL), DOM_OK);
+    return (double)limit.r_max;
+}
+
+static void largest_growths(void **state)
+{
+    (void)state;
+    static const double table[][3] = {/* s, rho, r_max */
+                                      {0.2, 0.005, 1.599355}, {0.2, 0.01, 1.649661}, {0.2, 0.02, 1.772503},
+                                      {0.3, 0.005, 1.871112}, {0.3, 0.01, 1.935795}, {0.3, 0.02, 2.092912}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        struct asked train = train_of(table[i][0], table[i][1], 0);
+        assert_near("r_max", rmax_of(&train), table[i][2], 1e-6);
+    }
+}
+
+static void edges_become_sharp(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        struct asked sharp = train_of(0.15 + 0.13 * (k % 3), 0, k < 3 ? 0 : 0.2), slight = sharp;
+        slight.rho = 1e-12;
+        assert_near("r_max", rmax_of(&slight), rmax_of(&sharp), 1e-9);
+        struct domq_best a, b;
+        assert_status(ask_limit_best(&sharp, &a, NULL), DOM_OK);
+        assert_status(ask_limit_best(&slight, &b, NULL), DOM_OK);
+        assert_near("best", (double)b.r_max, (double)a.r_max, 1e-7);
+        k += 2 * (k < 3);
+    }
+}
+
+static void precisions_agree(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct asked train = train_of(0.3, 0.01, k ? 0.1 : 0);
+        train.r = 1.25;
+        domq_real in_double, in_quad, in_float;
+        assert_status(ask_cycle_duration(&train, &in_double, NULL), DOM_OK);
+        train.precision = DOM_FLOAT;
+        train.tol = domq_arithmetic(DOM_FLOAT)->tol_default;
+        assert_status(ask_cycle_duration(&train, &in_float, NULL), DOM_OK);
+        train.precision = DOM_QUAD;
+        train.tol = 1e-18;
+        assert_status(ask_cycle_duration(&train, &in_quad, NULL), DOM_OK);
+        assert_near("double", (double)(in_double - in_quad), 0, 1e-11);
+        assert_near("float", (double)(in_float - in_quad), 0, 1e-3);
+    }
+}
+
+/* ---- Newton's law ---- */
+
+enum { MOST = 40 };
+
+struct vector {
+    double x, z;
+};
+
+static double cross(struct vector a, struct vector b) /* forward torque of b at a */
+{
+    return a.z * b.x - a.x * b.z;
+}
+
+/* A domino of a train, its front edge at x = foot when upright. */
+struct block {
+    double height, d, rho, foot, mass;
+    double theta;
+};
+
+/* Returns the centre of the round edge on which a block rolls, and of its upper edge. */
+static struct vector edge_of(const struct block *b)
+{
+    return (struct vector){b->foot - b->rho + b->rho * b->theta, b->rho};
+}
+
+static struct vector upper_of(const struct block *b)
+{
+    struct vector e = edge_of(b);
+    double l = b->height - 2 * b->rho;
+    return (struct vector){e.x + l * sin(b->theta), e.z + l * cos(b->theta)};
+}
+
+static struct vector centre_of(const struct block *b)
+{
+    struct vector e = edge_of(b);
+    double up = b->height / 2 - b->rho, back = b->d / 2 - b->rho;
+    return (struct vector){e.x + up * sin(b->theta) - back * cos(b->theta),
+                           e.z + up * cos(b->theta) + back * sin(b->theta)};
+}
+
+/* Returns how far the round upper edge of a follower is from the back of its leader; negative: inside. */
+static double clearance(const struct block *follower, const struct block *leader)
+{
+    struct vector p = upper_of(follower), e = edge_of(leader);
+    double along = (p.x - e.x) * cos(leader->theta) - (p.z - e.z) * sin(leader->theta);
+    return -along - (leader->d - leader->rho) - follower->rho;
+}
+
+/* Leans a chain of n blocks on its head at theta. */
+static void lean(struct block *b, int n, double theta)
+{
+    b[0].theta = theta;
+    for (int i = 1; i < n; i++) {
+        double lo = 0, hi = 1.6;
+        for (int k = 0; k < 100; k++) {
+            b[i].theta = (lo + hi) / 2;
+            *(clearance(&b[i], &b[i - 1]) > 0 ? &lo : &hi) = b[i].theta;
+        }
+    }
+}
+
+static void train_make(struct block *b, int n, const struct asked *train, double rho)
+{
+    double foot = 0, height = 1;
+    for (int i = 0; i < n; i++) {
+        b[i] = (struct block){height, (double)train->d * height, rho * height, foot, pow(height, 2), 0};
+        foot -= ((double)train->s + (double)train->d) * height;
+        height /= (double)train->r;
+    }
+}
+
+/*
+ * Returns the forward torque that is left on the head, about the line where it touches the floor, if all
+ * blocks have the given accelerations (or in a collision the changes of velocities): each contact supplies
+ * what its follower needs. Moments are about the line where a block touches the floor, so that the force of
+ * the floor has none.
+ */
+static double torque_left(const struct block *b, int n, const struct vector *acceleration,
+                          const double *angular, double mu, double gravity)
+{
+    double normal = 0, left = 0;
+    for (int i = n - 1; i >= 0; i--) {
+        struct vector e = edge_of(&b[i]), floor = {e.x, 0}, c = centre_of(&b[i]);
+        struct vector at = {c.x - floor.x, c.z};
+        struct vector moved = {b[i].mass * acceleration[i].x, b[i].mass * (acceleration[i].z + gravity)};
+        double own = b[i].mass * (b[i].height * b[i].height + b[i].d * b[i].d) / 12;
+        left = own * angular[i] + cross(at, moved);
+        if (i + 1 < n) { /* the push of its follower, with friction down the face */
+            double x = sin(b[i].theta), y = cos(b[i].theta);
+            struct vector p = upper_of(&b[i + 1]), push = {normal * (y - mu * x), normal * (-x - mu * y)};
+            struct vector on = {p.x + b[i + 1].rho * y - floor.x, p.z - b[i + 1].rho * x};
+            left -= cross(on, push);
+        }
+        if (i > 0) { /* its leader holds it */
+            double x = sin(b[i - 1].theta), y = cos(b[i - 1].theta);
+            struct vector p = upper_of(&b[i]), hold = {-(y - mu * x), x + mu * y};
+            struct vector on = {p.x + b[i].rho * y - floor.x, p.z - b[i].rho * x};
+            normal = left / cross(on, hold);
+        }
+    }
+    return left;
+}
+
+/* Compares acceleration and collision of the endless train with those of a long chain of blocks. */
+static void newtons_law(void **state)
+{
+    (void)state;
+    static const double scene[][5] = {/* s, r, rho, mu, theta */
+                                      {0.3, 1.3, 0.01, 0, 0.15},
+                                      {0.4, 1.1, 0.03, 0, 0.3},
+                                      {0.3, 1.2, 0.01, 0.2, 0.2},
+                                      {0.4, 1.4, 0.03, 0.1, 0.25},
+                                      {0.2, 1.5, 0.06, 0.3, 0.1}};
+    for (size_t k = 0; k < sizeof scene / sizeof *scene; k++) {
+        struct asked train = train_of(scene[k][0], scene[k][2], scene[k][3]);
+        struct domq_state at;
+        struct block low[MOST], high[MOST], now[MOST];
+        struct vector still[MOST], pushed[MOST];
+        double none[MOST], turned[MOST];
+        double mu = scene[k][3], theta = scene[k][4], step = 1e-4;
+        train.r = scene[k][1];
+        assert_status(ask_cycle_state(&train, theta, &at, NULL), DOM_OK);
+        train_make(now, MOST, &train, scene[k][2]);
+        train_make(low, MOST, &train, scene[k][2]);
+        train_make(high, MOST, &train, scene[k][2]);
+        lean(now, MOST, theta);
+        lean(low, MOST, theta - step);
+        lean(high, MOST, theta + step);
+        /* In units of h/g, tau^2 = (1 + d^2) / 3. */
+        double tausq = (1 + (double)train.d * (double)train.d) / 3, w = (double)at.omegasq / tausq;
+        for (int i = 0; i < MOST; i++) {
+            struct vector a = centre_of(&low[i]), b = centre_of(&now[i]), c = centre_of(&high[i]);
+            none[i] = (high[i].theta - 2 * now[i].theta + low[i].theta) / (step * step) * w;
+            turned[i] = (high[i].theta - low[i].theta) / (2 * step);
+            still[i] = (struct vector){(c.x - 2 * b.x + a.x) / (step * step) * w,
+                                       (c.z - 2 * b.z + a.z) / (step * step) * w};
+            pushed[i] = (struct vector){(c.x - a.x) / (2 * step), (c.z - a.z) / (2 * step)};
+        }
+        double by_rest = torque_left(now, MOST, still, none, mu, 1),
+               by_unit = torque_left(now, MOST, pushed, turned, mu, 0);
+        assert_near("acceleration", (double)at.acceleration / tausq, -by_rest / by_unit, 2e-6);
+
+        /* The collision: before, the head is upright, and its followers are the train at theta_c. */
+        struct domq_launch launch;
+        struct domq_angles angles;
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
+        lean(now, MOST, 0);
+        lean(high, MOST, step);
+        assert_near("theta_c", now[1].theta, (double)angles.theta_c, 1e-12);
+        struct block hit[MOST];
+        memcpy(hit, now, sizeof hit);
+        hit[1].theta = now[1].theta - step; /* its followers, with the head at rest */
+        for (int i = 2; i < MOST; i++) {
+            double lo = 0, hi = 1.6;
+            for (int n = 0; n < 100; n++) {
+                hit[i].theta = (lo + hi) / 2;
+                *(clearance(&hit[i], &hit[i - 1]) > 0 ? &lo : &hi) = hit[i].theta;
+            }
+        }
+        struct vector before[MOST], after[MOST];
+        double turns_before[MOST], turns_after[MOST];
+        for (int i = 0; i < MOST; i++) {
+            struct vector a = centre_of(&hit[i]), b = centre_of(&now[i]), c = centre_of(&high[i]);
+            before[i] = (struct vector){(b.x - a.x) / step, (b.z - a.z) / step};
+            after[i] = (struct vector){(c.x - b.x) / step, (c.z - b.z) / step};
+            turns_before[i] = (now[i].theta - hit[i].theta) / step;
+            turns_after[i] = (high[i].theta - now[i].theta) / step;
+        }
+        double kept = torque_left(now, MOST, before, turns_before, mu, 0) /
+                      torque_left(now, MOST, after, turns_after, mu, 0);
+        assert_near("collision", (double)launch.velocity_ratio, kept, 1e-3);
+    }
+}
+
+/* Checks that the speed changes as the acceleration says, so that energy is kept, and the balance of energy.
+ */
+static void energy_is_kept(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        struct asked train = train_of(0.4, 0.02, k < 2 ? 0 : 0.2);
+        struct domq_state low, at, high;
+        train.r = 1.3;
+        train.alpha = k % 2 ? 0.02 : 0;
+        const double step = 1e-4;
+        assert_status(ask_cycle_state(&train, 0.3 - step, &low, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, 0.3, &at, NULL), DOM_OK);
+        assert_status(ask_cycle_state(&train, 0.3 + step, &high, NULL), DOM_OK);
+        assert_near("acceleration", (double)at.acceleration,
+                    (double)(high.omegasq - low.omegasq) / (4 * step), 1e-6);
+        assert_near("kinetic", (double)(at.before - at.lost - at.climbed - at.friction_work),
+                    (double)at.kinetic, 1e-11);
+    }
+}
+
+/* ---- Rows ---- */
+
+static bool last_seen(const struct domq_fall *fall, void *context)
+{
+    struct domq_fall *last = context;
+    *last = *fall;
+    return true;
+}
+
+/* Checks that a row of a train moves as the endless train, with radii of the row or of the dominoes. */
+static void rows_are_trains(void **state)
+{
+    (void)state;
+    enum { COUNT = 24 };
+    for (int k = 0; k < 4; k++) {
+        struct asked train = train_of(0.4, 0.02, k < 2 ? 0 : 0.15);
+        struct domq_domino domino[COUNT];
+        struct domq_scale scale = domq_scale_default();
+        struct domq_fall last;
+        struct domq_launch launch;
+        struct domq_verdict verdict;
+        domq_real duration;
+        const struct domq_train train_tau = asked_train(&train);
+        train.r = 1.15;
+        ask_row_of_train(&train, &scale, 1, domino, COUNT);
+        struct asked_row row = {.domino = domino,
+                                .count = COUNT - 1,
+                                .g = scale.g,
+                                .push = 30,
+                                .mu = train.mu,
+                                .rho = train.rho,
+                                .tol = train.tol,
+                                .precision = DOM_DOUBLE};
+        for (size_t i = 0; k % 2 && i < COUNT; i++) {
+            domino[i].radius = train.rho * domino[i].height;
+            row.rho = 0.001;
+        }
+        row.count = COUNT;
+        assert_status(ask_row_run(&row, true, last_seen, &last, &verdict), DOM_OK);
+        assert_int_equal(verdict.end, DOM_ROW_FALLS);
+        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
+        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
+        scale.h = domino[COUNT - 1].height;
+        double tau = (double)domq_scale_tau(&scale, &train_tau);
+        assert_near("omega", (double)last.omega * tau, sqrt((double)launch.omegasq), 1e-9);
+    }
+}
+
+/* ---- Values that do not fit ---- */
+
+static void radii_that_do_not_fit(void **state)
+{
+    (void)state;
+    struct asked train = train_of(0.4, 0.5, 0);
+    struct domq_limit limit;
+    train.rho = train.d / 2 + 1e-9;
+    assert_status(ask_train_check(&train), DOM_NO_ROUND);
+    train.rho = train.d / 2;
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_true(limit.r_max > 1);
+    train.rho = 0.5;
+    assert_status(ask_train_check(&train), DOM_BAD_RHO);
+    train.rho = DOM_NAN;
+    assert_status(ask_train_check(&train), DOM_BAD_RHO);
+    train.rho = -0.01;
+    assert_status(ask_train_check(&train), DOM_BAD_RHO);
+    train.rho = 0.01;
+    train.fuel = DOM_FUEL_PAPER;
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    train.fuel = DOM_FUEL_EXACT;
+    train.method = DOM_METHOD_GSL;
+    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    train.method = DOM_METHOD_OURS;
+    train.s = 1; /* a rounded domino reaches less far than it is tall */
+    train.r = 1;
+    assert_status(ask_train_check(&train), DOM_OUT_OF_REACH);
+    train.s = 0.4;
+    train.alpha = 0.14; /* below d, above d - 2 rho */
+    assert_status(ask_train_check(&train), DOM_NO_STAND);
+    struct domq_domino two[] = {{1, 0.1, 0, 1, 0}, {1, 0.1, 0.5, 1, 0.06}};
+    struct asked_row row = {
+        .domino = two, .count = 2, .g = 1, .push = 2, .rho = 0.01, .tol = train.tol, .precision = DOM_DOUBLE};
+    struct domq_verdict verdict;
+    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_NO_ROUND);
+    assert_int_equal(verdict.domino, 2);
+    row.rho = 0;
+    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_OK);
+    two[1].radius = -1;
+    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_RADIUS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(largest_growths),       cmocka_unit_test(edges_become_sharp),
+        cmocka_unit_test(precisions_agree),      cmocka_unit_test(newtons_law),
+        cmocka_unit_test(energy_is_kept),        cmocka_unit_test(rows_are_trains),
+        cmocka_unit_test(radii_that_do_not_fit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
