@@ -144,6 +144,13 @@ END
     for line in r==2 'r == 2' 2==2 'print r == 2' 'rmax(0.3) == 2'; do wrong "$line" "not compared by '=='"; done
 }
 
+@test "watch is for the prompt, and says so" {
+    wrong 'watch s 0.1 0.9: rmax' 'keys need the prompt on a terminal .* lists the answers'
+    wrong 'watch s 0.9 0.1: rmax' 'FROM is less than TO'
+    wrong 'watch s' "the form is 'watch s : rmax'"
+    wrong 'watch s 0.1 0.9:' "the answer is missing after ':'"
+}
+
 @test "let: a function of one line" {
     all_print <<'END'
 let f(s) = rmax(s)*s; f(0.3)|0.454336

@@ -333,6 +333,20 @@ const struct command design_commands[] = {
      .unswept = "it varies a parameter itself",
      .rows = true,
      ANSWER(solve)},
+    {.name = "watch",
+     .synonyms = "interactive slider live keys explore",
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .read = solve_read_parameter, .choices = solve_names},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .read = watch_read_answer,
+           .choices = inquiry_names}},
+     .summary = "keys change a parameter; its answer follows on a curve",
+     .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, up and down "
+             "small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
+     .see = "solve sweep plot",
+     .changes = true,
+     .run = run_watch},
     {.name = "sensitivity",
      .argument =
          {{.name = "COMMAND", .kind = ARGUMENT_COMMAND, .read = sensitivity_read, .choices = inquiry_names}},

@@ -14,7 +14,11 @@ bool run_solve(struct session *session, const struct call *call);
 /* Reads the command of 'sensitivity', which may have a key. */
 bool sensitivity_read(struct reader *reader, struct call *call);
 
-/* Read the arguments of 'solve'; lists for names.h the parameters that it takes. */
+bool run_watch(struct session *session, const struct call *call);
+bool watch_read_answer(struct reader *reader, struct call *call);
+
+/* Read the arguments of 'solve', of which 'watch' has the first; lists for names.h the parameters that it
+ * takes. */
 const char *solve_names(const void *context, int k);
 bool solve_read_parameter(struct reader *reader, struct call *call);
 bool solve_read_answer(struct reader *reader, struct call *call);

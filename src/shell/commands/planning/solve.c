@@ -29,17 +29,25 @@ const char *solve_names(const void *context, int k)
 
 static const char form[] = "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
 
+/* Returns the form of the command that reads a range. */
+static const char *form_of(const struct session *session)
+{
+    return strcmp(session->command, "watch") == 0
+               ? "'watch s : rmax', or with a range 'watch s 0.1 0.9 : rmax'"
+               : form;
+}
+
 static bool read_bound(struct reader *r, const struct parameter *p, const char *name, domq_real *bound)
 {
     r->at = skip_blanks(r->at);
     r->session->column = reader_column(r, r->at);
     if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
-        return session_error(r->session, "%s is missing; the form is %s", name, form);
+        return session_error(r->session, "%s is missing; the form is %s", name, form_of(r->session));
     r->stops = ":";
     bool read = read_value(r, p, 0, p->value->name, bound);
     r->stops = NULL;
-    return read &&
-           (isfinite(*bound) || session_error(r->session, "%s is a number; the form is %s", name, form));
+    return read && (isfinite(*bound) ||
+                    session_error(r->session, "%s is a number; the form is %s", name, form_of(r->session)));
 }
 
 /* Reads "NAME" or "NAME FROM TO", up to the ':'. */
@@ -57,7 +65,7 @@ bool solve_read_parameter(struct reader *r, struct call *call)
     int k = word ? names_find(solve_names, NULL, "parameter", word, message) : -1;
     free(word);
     if (k < 0)
-        return session_error(session, "%s; the form is %s", message, form);
+        return session_error(session, "%s; the form is %s", message, form_of(session));
     r->at = skip_blanks(r->at + length);
     s->parameter = parameter_find(usual_ranges[k].name);
     s->from = (domq_real)usual_ranges[k].from;
@@ -71,7 +79,8 @@ bool solve_read_parameter(struct reader *r, struct call *call)
     }
     r->at = skip_blanks(r->at);
     session->column = reader_column(r, r->at);
-    return *r->at == ':' || session_error(session, "':' and an answer are missing; the form is %s", form);
+    return *r->at == ':' ||
+           session_error(session, "':' and an answer are missing; the form is %s", form_of(session));
 }
 
 /* Reads ": ANSWER = VALUE", or ": COMMAND" with a verdict. */

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* watch: keys change a parameter, and the answer follows as a point on its curve.  The session stays as it is
+ * until Enter. */
+#include "commands/planning/planning.h"
+#include "commands/planning/scan.h"
+#include "io/terminal.h"
+#include "picture/chart.h"
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <unistd.h>
+
+enum {
+    STEPS = 200, /* places of the point */
+    COARSE = 5,  /* of them between two points of the curve, which are as far as a large step */
+    LEAST_HEIGHT = 8,
+    LEAST_WIDTH = 34
+};
+
+struct watch {
+    const struct solve *solve;
+    struct probe probe;
+    double from, to;
+    double curve[STEPS / COARSE + 1]; /* NaN: no answer */
+    double x;                         /* of the point */
+    int at;                           /* its place, 0 .. STEPS; before the first step the nearest */
+    enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;
+};
+
+static double watch_x(const struct watch *w, int place)
+{
+    return w->from + (w->to - w->from) * place / STEPS;
+}
+
+/* Computes the curve; false: an error was reported. */
+static bool watch_begin(struct session *session, struct watch *w)
+{
+    const struct parameter *p = w->solve->parameter;
+    int answers = 0;
+    for (int i = 0; i <= STEPS / COARSE; i++) {
+        w->curve[i] = (double)probe_at(&w->probe, (domq_real)watch_x(w, COARSE * i));
+        answers += isfinite(w->curve[i]);
+        if (w->probe.wrong || dom_raised(session->compute.interrupt))
+            return probe_report(session, &w->probe);
+    }
+    w->x = fmin(fmax((double)parameter_get(session, p), w->from), w->to);
+    w->at = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
+    return answers > 0 || probe_report(session, &w->probe);
+}
+
+/* ---- The screen ---- */
+
+static void watch_draw(struct session *session, struct watch *w)
+{
+    int width, height;
+    FILE *out = session->out;
+    struct chart chart = chart_make();
+    double x = w->x, y = (double)probe_at(&w->probe, (domq_real)x);
+    terminal_size(out, &width, &height);
+    struct chart_curve *line = chart_curve(&chart, CHART_LINE, INK_BLUE, 0, "%s", "");
+    for (int i = 0; i <= STEPS / COARSE; i++)
+        chart_point(&chart, line, watch_x(w, COARSE * i), w->curve[i]);
+    struct chart_curve *point = chart_curve(&chart, CHART_POINTS, INK_RED, 0, "%s", "");
+    chart_point(&chart, point, x, y);
+    chart.x.low = w->from;
+    chart.x.high = w->to;
+    snprintf(chart.x.label, sizeof chart.x.label, "%s", w->solve->parameter->name);
+    chart_fit(&chart);
+    fputs("\033[H\033[J", out);
+    char unit[48], answer[160];
+    if (isfinite(y))
+        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->solve->inquiry.name, y,
+                 expression_unit_text(w->probe.unit, unit, sizeof unit));
+    else
+        snprintf(answer, sizeof answer, "%.120s", w->probe.error.text);
+    fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
+    if (height >= LEAST_HEIGHT && width >= LEAST_WIDTH)
+        chart_text(&chart, look_of(out), width - 1, height - 3, out);
+    fputs(width >= 72 ? "left, right: large steps  up, down: small ones  Enter keeps it  q leaves"
+                      : "arrows move, Enter keeps, q leaves",
+          out);
+    fflush(out);
+    chart_free(&chart);
+}
+
+/* Takes what was typed; the arrows are the last letters of what begins with an escape. */
+static void watch_keys(struct watch *w, const char *key, ssize_t count)
+{
+    for (ssize_t i = 0; i < count; i++) {
+        bool arrow = i >= 2 && (key[i - 1] == '[' || key[i - 1] == 'O') && key[i - 2] == '\033';
+        int step = !arrow          ? 0
+                   : key[i] == 'C' ? COARSE
+                   : key[i] == 'D' ? -COARSE
+                   : key[i] == 'A' ? 1
+                   : key[i] == 'B' ? -1
+                                   : 0;
+        w->at = w->at + step < 0 ? 0 : w->at + step > STEPS ? STEPS : w->at + step;
+        w->x = step ? watch_x(w, w->at) : w->x;
+        if (key[i] == '\n' || key[i] == '\r')
+            w->state = WATCH_KEEP;
+        else if (key[i] == 'q' || key[i] == 4 /* ^D */)
+            w->state = WATCH_LEAVE;
+        else if (key[i] == 26) /* ^Z */
+            w->state = WATCH_STOP;
+    }
+}
+
+/* Runs until a key, a signal or the end of the input ends it. */
+static void watch_run(struct session *session, struct watch *w)
+{
+    struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
+    int width = 0, height = 0;
+    double shown = (double)NAN;
+    char key[64];
+    while (w->state == WATCH_ON) {
+        int across, down;
+        terminal_size(session->out, &across, &down);
+        if (across != width || down != height || w->x != shown)
+            watch_draw(session, w);
+        width = across;
+        height = down;
+        shown = w->x;
+        ssize_t count = poll(&input, 1, 200) > 0 ? read(STDIN_FILENO, key, sizeof key) : -1;
+        if (dom_raised(session->compute.interrupt) || count == 0 || (input.revents & (POLLHUP | POLLERR)))
+            w->state = WATCH_LEAVE;
+        else if (count > 0)
+            watch_keys(w, key, count);
+    }
+}
+
+/* Reports an error where there are no keys, or the terminal cannot put its cursor. */
+static bool watch_possible(struct session *session)
+{
+    int width, height;
+    const char *term = getenv("TERM");
+    bool terminal = isatty(STDIN_FILENO) && terminal_size(session->out, &width, &height);
+    return (session->prompt_width && terminal && term && strcmp(term, "dumb") != 0) ||
+           session_error(session, "keys need the prompt on a terminal that can move its cursor; elsewhere "
+                                  "'sweep s 0.1 0.9 9 : rmax' lists the answers");
+}
+
+bool run_watch(struct session *session, const struct call *call)
+{
+    const struct solve *solve = call->own;
+    struct termios before, keys;
+    struct watch w = {.solve = solve, .from = (double)solve->from, .to = (double)solve->to};
+    w.probe = (struct probe){.session = session, .inquiry = &solve->inquiry, .parameter = solve->parameter};
+    if (!watch_possible(session))
+        return false;
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    bool muted = progress_mute(true), begun = watch_begin(session, &w);
+    ticker_stop();
+    if (begun && tcgetattr(STDIN_FILENO, &before) == 0) {
+        keys = before;
+        keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+        keys.c_cc[VSUSP] = _POSIX_VDISABLE; /* is a key here: the terminal is put in order before the stop */
+        tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
+        fputs("\033[?1049h\033[?25l", session->out); /* a screen of its own, without a cursor */
+        watch_run(session, &w);
+        fputs("\033[?25h\033[?1049l", session->out);
+        fflush(session->out);
+        tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
+    }
+    gsl_set_error_handler(handler);
+    progress_mute(muted);
+    domq_real value = w.x;
+    if (w.state == WATCH_STOP)
+        raise(SIGTSTP);
+    if (w.state == WATCH_KEEP && !parameter_set(session, solve->parameter, &value, 1, NULL))
+        return false;
+    if (begun)
+        answer_say(call->answer, "%s %s %.6g", solve->parameter->name,
+                   w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
+    return begun;
+}
+
+bool watch_read_answer(struct reader *r, struct call *call)
+{
+    struct session *session = r->session;
+    struct solve *s = call->own;
+    r->at = skip_blanks(r->at + 1);
+    session->column = reader_column(r, r->at);
+    return (!command_ends(r->at) && *r->at != '>' && inquiry_read(r, &s->inquiry)) ||
+           session_error(session, "the answer is missing after ':'; for example 'watch s 0.1 0.9 : rmax'");
+}
