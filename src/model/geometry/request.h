@@ -22,9 +22,12 @@ struct request {
     const volatile sig_atomic_t *interrupt;
 };
 
+struct block; /* run.h, in each precision */
+
 /* The members of struct dom_row and of struct dom_compute. */
 struct row_request {
     const struct dom_domino *domino;
+    const struct block *block; /* of all dominoes, once they are converted to the precision; or NULL */
     size_t count;
     dom_real g, push;
     dom_real effect[DOM_DYNAMICS_COUNT];

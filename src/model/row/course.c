@@ -157,6 +157,7 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
     const size_t count = c->asked.count;
     struct run run = {.asked = &c->asked,
                       .geometry = c->geometry,
+                      .forces = c->known < count, /* for marks */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     real off = REAL_NAN;
     row_launch(&run);

@@ -17,6 +17,8 @@
 
 KERNEL struct block block_of(const struct row_request *row, size_t k)
 {
+    if (row->block)
+        return row->block[k];
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
     real g = (real)row->g, walls = (real)row->effect[DOM_EFFECT_walls] / h,
@@ -133,10 +135,9 @@ static enum dom_status settings_check(const struct row_request *row)
 }
 
 /* Returns true if the walls have room in a domino. */
-static bool walls_room(const struct row_request *row, size_t k)
+static bool walls_room(const struct row_request *row, const struct block *own)
 {
-    struct block own = block_of(row, k);
-    return walls_fit(own.d, (real)row->effect[DOM_EFFECT_walls] / own.height);
+    return walls_fit(own->d, (real)row->effect[DOM_EFFECT_walls] / own->height);
 }
 
 /* Returns the status of what is wrong with a domino. Values computed from its sizes must be numbers of the
@@ -144,14 +145,15 @@ static bool walls_room(const struct row_request *row, size_t k)
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
-    return !positive(d->height)                                                ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(block_of(row, k).d)          ? DOM_BAD_THICKNESS
-           : !positive(d->mass) || !positive(block_of(row, k).unit)            ? DOM_BAD_MASS
-           : !(d->gap >= 0) || !isfinite((real)d->gap)                         ? DOM_BAD_GAP
-           : !(d->radius >= 0 && d->radius < d->height / 2)                    ? DOM_BAD_RADIUS
-           : 2 * row_radius(row, k) > d->thickness / d->height                 ? DOM_NO_ROUND
-           : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, k) ? DOM_NO_ROOM
-                                                                               : DOM_OK;
+    const struct block own = block_of(row, k);
+    return !positive(d->height)                                                   ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(own.d)                          ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(own.unit)                            ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite((real)d->gap)                            ? DOM_BAD_GAP
+           : !(d->radius >= 0 && d->radius < d->height / 2)                       ? DOM_BAD_RADIUS
+           : 2 * row_radius(row, k) > d->thickness / d->height                    ? DOM_NO_ROUND
+           : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &own) ? DOM_NO_ROOM
+                                                                                  : DOM_OK;
 }
 
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)
@@ -189,7 +191,9 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     bool ends = d->stops || d->locks;
     real to = ends ? d->stop : st->hi, part = 0;
     const struct since since = {d->begins, d->tau, d->time};
-    enum dom_status status = st->lo < to ? segment_contact(st, to, &d->least_force) : DOM_OK;
+    enum dom_status status = DOM_OK;
+    if (st->lo < to && (d->forces || !st->end.pushes))
+        status = segment_contact(st, to, &d->least_force);
     if (status == DOM_OK && floor && st->lo < to)
         status = floor_over(st, st->lo, to, &d->required_friction);
     if (ends && status == DOM_OK && st->lo < to)
@@ -254,6 +258,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
                           .stay = run->moving,
                           .least_margin = (real)INFINITY,
                           .least_force = (real)INFINITY,
+                          .forces = run->forces,
                           .watch = run->watch,
                           .head = k,
                           .begins = run->time,
@@ -439,9 +444,10 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 
 /* ---- Public ---- */
 
-static enum dom_status row_answer(const struct row_request *asked, bool times, dom_fall_visit *visit,
+static enum dom_status row_answer(const struct row_request *given, bool times, dom_fall_visit *visit,
                                   void *context, struct watch *watch, struct dom_verdict *verdict)
 {
+    struct row_request row = *given, *const asked = &row;
     enum dom_status status = row_check(asked, &verdict->domino);
     if (status != DOM_OK)
         return status;
@@ -450,8 +456,15 @@ static enum dom_status row_answer(const struct row_request *asked, bool times, d
                       .watch = watch,
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     run.geometry = malloc(asked->count * sizeof *run.geometry);
-    if (!run.geometry)
+    struct block *block = malloc(asked->count * sizeof *block);
+    if (!run.geometry || !block) {
+        free(run.geometry);
+        free(block);
         return DOM_NO_MEMORY;
+    }
+    for (size_t k = 0; k < asked->count; k++)
+        block[k] = block_of(asked, k);
+    row.block = block;
     run.geometry[0] = (struct geometry){.dynamics = &energy_balance};
     status = watch ? watch_begin(watch, asked->count) : DOM_OK;
     if (status == DOM_OK)
@@ -465,6 +478,7 @@ static enum dom_status row_answer(const struct row_request *asked, bool times, d
     if (status == DOM_OK)
         *verdict = run.verdict;
     free(run.geometry);
+    free(block);
     return status;
 }
 

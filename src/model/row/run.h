@@ -17,6 +17,7 @@ struct run {
     const struct row_request *asked;
     struct geometry *geometry; /* geometry[k]: of domino k as a head, and as a follower of k + 1 */
     bool times;
+    bool forces;         /* true: find the smallest contact force, not only its sign */
     size_t moving;       /* number of moving dominoes, including the head */
     real omegasq;        /* of the head at its start, in its tau */
     real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0: none */
@@ -32,6 +33,7 @@ struct descent {
     size_t stay;
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
     bool stops, locks;                          /* locks: it still moves where friction locks */
+    bool forces;                                /* as in struct run */
     struct required_friction required_friction; /* friction that the floor needs */
     struct watch *watch;
     size_t head;
