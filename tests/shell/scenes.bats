@@ -85,8 +85,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect edges 0.08; rmax' 'at most half of the thickness'
     wrong 'effect edges 0.08; effect row 4; fall' 'at most half of the thickness'
     wrong 'effect edges 0.6' '0 .. 0.49'
-    wrong 'effect edges 0.01; set fuel paper' "'effect edges off' first"
-    same 'a row' falls "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
+    wrong 'effect edges 0.01; set fuel paper' "'effect edges off'"
+    same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
 @test "the ledger closes with friction at every event" {
