@@ -59,8 +59,9 @@ sentence() {
             ":") macro="$macro :" ;;
             "=") macro="$macro No =" ;;
             "[to") macro="$macro Op Cm to" ;;
-            [A-Z]"]") macro="$macro Ar ${word%?}" ;;
-            "["*) word=${word#?} macro="$macro Op Ar ${word%?}" ;;
+            "["*"]") word=${word#?} macro="$macro Op Ar ${word%?}" ;;
+            "["*) macro="$macro Op Ar ${word#?}" ;;
+            *"]") macro="$macro Ar ${word%?}" ;;
             *) macro="$macro Ar $word" ;;
             esac
         done

@@ -107,7 +107,10 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
         real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
                       : s->known > 1 ? fabs(r - s->at[1].r)
                                      : 0;
-        bool close = step * step <= tol / 2 * r * before;
+        /* A point that was given has an error of its own, from which the steps show no length: takes r / 16.
+         */
+        bool given = s->known == 2 && second > 0;
+        bool close = given ? 16 * step * before <= tol * r * r : step * step <= tol / 2 * r * before;
         bool narrow = s->hi - s->lo <= tol * r;
         if (c->followed_tol <= c->geometry.tol && (close || narrow)) {
             *root = close ? next : s->known > 1 && fabs(s->at[1].share) < fabs(share) ? s->at[1].r : r;
@@ -135,8 +138,12 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE), .hi = fmin(near * (1 + ROOT_ASIDE), 1 / c->s)};
+    const real tol = c->geometry.tol;
+    /* A coarser search would not end where the known root is, and a whole one would follow. */
+    c->geometry.tol = fmin(tol, ROOT_ASIDE * ROOT_ASIDE);
     margin_follow_begin(c);
     enum dom_status status = root_search(c, &s, near * (1 - ROOT_ASIDE), near, root);
+    c->geometry.tol = tol;
     *found =
         status == DOM_OK && fabs(*root - near) <= ROOT_ASIDE * ROOT_ASIDE * near && margin_highest(c, *root);
     if (status != DOM_INTERRUPTED && status != DOM_TOO_LONG)
