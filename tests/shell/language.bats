@@ -144,6 +144,16 @@ END
     for line in r==2 'r == 2' 2==2 'print r == 2' 'rmax(0.3) == 2'; do wrong "$line" "not compared by '=='"; done
 }
 
+@test "words of other programs: the message names what is meant" {
+    wrong 'bye' "unknown command 'bye'; did you mean '(exit|quit)'"
+    wrong 'RMAX' "unknown command 'RMAX'; did you mean 'rmax'"
+    wrong 'Show s' "did you mean 'show'"
+    wrong '2**10' "a power is written with '\^'"
+    wrong 'help(rmax)' "'help' is a command without a value"
+    wrong 'let xx = 3; xx += 1' "'xx' is a variable; 'xx = VALUE' changes it"
+    wrong 'nonesuch' "unknown command 'nonesuch'; 'help' lists the commands"
+}
+
 @test "watch is for the prompt, and says so" {
     wrong 'watch s 0.1 0.9: rmax' 'keys need the prompt on a terminal .* lists the answers'
     wrong 'watch s 0.9 0.1: rmax' 'FROM is less than TO'

@@ -134,7 +134,9 @@ const struct command *read_form(struct reader *r)
     }
     if ((*c == '.' || *c == '\\') && name_start(c[1])) {
         session->column = reader_column(r, c);
-        session_error(session, "commands have no '%c' before their names; 'help' lists them", *c);
+        session_error(session,
+                      "commands have no '%c' before their names; 'help' lists them, 'apropos WORD' finds one",
+                      *c);
         return NULL;
     }
     const struct command *command = called(r, c, n);

@@ -134,6 +134,8 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
     const struct command *c = command_find(name);
     if (c && c->principal)
         return command_quantity(e, c, key, arguments, count, result);
+    if (c)
+        return expression_fail(e, "'%s' is a command without a value; enter it without parentheses", name);
     const char *close = names_closest(value_names, session, name);
     return expression_fail(
         e, close && strcmp(close, name) != 0 ? "'%s' has no value; did you mean '%s'?" : "'%s' has no value",

@@ -213,6 +213,8 @@ static bool primary(struct expression *e, struct quantity *q)
         return number(e, q) && postfix_unit(e, q);
     if (name_start(c))
         return named(e, q);
+    if (c == '*' && e->end > e->text && e->end[-1] == '*')
+        return expression_fail(e, "a power is written with '^', as in '2^10'");
     if (c != '(')
         return expression_fail(e, c ? "a value is missing" : "a value is missing at the end");
     const char *open = e->end++;

@@ -3,6 +3,7 @@
 #include "io/escape.h"
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 int names_exact(names_list *list, const void *context, const char *text)
 {
@@ -43,7 +44,7 @@ const char *names_closest(names_list *list, const void *context, const char *tex
     const char *name, *best = NULL;
     size_t least = (strlen(text) + 1) / 3; /* a third of the letters may be wrong */
     for (int k = 0; (name = list(context, k)) != NULL; k++) {
-        size_t d = distance(text, name);
+        size_t d = strcasecmp(text, name) == 0 ? 0 : distance(text, name);
         if (d <= least && d < strlen(name)) {
             least = d - (d > 0);
             best = name;

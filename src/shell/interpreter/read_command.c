@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The name at the beginning of a command: beginnings of names, synonyms, and what was meant. */
+#include "interpreter/arguments.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* Returns the command that has a right to this ambiguous beginning, as an index of command_names; or that
+ * there are several. */
+static int shortest_command(const char *name)
+{
+    const char *all;
+    for (int k = 0; (all = command_names(NULL, k)) != NULL; k++) {
+        const char *shortest = command_find(all)->shortest;
+        if (shortest && strlen(name) >= strlen(shortest) && strncmp(all, name, strlen(name)) == 0)
+            return k;
+    }
+    return NAMES_SEVERAL;
+}
+
+/* Returns the first command that has the word among its synonyms; NULL: none. */
+static const char *synonym_command(const char *word)
+{
+    const char *name;
+    size_t length = strlen(word);
+    for (int k = 0; length > 2 && (name = command_names(NULL, k)) != NULL; k++)
+        for (const char *s = command_find(name)->synonyms; s && *s; s += strspn(s, " ")) {
+            size_t n = strcspn(s, " ");
+            if (n == length && strncmp(s, word, n) == 0)
+                return name;
+            s += n;
+        }
+    return NULL;
+}
+
+/* Reports that there is no such command, with what was meant as far as that is known. */
+static void command_unknown(struct session *session, const char *name, int k, char message[NAMES_MESSAGE])
+{
+    const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
+    if (variable_find(&session->variables, name))
+        session_error(session, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
+                      name);
+    else if (effect_hint(name, message) || (!meant && k != NAMES_UNKNOWN))
+        session_error(session, "%s", message);
+    else if (meant)
+        session_error(session, "%s; did you mean '%s'?", message, meant);
+    else
+        session_error(session, "%s; 'help' lists the commands", message);
+}
+
+const struct command *read_command(struct reader *r)
+{
+    struct session *session = r->session;
+    char message[NAMES_MESSAGE] = "out of memory";
+    session->column = reader_column(r, r->at);
+    size_t length = strcspn(r->at, " \t\r\f\v;>");
+    char *name = strndup(r->at, length);
+    r->at += length;
+    int k = name ? names_find(command_names, NULL, "command", name, message) : -1;
+    if (k == NAMES_SEVERAL)
+        k = shortest_command(name);
+    const struct parameter *p = name ? parameter_find(name) : NULL;
+    bool bare = k >= 0 && !command_find(command_names(NULL, k))->argument[0].kind;
+    if (p && !p->effect && (k < 0 || (bare && !command_find(name)))) {
+        k = NAMES_CLOSE;
+        snprintf(message, sizeof message, "'%s' is a parameter; '%s = VALUE' gives it a value, '%s' shows it",
+                 name, name, name);
+    }
+    if (k < 0 && !name)
+        session_error(session, "%s", message);
+    else if (k < 0)
+        command_unknown(session, name, k, message);
+    free(name);
+    return k < 0 ? NULL : command_find(command_names(NULL, k));
+}
