@@ -39,15 +39,17 @@ KERNEL enum dom_status segment_speed(const struct segment *st, real theta, real 
 
 KERNEL enum dom_status segment_begin(struct segment *st)
 {
-    struct sums at = {.J = 0};
     struct start *start = &st->start;
-    enum dom_status status = chain_sum(&st->geometry, start->from, &at);
+    struct sums at = {.J = start->J};
+    enum dom_status status =
+        st->summed == st->geometry.n ? DOM_OK : chain_sum(&st->geometry, start->from, &at);
     /* A domino that detaches carries no energy away. If it detaches at once (r s = 1), J decreases with
      * it. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
     start->J = at.J;
+    st->summed = st->geometry.n;
     start->kinetic = start->J * start->omegasq;
     if (st->geometry.n == 1) /* nothing leans on it */
         st->geometry.dynamics = &energy_balance;
@@ -77,6 +79,7 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
         st->status = segment_speed(st, st->hi, &omegasq, NULL);
     *next = (struct segment){.geometry = st->geometry,
                              .lo = st->hi,
+                             .summed = st->geometry.n,
                              .start = {.from = head, .J = J, .omegasq = omegasq, .kinetic = J * omegasq},
                              .gain = dynamics->gain(&st->geometry, &st->start, st->gain, st->hi, J),
                              .room = st->room};

@@ -21,6 +21,7 @@ struct segment {
     struct geometry geometry; /* geometry.n: number of moving dominoes */
     real lo, hi;              /* tilts of the head, in rad */
     struct start start;       /* the state at lo */
+    size_t summed;            /* dominoes in start.J; 0: not yet known */
     real gain;                /* d omegasq / d omegasq at the launch */
     real inertia_ratio;       /* of the collision that the segment begins with; 0: none */
     bool locks;               /* true: friction locks at hi */

@@ -82,7 +82,8 @@ static enum dom_status row_effects(const struct row_request *row, size_t k, stru
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
     memcpy(effect, row->effect, sizeof effect);
-    effect[DOM_EFFECT_walls] /= row->domino[k].height;
+    if (dynamics_on(row->effect[DOM_EFFECT_walls]))
+        effect[DOM_EFFECT_walls] /= row->domino[k].height;
     effect[DOM_EFFECT_edges] = row_radius(row, k);
     return dynamics_choose(effect, geometry);
 }
@@ -146,12 +147,13 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     const struct block own = block_of(row, k);
-    return !positive(d->height)                                                   ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(own.d)                          ? DOM_BAD_THICKNESS
-           : !positive(d->mass) || !positive(own.unit)                            ? DOM_BAD_MASS
-           : !(d->gap >= 0) || !isfinite((real)d->gap)                            ? DOM_BAD_GAP
-           : !(d->radius >= 0 && d->radius < d->height / 2)                       ? DOM_BAD_RADIUS
-           : 2 * row_radius(row, k) > d->thickness / d->height                    ? DOM_NO_ROUND
+    return !positive(d->height)                             ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(own.d)    ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(own.unit)      ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite((real)d->gap)      ? DOM_BAD_GAP
+           : !(d->radius >= 0 && d->radius < d->height / 2) ? DOM_BAD_RADIUS
+           : dynamics_on(row->effect[DOM_EFFECT_edges]) && 2 * row_radius(row, k) > d->thickness / d->height
+               ? DOM_NO_ROUND
            : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &own) ? DOM_NO_ROOM
                                                                                   : DOM_OK;
 }
@@ -272,6 +274,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     real kinetic = at.J * run->omegasq;
     /* the whole energy change, if the head touches the next domino from the start */
     d->J0 = d->st.start.J = at.J;
+    d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
         status = descent_segment(d, end, run->times, run->asked->floor);
