@@ -386,7 +386,7 @@ static bool run_complete(struct session *session, const struct call *call)
 
 const struct command help_commands[] = {
     {.name = "help",
-     .synonyms = "manual list explain tutorial commands",
+     .synonyms = "manual man list explain tutorial commands",
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_TOPIC, .of = "topic", .choices = topic_names, .optional = true}},
      .summary = "the commands, or one command or parameter",

@@ -142,7 +142,7 @@ const struct command session_commands[] = {
      ANSWER(show)},
     {.name = "reset",
      .shortest = "re",
-     .synonyms = "undo default clear restore variable delete remove unset forget",
+     .synonyms = "undo default clear restore variable delete remove unset forget del kill",
      .argument = {{A_PARAMETER, .optional = true}},
      .summary = "the parameter NAME, or all of the model, to the defaults",
      .help = "Without NAME all effects are turned off, too, and the settings of the session are kept: "
@@ -196,7 +196,7 @@ const struct command session_commands[] = {
      .shortest = "pr",
      ANSWER(print)},
     {.name = "let",
-     .synonyms = "variable define function assign name constant",
+     .synonyms = "variable define function assign name constant vars variables who",
      .argument = {{.name = "NAME = VALUE",
                    .kind = ARGUMENT_WORDS,
                    .choices = value_names,
