@@ -78,6 +78,7 @@ extern "C" {
     X(BAD_GAP, "a gap is outside its range")                                                                 \
     X(BAD_MASS, "a mass is outside its range")                                                               \
     X(BAD_RADIUS, "the radius of an edge is outside its range")                                              \
+    X(BAD_LEAN, "a lean is outside its range: with more, the domino falls over when it is set up")           \
     X(BAD_SIGMA, "the error of the gaps is outside its range")                                               \
     X(BAD_HEIGHTS, "the error of the heights is outside its range")                                          \
     X(BAD_ROWS, "the number of rows is 0, or less than the number counted among them")                       \
@@ -94,6 +95,8 @@ extern "C" {
     X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
     X(NO_ROUND,                                                                                              \
       "edges of this radius do not fit: the radius must be at most half of the thickness, rho <= d/2")       \
+    X(NO_LEAN,                                                                                               \
+      "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")               \
     X(NO_MARGIN, "the margin is 0 to rounding, so times have no value here; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not go on falling at this separation")                      \
     X(TOO_LONG, "the answer needs more dominoes than can be computed")                                       \
@@ -191,7 +194,9 @@ enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
     X(PASSES, "its upper edge passes above the next domino, a contact that the model does not include")      \
     X(LEANS, "it touches the next domino before it tips over: it needs a push")                              \
     X(PARTS, "it moves ahead of the dominoes that lean on it, which the model does not include")             \
-    X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")
+    X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")                   \
+    X(SKEWED, "it and the next domino touch already, or at a place that the model does not include, since "  \
+              "one of them leans")
 
 enum dom_row_end {
 #define DOM_ROW_ENUM(name, text) DOM_ROW_##name,
@@ -679,12 +684,18 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 
 /* ---- A finite row of any dominoes ---- */
 
-/* A solid block. The gap is the free distance to the domino before it; 0 for the first, which has none. */
+/*
+ * A solid block. The gap is the free distance to the domino before it, at the foot, as if it stood upright; 0
+ * for the first, which has none. A domino whose floor or foot is not flat is not plumb: it rests tilted about
+ * its front edge, the one on which it turns when it falls. |lean| must be below theta_u, tan theta_u =
+ * thickness / height; on a slope alpha |lean + alpha| must be.
+ */
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
     /* m, of its edges if rho of the row is not 0; 0: rho times the height */
     dom_real radius;
+    dom_real lean;                   /* rad, its tilt before it is hit, > 0 in the direction of the fall */
 };
 
 /*

@@ -302,6 +302,9 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
     enum dom_status status = precision_check(compute.precision);
     if (status != DOM_OK)
         return status;
+    for (size_t k = 0; row->engine && k < row->count; k++)
+        if (row->domino[k].lean != 0)
+            return DOM_NO_LEAN;
     if (row->engine)
         return row->engine->run(row, &compute, times, visit, context, verdict);
     return kernels[compute.precision]->row_run(&request, times, visit, context, verdict);

@@ -72,6 +72,12 @@ static double inertia(const struct direct_row *row, size_t i)
     return row->mass[i] * (sum / volume + (h * h + d * d) / 4);
 }
 
+/* Returns the tilt of a domino before it is hit. */
+static double lean(const struct direct_row *row, size_t i)
+{
+    return row->lean ? row->lean[i] : 0;
+}
+
 static double torque(const struct run *run, size_t i)
 {
     const struct direct_row *row = run->row;
@@ -225,7 +231,7 @@ static double potential(const struct run *run)
     double sum = 0;
 
     for (size_t i = run->tail; i < row->n; i++) {
-        double theta = (i <= run->head ? run->theta[i] : 0) + row->slope;
+        double theta = (i <= run->head ? run->theta[i] : lean(row, i)) + row->slope;
 
         sum += row->mass[i] * row->g * (row->height[i] * cos(theta) + row->thickness[i] * sin(theta)) / 2;
     }
@@ -353,7 +359,7 @@ static double longest_step(const struct run *run, const double y[])
 {
     double swing = sqrt(run->row->height[run->head] / run->row->g);
 
-    return fmin(run->target / y[OMEGA], swing) / LEAST_STEPS;
+    return fmin((run->target - lean(run->row, run->head)) / y[OMEGA], swing) / LEAST_STEPS;
 }
 
 /* Makes one step by the integrator, shortened until it succeeds. */
@@ -398,7 +404,7 @@ static const char *move(struct run *run, double y[], size_t *event)
     return wrong ? wrong : "The head neither reaches the next domino nor comes to rest.";
 }
 
-/* Makes the head strike the next domino, upright: finds the impulses of all contacts, which all stay
+/* Makes the head strike the next domino, at rest: finds the impulses of all contacts, which all stay
  * closed. */
 static const char *collide(struct run *run, double y[])
 {
@@ -411,13 +417,13 @@ static const char *collide(struct run *run, double y[])
     *hit =
         (struct direct_hit){.time = run->began, .omega_before = y[OMEGA], .friction_work = y[FRICTION_WORK]};
     hit->kinetic_before = kinetic(run);
-    if (row->height[j] * cos(y[THETA]) > row->height[k])
-        return "The tip passes above the top of the next domino.";
     gsl_vector_set_zero(run->known);
     for (size_t i = run->tail; i <= j; i++)
         gsl_vector_set(run->known, 2 * (i - run->tail), run->omega[i]);
     run->head = k;
-    place(run, 0, 0);
+    place(run, lean(row, k), 0);
+    if (run->contact[j].face > row->height[k])
+        return "The tip passes above the top of the next domino.";
     if (run->contact[j].arm_on <= 0) /* friction holds the tip, which would slide: the row jams */
         gsl_vector_set_zero(run->known);
     if (solve(run, run->omega) != GSL_SUCCESS)
@@ -426,17 +432,24 @@ static const char *collide(struct run *run, double y[])
     hit->kinetic = kinetic(run);
     hit->potential = potential(run);
     run->result->hit = k + 1;
-    y[THETA] = 0;
+    y[THETA] = lean(row, k);
     y[OMEGA] = hit->omega;
     return 0;
 }
 
-/* Returns the angle of domino j where it reaches the next one. */
-static double upright_angle(const struct direct_row *row, size_t j)
+/* Returns the angle of domino j where it reaches the next one: the bottom of whose back face is lower by `down`
+ * and farther by `off` than if it stood upright. */
+static double reach_angle(const struct direct_row *row, size_t j)
 {
-    double h = row->height[j], gap = row->gap[j + 1];
+    double h = row->height[j], phi = lean(row, j + 1), d = row->thickness[j + 1],
+           off = d * (1 - cos(phi)), gap = row->gap[j + 1];
 
-    return atan2(gap, sqrt((h - gap) * (h + gap)));
+    if (phi == 0)
+        return atan2(gap, sqrt((h - gap) * (h + gap)));
+    /* The face is the line x cos(phi) - z sin(phi) = c through that bottom. */
+    double c = (gap + off) * cos(phi) - d * sin(phi) * sin(phi);
+
+    return phi + asin(c / h);
 }
 
 /* Sets the end of the phase: flat, or at the next domino if that is near enough. */
@@ -447,7 +460,7 @@ static void set_target(struct run *run)
 
     run->target = M_PI_2;
     if (k < row->n && row->gap[k] < row->height[run->head])
-        run->target = upright_angle(row, run->head);
+        run->target = reach_angle(row, run->head);
 }
 
 static const char *finish(struct run *run, const double y[], bool flat)
@@ -460,7 +473,7 @@ static const char *finish(struct run *run, const double y[], bool flat)
 
 static const char *run_through(struct run *run)
 {
-    double y[DIM] = {0, run->row->omega, 0};
+    double y[DIM] = {lean(run->row, 0), run->row->omega, 0};
 
     set_target(run);
     while (y[OMEGA] > 0) {
@@ -559,6 +572,7 @@ const char *direct_run(const struct direct_row *row, struct direct_hit *hits, st
         run.omega[0] = row->omega;
         hits[0] = (struct direct_hit){.omega = row->omega, .kinetic = kinetic(&run)};
         hits[0].kinetic_before = hits[0].kinetic;
+        run.theta[0] = lean(row, 0);
         hits[0].potential = potential(&run);
         wrong = run_through(&run);
     }

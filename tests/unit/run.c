@@ -53,8 +53,9 @@ void newton_run(const struct run *run, struct newton *n)
         n->thickness[k] = run->domino[k].thickness;
         n->gap[k] = run->domino[k].gap;
         n->mass[k] = run->domino[k].mass;
+        n->lean[k] = run->domino[k].lean;
     }
     struct direct_row row = {run->row.count, n->height,  n->thickness,  n->gap, n->mass,
-                             run->row.mu,    run->row.g, run->row.push, 0,      0};
+                             run->row.mu,    run->row.g, run->row.push, 0,      0,      n->lean};
     n->wrong = direct_run(&row, n->hit, &n->result);
 }

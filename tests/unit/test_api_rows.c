@@ -55,7 +55,7 @@ static void rows_make(struct rows *r, double growth, double push, double mu, enu
     dom_row_of_train(&train, &scale, 1, r->domino, ROW);
     for (int k = 0; k < ROW; k++)
         r->dominoq[k] = (struct domq_domino){r->domino[k].height, r->domino[k].thickness, r->domino[k].gap,
-                                             r->domino[k].mass, 0};
+                                             r->domino[k].mass, 0, r->domino[k].lean};
     r->row = (struct dom_row){
         .domino = r->domino, .count = ROW, .g = scale.g, .push = push, .mu = mu, .floor = mu == 0};
     r->rowq = (struct domq_row){
@@ -107,6 +107,11 @@ static void rows(void **state)
             if (dom_arithmetic(p)->bits) {
                 rows_make(&r, some[i][0], some[i][1], some[i][2], p);
                 row_same(&r);
+                r.domino[1].lean = -0.03125;
+                r.domino[3].lean = 0.0625;
+                for (int k = 1; k < ROW; k += 2)
+                    r.dominoq[k].lean = r.domino[k].lean;
+                row_same(&r);
             }
     rounding = DBL_EPSILON;
 }
@@ -129,7 +134,7 @@ static void row_of_growthq(domq_real growth, struct domq_domino *domino, size_t 
     row_of_growth((double)growth, narrow, count, context);
     for (size_t k = 0; k < count; k++)
         domino[k] =
-            (struct domq_domino){narrow[k].height, narrow[k].thickness, narrow[k].gap, narrow[k].mass, 0};
+            (struct domq_domino){narrow[k].height, narrow[k].thickness, narrow[k].gap, narrow[k].mass, 0, 0};
 }
 
 static void part_done(size_t done, size_t of, void *context)

@@ -174,7 +174,7 @@ static void one_detaches_after_another(void **state)
         gap[3] = 0.224 + 5e-5 * i;
         for (int k = 0; k < N; k++) {
             mass[k] = height[k] * height[k] * thickness[k];
-            seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k], 0};
+            seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k], 0, 0};
         }
         seen.row = (struct asked_row){.domino = seen.domino,
                                       .count = N,
@@ -182,7 +182,7 @@ static void one_detaches_after_another(void **state)
                                       .push = 9.00688,
                                       .tol = 1e-12,
                                       .precision = DOM_DOUBLE};
-        struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0, 0};
+        struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0, 0, NULL};
         assert_status(run_row(&seen), DOM_OK);
         assert_null(direct_run(&direct, hits, &result));
         assert_true((seen.verdict.end == DOM_ROW_FALLS) == result.all_fall);

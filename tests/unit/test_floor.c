@@ -57,7 +57,7 @@ static void two_tops(void **state)
         double h = 0.05, d = h * random_log(&seed, 0.02, 0.9), gap = h * (0.02 + 0.97 * random_unit(&seed));
         double edge = sqrt(3 * g * (hypot(h, d) - h) / (h * h + d * d));
         double push = edge * (i % 3 ? random_log(&seed, 1.0001, 1.1) : random_log(&seed, 1.1, 5));
-        struct domq_domino domino[] = {{h, d, 0, 1, 0}, {2 * h, d, gap, 1, 0}};
+        struct domq_domino domino[] = {{h, d, 0, 1, 0, 0}, {2 * h, d, gap, 1, 0, 0}};
         struct asked_row row = {.domino = domino,
                                 .count = 2,
                                 .g = g,

@@ -36,7 +36,7 @@ static bool falls(struct row *row, const struct asked *train, double r, size_t n
         row->mass[k] = pow(row->height[k], (double)train->q - 1);
     }
     struct direct_row of = {
-        n, row->height, row->thickness, row->gap, row->mass, (double)train->mu, 1.0, push, 0, 0};
+        n, row->height, row->thickness, row->gap, row->mass, (double)train->mu, 1.0, push, 0, 0, NULL};
     const char *wrong = direct_run(&of, row->hit, &row->result);
     if (wrong)
         fail_msg("%s", wrong);

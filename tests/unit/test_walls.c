@@ -51,7 +51,7 @@ static void no_room(void **state)
     train.walls = -0.01;
     assert_status(ask_train_check(&train), DOM_BAD_WALLS);
     /* A row names the domino. */
-    struct domq_domino domino[] = {{0.048, 0.007, 0, 1}, {0.072, 0.006, 0.02, 1}, {0.1, 0.02, 0.03, 1}};
+    struct domq_domino domino[] = {{0.048, 0.007, 0, 1, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0}};
     struct asked_row row = {.domino = domino,
                             .count = 3,
                             .g = 9.81,
@@ -184,7 +184,7 @@ static void rows_against_newton(void **state)
             thickness[k] = 0.15 * uneven * height[k];
             gap[k] = 0.4 * height[k] / uneven;
             mass[k] = pow(height[k], 2) * uneven;
-            domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k]};
+            domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k], 0, 0};
         }
         struct direct_row of = {.n = COUNT,
                                 .height = height,
@@ -225,7 +225,7 @@ static void equal_boxes_take_longer(void **state)
     struct domq_verdict solid, box;
     struct domq_box found;
     for (size_t k = 0; k < COUNT; k++)
-        domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01};
+        domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01, 0, 0};
     struct asked_row row = {.domino = domino,
                             .count = COUNT,
                             .g = 9.81,

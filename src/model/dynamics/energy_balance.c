@@ -117,7 +117,8 @@ static enum dom_status energy_inertia_ratio(const struct geometry *next, const s
                                             struct tilt at, real J, real *inertia_ratio)
 {
     (void)hitting, (void)at;
-    *inertia_ratio = next->inertia * J / next->upright;
+    const real slope = geometry_hit_slope(next);
+    *inertia_ratio = next->inertia * slope * slope * J / next->upright;
     return *inertia_ratio > 0 ? DOM_OK : DOM_UNDERFLOW;
 }
 

@@ -54,6 +54,8 @@ static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, r
     const struct geometry *geometry = c->geometry;
     real d = geometry->h.x / geometry->h.y; /* tan theta_u */
     real finest = geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d;
+    while (finest <= *lo && finest < hi / 8) /* it leans */
+        finest *= 8;
     for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
         enum num_status solver = num_linear_solve(flow_rate, c, *lo, to, tol / 8, &geometry->flow->solution);
         if (solver != NUM_OK)
@@ -68,7 +70,7 @@ static enum dom_status flow_over(struct flow_context *c, real tol, const real *e
 {
     for (int i = 1; i < edges; i++) {
         real lo = edge[i - 1];
-        enum dom_status status = lo <= REAL_MIN ? flow_finely(c, tol, &lo, edge[i]) : DOM_OK;
+        enum dom_status status = lo <= REAL_MIN || lo == c->geometry->lean ? flow_finely(c, tol, &lo, edge[i]) : DOM_OK;
         if (status != DOM_OK)
             return status;
         enum num_status solver =

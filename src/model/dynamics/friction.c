@@ -287,14 +287,14 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 {
     (void)J;
     struct equation_of_motion at_hit;
-    struct link upright = link_begin(next, standing);
-    real a = link_arm_a(&upright);
+    struct link rest = link_begin(next, geometry_rest(next));
+    real a = link_arm_a(&rest);
     *inertia_ratio = 0;
     if (!(a > 0))
         return DOM_LOCKS;
     enum dom_status status = friction_equation_of_motion(hitting, at, &at_hit);
     if (status == DOM_OK)
-        *inertia_ratio = next->inertia * at_hit.A * (a / link_arm_b(&upright)) / next->upright;
+        *inertia_ratio = next->inertia * rest.step * at_hit.A * (a / link_arm_b(&rest)) / next->upright;
     return status != DOM_OK || *inertia_ratio > 0 ? status : DOM_LOCKS;
 }
 

@@ -57,6 +57,7 @@ struct top {
     real lo, hi;
     bool rises, falls; /* H increases at lo, decreases at hi; if not, the top may be at that end */
     real p;            /* the next place to try */
+    real backwards;    /* tan of half of how far the head leans backwards: p may be 0 inside the bracket */
     real height;       /* of the top; its error is of the third order in the step to the top */
     real moved;        /* relative change of p in the last step */
 };
@@ -79,7 +80,7 @@ static void top_step(struct top *top, struct sums at)
     if (!newton)
         next = !top->falls ? top->hi : !top->rises ? top->lo : (top->lo + top->hi) / 2;
     top->height = newton ? at.dH + at.H1 * contact / 2 : at.dH;
-    top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / next;
+    top->moved = !newton ? 1 : next == p ? 0 : fabs(next - p) / (fabs(next) + top->backwards);
     top->p = next;
 }
 
@@ -103,7 +104,7 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         at = NULL;
         top_step(top, here);
         bool closed = top->rises && top->falls;
-        if (top->moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * top->hi))
+        if (top->moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + top->backwards)))
             return DOM_OK;
         if (closed && i > 2 && top->moved > before / 2) /* at a kink Newton's method jumps to and fro */
             top->p = (top->lo + top->hi) / 2;
@@ -124,7 +125,7 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
         return;
     struct sample next = {p, rises(p, c)};
     bool found = c->status == DOM_OK && last->slope > 0 && next.slope <= 0;
-    struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true};
+    struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true, .backwards = fmax(-half_of_tilt(c->from), 0)};
     if (found && !c->geometry->dynamics->conservative) {
         enum num_status solver =
             num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &top.p);
@@ -164,10 +165,10 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 
 /*
  * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, dense near the ends,
- * where dominoes detach. From upright on, there are samples also at the tilts d and sqrt(1 - r s), however
+ * where dominoes detach. Where the head begins to move, there are samples also at the tilts d and sqrt(1 - r s), however
  * small they are.
  */
-static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool upright, real tol,
+static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)
 {
     const struct geometry *geometry = c->geometry;
@@ -178,7 +179,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     struct sample last = {lo, rises(lo, c)};
     real d = geometry->h.x / geometry->h.y, /* tan theta_u */
         finest = (geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d) / 32;
-    for (real p = finest; upright && p < (real)sample_place[0] * (hi - lo) && p > lo; p *= 4)
+    for (real p = finest; begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN); p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
     for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
         barrier_sample(c, lo + (real)sample_place[k] * (hi - lo), tol, &last, b);
@@ -203,7 +204,7 @@ static enum dom_status barrier_pieces(const struct geometry *geometry, struct ti
 {
     struct slope_context c = {.geometry = geometry, .from = from, .known = known};
     enum dom_status status = DOM_OK;
-    bool upright = from.x == 0;
+    bool upright = from.x == 0, begins = upright || (geometry->lean != 0 && b->edge[0] == geometry->lean);
     real end = b->edge[b->edges - 1], lo = upright ? b->edge[0] : half_of_tilt(from);
     if (upright && barrier_single(geometry))
         status =
@@ -211,7 +212,7 @@ static enum dom_status barrier_pieces(const struct geometry *geometry, struct ti
     else
         for (int i = 1; status == DOM_OK && i < b->edges; i++) {
             real hi = tan(b->edge[i] / 2);
-            status = barrier_scan(&c, lo, hi, upright && i == 1, tol, b);
+            status = barrier_scan(&c, lo, hi, begins && i == 1, tol, b);
             lo = hi;
         }
     if (b->height > 0)

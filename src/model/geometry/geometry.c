@@ -96,7 +96,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
     real theta_c = tilt_angle(geometry->c);
-    if (!(theta >= 0) || theta > theta_c * (1 + 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON)))
+    if (!(theta >= geometry->lean) || theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))
         return DOM_BAD_TILT;
     *tilt = theta < theta_c ? tilt_make(sin(theta), cos(theta)) : geometry->c;
     return DOM_OK;
@@ -132,7 +132,9 @@ KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt 
      * smaller. */
     real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;
     real R = hypot(A, B), root = sqrt(fmax((R - geometry->d) * (R + geometry->d), 0));
-    return tilt_make(fmax((B * geometry->d - A * root) / (R * R), 0), (A * geometry->d + B * root) / (R * R));
+    real least = geometry->lean < 0 ? sin(geometry->lean) : 0;
+    return tilt_make(fmax((B * geometry->d - A * root) / (R * R), least),
+                     (A * geometry->d + B * root) / (R * R));
 }
 
 /* ---- Errors, in angles: both coordinates of a tilt carry a few units of their own size ---- */

@@ -94,6 +94,7 @@ struct geometry {
     real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
     real span;    /* the largest gap that a head reaches, over its height: 1, unless its edges are rounded */
     struct rounded rounded;
+    real lean; /* tilt of this domino before it is hit: 0, unless it is not plumb */
 };
 
 #define CHAIN_ENDLESS SIZE_MAX
@@ -154,7 +155,8 @@ KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
-/* Converts theta in [0, theta_c] to a tilt. A theta equal to theta_c rounded to a real gives theta_c. */
+/* Converts theta to a tilt: from the lean of the head, 0 in a train, to theta_c. A theta equal to theta_c
+ * rounded to a real gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /* Return bounds of the error, as an angle: of a tilt with at most `units` rounding errors in each coordinate,
@@ -224,6 +226,25 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
     real v = contact.X * contact.X / (1 + contact.Y) + (contact.Y * t.v + contact.X * t.x);
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
+}
+
+/* Returns the follower's tilt if the leader leans backwards: the sine may have either sign, and x' = Y x + X y
+ * keeps it. */
+KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
+{
+    return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
+}
+
+/* Returns the tilt of a domino before it is hit. */
+KERNEL struct tilt geometry_rest(const struct geometry *geometry)
+{
+    return geometry->lean == 0 ? standing : tilt_make(sin(geometry->lean), cos(geometry->lean));
+}
+
+/* Returns the slope d theta_1 / d theta when the domino is hit: 1, unless it is not plumb. */
+KERNEL real geometry_hit_slope(const struct geometry *geometry)
+{
+    return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).step;
 }
 
 #endif

@@ -39,13 +39,17 @@ KERNEL_LOOP struct link link_head(const struct geometry *geometry, struct tilt h
 KERNEL_LOOP void link_next(struct link *k)
 {
     const struct geometry *geometry = k->geometry;
+    const struct tilt leader = k->tilt;
     k->i++;
-    k->tilt = tilt_follower(k->tilt, k->contact);
+    k->tilt = tilt_follower(leader, k->contact);
     k->slope *= k->step;
     k->weight *= geometry->weight;
     k->inertia *= geometry->inertia;
-    if (geometry->follower)
+    if (geometry->follower) {
+        if (leader.x < 0)
+            k->tilt = tilt_follower_back(leader, k->contact);
         k->geometry = geometry->follower;
+    }
     link_geometry(k);
 }
 

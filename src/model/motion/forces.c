@@ -180,7 +180,7 @@ KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, 
     if (status == DOM_OK)
         status = geometry->dynamics->acceleration(geometry, *head, kinematics->omegasq,
                                                   &kinematics->acceleration, &kinematics->n);
-    kinematics->hit = theta == 0 && st->inertia_ratio > 0;
+    kinematics->hit = theta == geometry->lean && st->inertia_ratio > 0;
     kinematics->omega = sqrt(st->start.omegasq);
     kinematics->omega_lost = kinematics->hit ? kinematics->omega / st->inertia_ratio : 0;
     return status;

@@ -85,7 +85,8 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     m.need = d->least_margin < (real)INFINITY ? fmax(before->omegasq - d->least_margin / d->J0, 0) : 0;
     if (!last && after->verdict.end == DOM_ROW_FALLS) {
         real slower = block_of(before->asked, k + 1).tau / block_of(before->asked, k).tau,
-             kept = collision_velocity_ratio(after->inertia_ratio) * slower;
+             kept = collision_velocity_ratio(after->inertia_ratio) * slower /
+                    geometry_hit_slope(&after->geometry[k + 1]);
         m.gain = kept * kept * d->st.gain;
         m.offset = after->omegasq - m.gain * before->omegasq;
     }

@@ -65,6 +65,12 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
+/* Returns the size of the tilts of a passage: where it ends, unless the head begins leaning backwards. */
+static real passage_size(const struct passage *s)
+{
+    return fmax(fabs(s->to), s->to - s->st.lo);
+}
+
 /*
  * Towards a rest the slowness grows like 1 / sqrt(to - theta). Of x, with theta = to - (to - lo) x^2, the
  * time to the rest is smooth.
@@ -73,9 +79,9 @@ static real slowness_to_rest(real x, void *context)
 {
     struct passage *s = context;
     real u = fmax(s->span * x, sqrt(REAL_EPSILON)), squared = REAL_NAN;
-    real by = fmin(s->to * u * u, s->to - s->st.lo);
+    real size = passage_size(s), by = fmin(size * u * u, s->to - s->st.lo);
     s->st.status = s->st.geometry.dynamics->before_rest(&s->st.geometry, s->to, by, &squared);
-    return s->st.status == DOM_OK ? 2 * s->to * u * s->span * sqrt(squared) : REAL_NAN;
+    return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
 /* Finds how long the passage takes, and the series of its time. */
@@ -89,7 +95,7 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;
     if (s->rests) {
-        s->span = sqrt((s->to - st->lo) / s->to);
+        s->span = sqrt((s->to - st->lo) / passage_size(s));
         solver = num_peak_series(slowness_to_rest, s, 0, 1, 0, REAL_NAN, tol, &s->series);
     } else {
         real width = barrier_width(&st->geometry, st->start.from, &st->barrier, kinetic - st->barrier.height);

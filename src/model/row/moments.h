@@ -19,7 +19,7 @@ struct passage {
     real lasts;      /* tau */
     size_t head;     /* from 0 */
     bool has_series; /* false: integrals take its place */
-    real span;       /* of a passage that rests: sqrt((to - lo) / to) */
+    real span;       /* of a passage that rests: sqrt((to - lo) / its size) */
     real into;       /* of a search: the time that is looked for */
     struct num_series series;
 };

@@ -26,9 +26,8 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * box), box, m * g * h / 2};
 }
 
-/* Makes the joint of domino k with its follower k - 1, and finds how much of the row follows. */
-static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
-                       struct geometry *geometry)
+/* Sets how domino k and its follower k - 1 touch. */
+static void joint_shape(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     struct block own = block_of(row, k), previous = block_of(row, k - 1);
     real gap = (real)row->domino[k].gap;
@@ -42,6 +41,14 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->leave_by = 2 * geometry->d * geometry->L * geometry->r * geometry->r;
     real v = geometry->leave_at / geometry->leave_by;
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
+}
+
+/* Makes the joint of domino k with its follower k - 1, and finds how much of the row follows. */
+static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
+                       struct geometry *geometry)
+{
+    struct block own = block_of(row, k), previous = block_of(row, k - 1);
+    joint_shape(row, k, geometry);
     geometry->weight = previous.mass / own.mass / geometry->r;
     geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d) *
                         (previous.box / own.box);
@@ -52,9 +59,40 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
+    if (geometry->lean < 0) {
+        /* While it leans backwards, the slope is more than 1: by r L |x| / Y, and Y is at least that of an
+         * upright one. */
+        real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
+        weights = by < 1 ? weights * most : (real)INFINITY;
+        moments = by < 1 ? moments * most * most : (real)INFINITY;
+    }
     /* 1 if nothing can be left out. */
     geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
+}
+
+/* Finds where domino k touches domino k + 1, which may lean. Returns false if the contact is not that of an
+ * edge on the back face, or if they touch before domino k moves. */
+static bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt)
+{
+    struct geometry next = {.d = block_of(row, k + 1).d, .lean = (real)row->domino[k + 1].lean};
+    joint_shape(row, k + 1, &next);
+    *contact = geometry_contact(&next, geometry_rest(&next));
+    *tilt = tilt_follower_back(geometry_rest(&next), *contact);
+    contact->arm /= next.r;
+    return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
+}
+
+/* Returns row_end where one of the two dominoes leans. */
+static struct tilt lean_end(const struct row_request *row, size_t k)
+{
+    const struct geometry own = {.lean = (real)row->domino[k].lean};
+    struct contact contact;
+    struct tilt tilt;
+    bool touches = lean_touch(row, k, &contact, &tilt);
+    if (touches)
+        return tilt;
+    return contact.arm > 0 ? geometry_rest(&own) : (struct tilt){1, 0, 1};
 }
 
 /* Returns the last tilt of domino k as a head: where it hits the next one, or lies on the floor. */
@@ -64,6 +102,8 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
         return (struct tilt){1, 0, 1};
     if (geometry->rounded.on)
         return rounded_hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
+    if (row->domino[k + 1].lean != 0 || row->domino[k].lean != 0)
+        return lean_end(row, k);
     real sine = fmin((real)row->domino[k + 1].gap / (real)row->domino[k].height, 1);
     return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
 }
@@ -97,6 +137,7 @@ KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, s
                                   .work = asked->work,
                                   .d = block_of(asked, k).d,
                                   .box = 1,
+                                  .lean = (real)asked->domino[k].lean,
                                   .short_of = 1,
                                   .n = k + 1};
     geometry->reach = hypot(1, geometry->d);
@@ -141,6 +182,12 @@ static bool walls_room(const struct row_request *row, const struct block *own)
     return walls_fit(own->d, (real)row->effect[DOM_EFFECT_walls] / own->height);
 }
 
+/* Returns true if a domino that leans does not fall over either edge of its foot. */
+static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
+{
+    return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
+}
+
 /* Returns the status of what is wrong with a domino. Values computed from its sizes must be numbers of the
  * precision, too. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
@@ -155,6 +202,8 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
            : dynamics_on(row->effect[DOM_EFFECT_edges]) && 2 * row_radius(row, k) > d->thickness / d->height
                ? DOM_NO_ROUND
            : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &own) ? DOM_NO_ROOM
+           : d->lean != 0 && row_radius(row, k) != 0                              ? DOM_NO_LEAN
+           : d->lean != 0 && !lean_stands(row, d)                                 ? DOM_BAD_LEAN
                                                                                   : DOM_OK;
 }
 
@@ -253,8 +302,10 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
 {
     const struct block block = block_of(run->asked, k);
     const real end = tilt_angle(run->geometry[k].c);
+    const struct tilt rest = geometry_rest(&run->geometry[k]);
     *d = (struct descent){.st = {.geometry = run->geometry[k],
-                                 .start = {.from = standing, .omegasq = run->omegasq},
+                                 .lo = run->geometry[k].lean,
+                                 .start = {.from = rest, .omegasq = run->omegasq},
                                  .gain = 1,
                                  .inertia_ratio = run->inertia_ratio},
                           .stay = run->moving,
@@ -270,7 +321,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     struct sums at;
     struct geometry geometry = d->st.geometry;
     geometry.n = run->moving;
-    enum dom_status status = chain_sum(&geometry, standing, &at);
+    enum dom_status status = chain_sum(&geometry, rest, &at);
     real kinetic = at.J * run->omegasq;
     /* the whole energy change, if the head touches the next domino from the start */
     d->J0 = d->st.start.J = at.J;
@@ -305,6 +356,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     real theta_u = geometry_theta_u(geometry), barrier = geometry_rise_u(geometry) * block.unit;
     const struct tilt top = tilt_half(geometry_half_u(geometry));
     bool tips = geometry_lift(geometry, geometry->c) < 0;
+    if (geometry->lean != 0)
+        barrier = (geometry->reach - geometry_height(geometry, geometry_rest(geometry))) * block.unit;
     *fall = (struct dom_fall){.domino = 1,
                               .time = REAL_NAN,
                               .duration = REAL_NAN,
@@ -337,6 +390,16 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
+/* Returns how the row ends where head k is at the next domino, and one of the two leans. */
+static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
+{
+    struct contact contact;
+    struct tilt tilt;
+    return !lean_touch(row, k, &contact, &tilt) ? DOM_ROW_SKEWED
+           : contact.arm > 1                    ? DOM_ROW_PASSES
+                                                : DOM_ROW_FALLS;
+}
+
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct descent *d)
 {
     const struct dom_domino *own = &run->asked->domino[k], *next = own + 1;
@@ -346,6 +409,8 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct descent *
     real top = hits->rounded.rho + hits->rounded.tall * hits->c.y, flat = 1 - geometry->rounded.rho;
     if ((real)next->gap > hits->span * (real)own->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
+    else if (own->lean != 0 || next->lean != 0)
+        *end = lean_ends(run->asked, k);
     else if ((real)own->height * top > flat * (real)next->height)
         *end = DOM_ROW_PASSES;
     if (*end != DOM_ROW_FALLS)
@@ -357,7 +422,7 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct descent *
         *end = DOM_ROW_LOCKS;
         return DOM_OK;
     }
-    velocity_ratio = collision_velocity_ratio(inertia_ratio);
+    velocity_ratio = collision_velocity_ratio(inertia_ratio) / geometry_hit_slope(geometry);
     real slower = block_of(run->asked, k + 1).tau / block_of(run->asked, k).tau;
     run->inertia_ratio = inertia_ratio;
     run->omegasq = velocity_ratio * velocity_ratio * slower * slower * d->st.start.omegasq;
@@ -470,6 +535,8 @@ static enum dom_status row_answer(const struct row_request *given, bool times, d
     row.block = block;
     run.geometry[0] = (struct geometry){.dynamics = &energy_balance};
     status = watch ? watch_begin(watch, asked->count) : DOM_OK;
+    for (size_t k = 0; watch && status == DOM_OK && k < asked->count; k++)
+        watch->tilt[k] = asked->domino[k].lean;
     if (status == DOM_OK)
         status = row_make(asked, run.geometry);
     if (status == DOM_OK)

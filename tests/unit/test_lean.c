@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Dominoes that are not plumb: against Newton's equations (direct.h), and in their limits. */
+#include "run.h"
+#include "support.h"
+#include <float.h>
+
+/* Returns the tilt at which a domino tips over. */
+static double tips_at(const struct domq_domino *d)
+{
+    return atan((double)(d->thickness / d->height));
+}
+
+/* Makes a row that is equal, growing or uneven, with leans up to a part of what each domino bears. */
+static void leaning_row(struct run *run, uint64_t *seed, int kind)
+{
+    static const double mus[] = {0, 0.1, 0.4}, pushes[] = {1.1, 1.5, 4, 15}, most[] = {0.02, 0.4, 0.9};
+    size_t count = 2 + (size_t)(18 * random_unit(seed));
+    double s = 0.05 + 0.6 * random_unit(seed), r = 1;
+    if (kind == 1)
+        r = 1 + (fmin(0.98 / s, 1.7) - 1) * random_unit(seed);
+    make_row(run, count, s, r, mus[(int)(3 * random_unit(seed))]);
+    double part = most[(int)(3 * random_unit(seed))];
+    for (size_t k = 0; k < count; k++) {
+        struct domq_domino *d = &run->domino[k];
+        if (kind == 2) {
+            d->height *= 0.97 + 0.06 * random_unit(seed);
+            d->thickness *= 0.7 + 0.6 * random_unit(seed);
+            d->gap *= 0.7 + 0.6 * random_unit(seed);
+            d->mass *= 0.5 + random_unit(seed);
+        }
+        d->lean = part * tips_at(d) * (2 * random_unit(seed) - 1);
+    }
+    run->row.push = pushes[(int)(4 * random_unit(seed))] * push_over(run->domino);
+}
+
+static void near_newton(const char *what, const struct run *run, size_t k, domq_real got, double expected,
+                        double size, double bound)
+{
+    if (fabs((double)got - expected) > bound * size)
+        fail_msg("%s of domino %zu of %zu: %.17g, by Newton %.17g (mu %g, lean %g)", what, k + 1,
+                 run->row.count, (double)got, expected, (double)run->row.mu, (double)run->domino[k].lean);
+}
+
+static void newton_agrees(void **state)
+{
+    (void)state;
+    static struct run run;
+    static struct newton n;
+    uint64_t seed = 18;
+    int met[9] = {0}, backwards = 0;
+    for (int i = 0; i < 200; i++) {
+        leaning_row(&run, &seed, i % 3);
+        assert_status(run_row(&run), DOM_OK);
+        newton_run(&run, &n);
+        const struct domq_verdict *v = &run.verdict;
+        met[v->end]++;
+        double spare = INFINITY, friction_work = 0;
+        bool close = false;
+        for (size_t k = 0; k < run.falls; k++)
+            close |= fabs((double)run.fall[k].margin) < 1e-6 * (double)run.fall[k].kinetic;
+        if (close || v->end == DOM_ROW_SKEWED)
+            continue;
+        if (v->end == DOM_ROW_FALLS || v->end == DOM_ROW_STOPS) {
+            if (n.wrong)
+                fail_msg("Newton: %s (row %d)", n.wrong, i);
+            assert_int_equal(n.result.hit, run.falls);
+            assert_int_equal(n.result.all_fall, v->end == DOM_ROW_FALLS);
+            if (n.result.least_force < -0.02 * n.mass[n.result.least_at - 1] * 9.81)
+                fail_msg("row %d: a contact opens by Newton", i);
+        }
+        if (v->end == DOM_ROW_PASSES)
+            assert_non_null(n.wrong);
+        if (v->end == DOM_ROW_PARTS)
+            assert_true(n.result.least_force < 0);
+        for (size_t k = 0; k < run.falls; k++) {
+            const struct domq_fall *f = &run.fall[k];
+            const struct direct_hit *h = &n.hit[k];
+            double bound = 1e-10 * (1 + 1 / spare);
+            near_newton("time", &run, k, f->time, h->time, h->time, bound);
+            near_newton("omega", &run, k, f->omega, h->omega, h->omega, bound);
+            near_newton("kinetic", &run, k, f->kinetic, h->kinetic, h->kinetic, bound);
+            near_newton("lost", &run, k, f->lost, h->kinetic_before - h->kinetic, h->kinetic_before, bound);
+            near_newton("friction_work", &run, k, friction_work, h->friction_work,
+                        h->kinetic_before + friction_work, bound);
+            friction_work += (double)f->friction_work;
+            spare = fmin(spare, fabs((double)(f->margin / f->kinetic)));
+            backwards += k > 0 && run.domino[k].lean < 0;
+        }
+        const struct domq_fall *last = &run.fall[run.falls - 1];
+        if (v->end == DOM_ROW_STOPS)
+            near_newton("rest", &run, run.falls - 1, last->theta, n.result.stop_theta, 1,
+                        1e-10 / fmin(1, spare));
+        if (v->end == DOM_ROW_FALLS)
+            near_newton("the end", &run, run.falls - 1, v->seconds, n.result.end_time, n.result.end_time,
+                        1e-10 / fmin(1, spare));
+    }
+    print_message("# %d fall, %d stop, %d pass, %d part, %d lock, %d skewed; %d hit lean backwards\n",
+                  met[DOM_ROW_FALLS], met[DOM_ROW_STOPS], met[DOM_ROW_PASSES], met[DOM_ROW_PARTS],
+                  met[DOM_ROW_LOCKS], met[DOM_ROW_SKEWED], backwards);
+    assert_true(met[DOM_ROW_FALLS] > 50 && met[DOM_ROW_STOPS] > 30 && met[DOM_ROW_PASSES] > 10 && backwards > 100);
+}
+
+/* ---- Limits ---- */
+
+/* Checks that tiny leans change the answers by tiny amounts, in proportion, and to either side. */
+static void continuous(void **state)
+{
+    (void)state;
+    static struct run run;
+    for (int mu = 0; mu < 2; mu++) {
+        double omega[5], few[] = {0, 1e-6, -1e-6, 2e-6, -2e-6};
+        for (int i = 0; i < 5; i++) {
+            make_row(&run, 8, 0.4, 1.2, 0.2 * mu);
+            for (size_t k = 0; k < 8; k++)
+                run.domino[k].lean = few[i];
+            assert_status(run_row(&run), DOM_OK);
+            assert_int_equal(run.verdict.end, DOM_ROW_FALLS);
+            omega[i] = (double)run.fall[7].omega;
+        }
+        double slope = (omega[1] - omega[2]) / 2e-6, second = (omega[3] - omega[4]) / 4e-6;
+        assert_near("omega", omega[1] + omega[2], 2 * omega[0], 1e-10);
+        assert_near("slope", slope, second, 1e-4);
+        assert_true(fabs(slope) > 0.01);
+    }
+}
+
+/* Checks by hand the first domino, tipped: its edge on the next one, which leans. */
+static void touches(void **state)
+{
+    (void)state;
+    static struct run run;
+    for (int side = -1; side <= 1; side++) {
+        make_row(&run, 2, 0.5, 1, 0);
+        run.row.push = (double)NAN;
+        double phi = 0.05 * side, h = run.domino[0].height, d = run.domino[0].thickness,
+               gap = run.domino[1].gap;
+        run.domino[1].lean = phi;
+        run.domino[0].lean = -0.08;
+        assert_status(run_row(&run), DOM_OK);
+        double theta = (double)run.fall[0].theta;
+        /* The tip is on the line of the back face through its bottom. */
+        double x = h * sin(theta), z = h * cos(theta), bottom_x = gap + d - d * cos(phi),
+               bottom_z = d * sin(phi);
+        assert_near("on the face", (x - bottom_x) * cos(phi) + h, (z - bottom_z) * sin(phi) + h, 1e-14);
+        double energy = hypot(h, d) - h * cos(-0.08) - d * sin(-0.08);
+        assert_near("to tip it", run.fall[0].barrier, (double)run.domino[0].mass * 9.81 * energy / 2, 1e-13);
+    }
+}
+
+/* Checks that a domino falls more easily the more it leans forwards, by the energy that it needs. */
+static void easier_forwards(void **state)
+{
+    (void)state;
+    static struct run run;
+    domq_real before = INFINITY;
+    for (double lean = -0.9; lean < 0.95; lean += 0.1) {
+        make_row(&run, 6, 0.4, 1.6, 0.2);
+        run.domino[0].lean = lean * tips_at(&run.domino[0]);
+        assert_status(run_row(&run), DOM_OK);
+        assert_true(run.fall[0].barrier < before);
+        before = run.fall[0].barrier;
+    }
+}
+
+/* ---- Ends and refusals ---- */
+
+static void ends(void **state)
+{
+    (void)state;
+    static struct run run;
+    make_row(&run, 3, 0.02, 1, 0); /* 0.96 mm: 48 mm lean by that much at 0.02 */
+    run.domino[1].lean = -0.03;
+    assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
+    assert_int_equal(run.verdict.domino, 1);
+    make_row(&run, 3, 0.02, 1, 0);
+    run.domino[1].lean = 0.03;
+    assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
+    assert_int_equal(run.verdict.domino, 2);
+    make_row(&run, 3, 0, 1, 0);
+    run.domino[2].lean = 0.03;
+    assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
+    make_row(&run, 3, 0.4, 1, 0);
+    run.domino[2].gap = run.domino[1].height * (1 + 1e-9);
+    run.domino[2].lean = -0.03;
+    assert_int_equal(row_end(&run), DOM_ROW_MISSES);
+    make_row(&run, 3, 0.99, 1, 0); /* the foot of the next is above the edge that would hit it */
+    run.domino[2].lean = 0.14;
+    assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    static struct run run;
+    const double theta_u = atan(7.0 / 48), alpha = 0.05;
+    const double wrong[] = {theta_u * (1 + 1e-9), -theta_u * (1 + 1e-9), 2, -2, NAN, INFINITY, -INFINITY};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        make_row(&run, 4, 0.4, 1, 0);
+        run.domino[2].lean = wrong[i];
+        assert_status(run_row(&run), DOM_BAD_LEAN);
+        assert_int_equal(run.verdict.domino, 3);
+    }
+    for (int side = -1; side <= 1; side += 2) {
+        make_row(&run, 4, 0.4, 1, 0);
+        run.domino[2].lean = side * theta_u * (1 - 1e-9);
+        assert_status(run_row(&run), DOM_OK);
+        run.row.alpha = alpha;
+        assert_status(run_row(&run), side > 0 ? DOM_BAD_LEAN : DOM_OK);
+        run.domino[2].lean = side * theta_u * (1 - 1e-9) - alpha;
+        assert_status(run_row(&run), DOM_OK);
+        run.domino[2].lean = side * theta_u * (1 + 1e-9) - alpha;
+        assert_status(run_row(&run), DOM_BAD_LEAN);
+    }
+    make_row(&run, 4, 0.4, 1, 0);
+    run.domino[2].lean = 0.01;
+    run.row.rho = 0.01;
+    assert_status(run_row(&run), DOM_NO_LEAN);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(newton_agrees),   cmocka_unit_test(continuous),
+        cmocka_unit_test(touches),         cmocka_unit_test(easier_forwards),
+        cmocka_unit_test(ends),            cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
