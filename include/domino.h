@@ -95,8 +95,7 @@ extern "C" {
     X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
     X(NO_ROUND,                                                                                              \
       "edges of this radius do not fit: the radius must be at most half of the thickness, rho <= d/2")       \
-    X(NO_LEAN,                                                                                               \
-      "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")               \
+    X(NO_LEAN, "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")      \
     X(NO_MARGIN, "the margin is 0 to rounding, so times have no value here; use a slightly smaller r")       \
     X(NO_GROWTH, "even equal dominoes (r = 1) do not go on falling at this separation")                      \
     X(TOO_LONG, "the answer needs more dominoes than can be computed")                                       \
@@ -695,7 +694,7 @@ struct dom_domino {
     dom_real mass;                   /* kg */
     /* m, of its edges if rho of the row is not 0; 0: rho times the height */
     dom_real radius;
-    dom_real lean;                   /* rad, its tilt before it is hit, > 0 in the direction of the fall */
+    dom_real lean; /* rad, its tilt before it is hit, > 0 in the direction of the fall */
 };
 
 /*

@@ -437,12 +437,12 @@ static const char *collide(struct run *run, double y[])
     return 0;
 }
 
-/* Returns the angle of domino j where it reaches the next one: the bottom of whose back face is lower by `down`
- * and farther by `off` than if it stood upright. */
+/* Returns the angle of domino j where it reaches the next one: the bottom of whose back face is lower by
+ * `down` and farther by `off` than if it stood upright. */
 static double reach_angle(const struct direct_row *row, size_t j)
 {
-    double h = row->height[j], phi = lean(row, j + 1), d = row->thickness[j + 1],
-           off = d * (1 - cos(phi)), gap = row->gap[j + 1];
+    double h = row->height[j], phi = lean(row, j + 1), d = row->thickness[j + 1], off = d * (1 - cos(phi)),
+           gap = row->gap[j + 1];
 
     if (phi == 0)
         return atan2(gap, sqrt((h - gap) * (h + gap)));

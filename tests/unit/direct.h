@@ -15,9 +15,9 @@ struct direct_row {
     size_t n;
     const double *height, *thickness, *gap, *mass;
     double mu, g;
-    double omega; /* angular velocity given to the first domino at time 0 */
-    double slope; /* rad, by which the floor falls towards the later dominoes */
-    double walls; /* of boxes half as wide as tall, of one density; 0: solid blocks */
+    double omega;       /* angular velocity given to the first domino at time 0 */
+    double slope;       /* rad, by which the floor falls towards the later dominoes */
+    double walls;       /* of boxes half as wide as tall, of one density; 0: solid blocks */
     const double *lean; /* rad, tilts before the hits; NULL: all are upright */
 };
 

@@ -56,6 +56,7 @@ void newton_run(const struct run *run, struct newton *n)
         n->lean[k] = run->domino[k].lean;
     }
     struct direct_row row = {run->row.count, n->height,  n->thickness,  n->gap, n->mass,
-                             run->row.mu,    run->row.g, run->row.push, 0,      0,      n->lean};
+                             run->row.mu,    run->row.g, run->row.push, 0,      0,
+                             n->lean};
     n->wrong = direct_run(&row, n->hit, &n->result);
 }

@@ -54,8 +54,9 @@ static void rows_make(struct rows *r, double growth, double push, double mu, enu
     train.r = growth;
     dom_row_of_train(&train, &scale, 1, r->domino, ROW);
     for (int k = 0; k < ROW; k++)
-        r->dominoq[k] = (struct domq_domino){r->domino[k].height, r->domino[k].thickness, r->domino[k].gap,
-                                             r->domino[k].mass, 0, r->domino[k].lean};
+        r->dominoq[k] = (struct domq_domino){
+            r->domino[k].height, r->domino[k].thickness, r->domino[k].gap, r->domino[k].mass, 0,
+            r->domino[k].lean};
     r->row = (struct dom_row){
         .domino = r->domino, .count = ROW, .g = scale.g, .push = push, .mu = mu, .floor = mu == 0};
     r->rowq = (struct domq_row){

@@ -286,15 +286,15 @@ static void rows(void **state)
     struct dom_compute compute = dom_compute_default();
     const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
     for (int k = 0; k < 4; k++) {
-        for (int member = 0; member < 5; member++) {
+        for (int member = 0; member < 6; member++) {
             static const enum dom_status named[] = {DOM_BAD_HEIGHT, DOM_BAD_THICKNESS, DOM_BAD_MASS,
-                                                    DOM_BAD_G, DOM_BAD_GAP};
+                                                    DOM_BAD_G,      DOM_BAD_GAP,       DOM_BAD_LEAN};
             row_make(&r);
             struct dom_domino *d = &r.domino[BAD_ONE];
-            double *of[] = {&d->height, &d->thickness, &d->mass, &r.row.g, &d->gap};
+            double *of[] = {&d->height, &d->thickness, &d->mass, &r.row.g, &d->gap, &d->lean};
             *of[member] = bad[k];
             if (member < 4 || bad[k] != 0)
-                row_refused(&r.row, &compute, member < 3 || member == 4 ? BAD_ONE + 1 : 0, named[member]);
+                row_refused(&r.row, &compute, member != 3 ? BAD_ONE + 1 : 0, named[member]);
         }
         row_make(&r);
         r.row.push = bad[k];

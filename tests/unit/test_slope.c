@@ -84,7 +84,7 @@ static void rows_against_newton(void **state)
     for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
         row_make(&row, scene[i][0], 0.4, COUNT);
         struct direct_row of = {COUNT, row.height,  row.thickness,        row.gap, row.mass, scene[i][2],
-                                1.0,   scene[i][3], scene[i][1] * degree, 0, NULL};
+                                1.0,   scene[i][3], scene[i][1] * degree, 0,       NULL};
         assert_null(direct_run(&of, row.hit, &row.result));
         struct asked_row asked = {.domino = row.domino,
                                   .count = COUNT,
@@ -124,7 +124,7 @@ static void limits_against_newton(void **state)
                 row.mass[k] = row.height[k] * row.height[k];
             }
             struct direct_row of = {COUNT, row.height, row.thickness,       row.gap, row.mass, some[i][2],
-                                    1.0,   32,         (double)train.alpha, 0, NULL};
+                                    1.0,   32,         (double)train.alpha, 0,       NULL};
             assert_null(direct_run(&of, row.hit, &row.result));
             assert_int_equal(row.result.all_fall, side < 0);
         }
@@ -194,7 +194,7 @@ static void floor_under_the_first(void **state)
                    up = (turns * (d * y - x) - omegasq * (y + d * x)) / 2 + cos(alpha);
             most = fmax(most, fabs(along) / up);
         }
-        struct domq_domino two[] = {{1, d, 0, 1, 0}, {1, d, 0.5, 1, 0}};
+        struct domq_domino two[] = {{1, d, 0, 1, 0, 0}, {1, d, 0.5, 1, 0, 0}};
         struct asked_row row = {.domino = two,
                                 .count = 2,
                                 .g = 1,

@@ -51,7 +51,8 @@ static void no_room(void **state)
     train.walls = -0.01;
     assert_status(ask_train_check(&train), DOM_BAD_WALLS);
     /* A row names the domino. */
-    struct domq_domino domino[] = {{0.048, 0.007, 0, 1, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0}};
+    struct domq_domino domino[] = {
+        {0.048, 0.007, 0, 1, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0}};
     struct asked_row row = {.domino = domino,
                             .count = 3,
                             .g = 9.81,

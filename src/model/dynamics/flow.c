@@ -70,7 +70,8 @@ static enum dom_status flow_over(struct flow_context *c, real tol, const real *e
 {
     for (int i = 1; i < edges; i++) {
         real lo = edge[i - 1];
-        enum dom_status status = lo <= REAL_MIN || lo == c->geometry->lean ? flow_finely(c, tol, &lo, edge[i]) : DOM_OK;
+        enum dom_status status =
+            lo <= REAL_MIN || lo == c->geometry->lean ? flow_finely(c, tol, &lo, edge[i]) : DOM_OK;
         if (status != DOM_OK)
             return status;
         enum num_status solver =

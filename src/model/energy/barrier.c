@@ -104,7 +104,8 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         at = NULL;
         top_step(top, here);
         bool closed = top->rises && top->falls;
-        if (top->moved <= tol || (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + top->backwards)))
+        if (top->moved <= tol ||
+            (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + top->backwards)))
             return DOM_OK;
         if (closed && i > 2 && top->moved > before / 2) /* at a kink Newton's method jumps to and fro */
             top->p = (top->lo + top->hi) / 2;
@@ -125,7 +126,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
         return;
     struct sample next = {p, rises(p, c)};
     bool found = c->status == DOM_OK && last->slope > 0 && next.slope <= 0;
-    struct top top = {.lo = last->p, .hi = p, .rises = true, .falls = true, .backwards = fmax(-half_of_tilt(c->from), 0)};
+    struct top top = {
+        .lo = last->p, .hi = p, .rises = true, .falls = true, .backwards = fmax(-half_of_tilt(c->from), 0)};
     if (found && !c->geometry->dynamics->conservative) {
         enum num_status solver =
             num_root_between(slope_of_H, c, last->p, last->slope, p, next.slope, tol, &top.p);
@@ -165,8 +167,8 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 
 /*
  * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, dense near the ends,
- * where dominoes detach. Where the head begins to move, there are samples also at the tilts d and sqrt(1 - r s), however
- * small they are.
+ * where dominoes detach. Where the head begins to move, there are samples also at the tilts d and sqrt(1 - r
+ * s), however small they are.
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)
@@ -179,7 +181,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     struct sample last = {lo, rises(lo, c)};
     real d = geometry->h.x / geometry->h.y, /* tan theta_u */
         finest = (geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d) / 32;
-    for (real p = finest; begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN); p *= 4)
+    for (real p = finest; begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN);
+         p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
     for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
         barrier_sample(c, lo + (real)sample_place[k] * (hi - lo), tol, &last, b);

@@ -96,7 +96,8 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
     real theta_c = tilt_angle(geometry->c);
-    if (!(theta >= geometry->lean) || theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))
+    if (!(theta >= geometry->lean) ||
+        theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))
         return DOM_BAD_TILT;
     *tilt = theta < theta_c ? tilt_make(sin(theta), cos(theta)) : geometry->c;
     return DOM_OK;

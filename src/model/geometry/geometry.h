@@ -228,8 +228,8 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards: the sine may have either sign, and x' = Y x + X y
- * keeps it. */
+/* Returns the follower's tilt if the leader leans backwards: the sine may have either sign, and x' = Y x + X
+ * y keeps it. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);

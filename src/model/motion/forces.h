@@ -14,8 +14,8 @@
 struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that matter */
-    /* For a collision, at the lean of the head: tau omega of the head after it, and the part of it that followers
-     * lose. */
+    /* For a collision, at the lean of the head: tau omega of the head after it, and the part of it that
+     * followers lose. */
     bool hit;
     real omega, omega_lost;
     bool floor;        /* true: find the forces of the floor */

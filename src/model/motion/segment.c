@@ -17,7 +17,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         /* A domino that moves less than rounding errors does not detach now; after one that detaches, nothing
          * moves at that moment. */
         bool last = false, all = *stay < geometry->n;
-        while (!last && ((*stay < geometry->n && k.i < *stay) || k.tilt.x < 0 || k.tilt.v < k.geometry->leave.v)) {
+        while (!last &&
+               ((*stay < geometry->n && k.i < *stay) || k.tilt.x < 0 || k.tilt.v < k.geometry->leave.v)) {
             last = k.i + 1 >= geometry->n || (!all && k.slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
                 link_follow(&k);

@@ -207,9 +207,9 @@ static const struct column verdict_columns[] = {
 static const char *end_word(enum dom_row_end end)
 {
     static const char *const words[] = {
-        [DOM_ROW_FALLS] = "all fall",      [DOM_ROW_STOPS] = "stops", [DOM_ROW_MISSES] = "misses",
-        [DOM_ROW_PASSES] = "passes above", [DOM_ROW_LEANS] = "leans", [DOM_ROW_PARTS] = "parts",
-        [DOM_ROW_LOCKS] = "locks"};
+        [DOM_ROW_FALLS] = "all fall",      [DOM_ROW_STOPS] = "stops",   [DOM_ROW_MISSES] = "misses",
+        [DOM_ROW_PASSES] = "passes above", [DOM_ROW_LEANS] = "leans",   [DOM_ROW_PARTS] = "parts",
+        [DOM_ROW_LOCKS] = "locks",         [DOM_ROW_SKEWED] = "touches"};
     return words[end];
 }
 
