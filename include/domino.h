@@ -684,7 +684,7 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 /* ---- A finite row of any dominoes ---- */
 
 /*
- * A solid block. The gap is the free distance to the domino before it, at the foot, as if it stood upright; 0
+ * A solid block. The gap is the free distance to the domino before it, at the foot, as if it were upright; 0
  * for the first, which has none. A domino whose floor or foot is not flat is not plumb: it rests tilted about
  * its front edge, the one on which it turns when it falls. |lean| must be below theta_u, tan theta_u =
  * thickness / height; on a slope alpha |lean + alpha| must be.

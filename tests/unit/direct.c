@@ -438,7 +438,7 @@ static const char *collide(struct run *run, double y[])
 }
 
 /* Returns the angle of domino j where it reaches the next one: the bottom of whose back face is lower by
- * `down` and farther by `off` than if it stood upright. */
+ * `down` and farther by `off` than of an upright one. */
 static double reach_angle(const struct direct_row *row, size_t j)
 {
     double h = row->height[j], phi = lean(row, j + 1), d = row->thickness[j + 1], off = d * (1 - cos(phi)),

@@ -151,7 +151,8 @@ enum {
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *
  * From b to a, X and theta_1' decrease, and Y increases as long as X >= 0: the terms at the two ends give a
- * bound. The arm a of the contact, which must be positive, decreases too.
+ * bound. The arm a of the contact, which must be positive, decreases too. A leader that still leans backwards
+ * gives none of these bounds.
  */
 static bool contact_pushes(const struct link *a, const struct link *b)
 {
@@ -162,8 +163,8 @@ static bool contact_pushes(const struct link *a, const struct link *b)
                    R * (next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X)) - b->step * own->h.y,
                of_y = R * (next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most)) +
                       fmin(a->step * own->h.x, b->step * own->h.x);
-    return a->tilt.y >= 0 && a->contact.Y * a->tilt.y - X * a->tilt.x + less >= 0 && Y + own->mu * less > 0 &&
-           contact_arm_a(a) >= 0 && own->h.y > 0 && next->h.y > 0 &&
+    return b->tilt.x >= 0 && a->tilt.y >= 0 && a->contact.Y * a->tilt.y - X * a->tilt.x + less >= 0 &&
+           Y + own->mu * less > 0 && contact_arm_a(a) >= 0 && own->h.y > 0 && next->h.y > 0 &&
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
