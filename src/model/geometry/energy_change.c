@@ -70,6 +70,10 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
     real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
     if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
+    /* Far from theta_inf the first term is not the tail, which may cancel the sum: now with all terms. */
+    real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
+    if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
+        return false;
     share = far_share(far, far_off(geometry, a->tilt));
     real H1 = a->weight * a->slope / 2, J = a->inertia * a->slope * a->slope;
     return far_done(&state->H1, -H1 * far->H[1], H1 * far->rest_H * share, geometry->tol) &&

@@ -32,7 +32,7 @@ static const char form[] = "'solve d : rmax = 5/3', or with a range 'solve d 0.0
 /* Returns the form of the command that reads a range. */
 static const char *form_of(const struct session *session)
 {
-    return strcmp(session->command, "watch") == 0
+    return session->command && strcmp(session->command, "watch") == 0
                ? "'watch s : rmax', or with a range 'watch s 0.1 0.9 : rmax'"
                : form;
 }
