@@ -22,7 +22,7 @@ extern "C" {
 /* Why a proof is not whole: X(name, meaning). */
 #define DOM_PROOF_GAPS(X)                                                                                    \
     X(NONE, "nothing is missing")                                                                            \
-    X(EFFECT, "trains with friction or a slope have no proof")                                               \
+    X(EFFECT, "trains with friction, a slope or rounded edges have no proof")                                \
     X(ROUNDING, "the two sides differ by less than the rounding of double precision")                        \
     X(BOXES, "the proof takes more boxes or dominoes than are allowed")                                      \
     X(INTERRUPTED, "interrupted")                                                                            \

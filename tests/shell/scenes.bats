@@ -89,6 +89,27 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
+@test "edges: step, why, thetac and scene name their equations; no paper fuel, no proof; a file of the row keeps radii" {
+    run -0 "$DOMINO" -e 'effect edges 0.01; step; step; step; why; thetac; scene'
+    for text in 'J(0) omega(0) = (J(0) - i(0)) omega_1' 'the share i(0)/J(0)' 'rho theta_c + (1 - 2 rho) sin theta_c = r s' "Halley's method"; do
+        [[ $output == *"$text"* ]]
+    done
+    [[ $output != *'- 1) omega_1'* && $output != *'1/J(0)'* && $output != *': sin theta_c'* && $output != *'no trigonometry'* ]]
+    run -0 "$DOMINO" -e 'effect friction 0.1; effect edges 0.01; step; effect row 4; scene'
+    [[ $output == *'(A(0) - i(0)) omega_1'* && $output == *'S_i i(theta_i) theta_i'* && $output == *"Halley's method"* ]]
+    same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
+    same 'no proof' 'not proved: trains with friction, a slope or rounded edges have no proof' "$(json 'effect edges 0.01; prove rmax' | values reason)"
+    printf 'height (mm),thickness (mm),gap (mm),radius (mm)\n48,7,,0.5\n60,8,20,0\n72,9,25,0.4\n' >radii.csv
+    fall=$("$DOMINO" -e 'effect edges 0.01; effect row radii.csv; row > again.csv; set output json; fall')
+    same 'written and read' "$fall" "$(json 'effect edges 0.01; effect row again.csv; fall')"
+    sed 's/,[^,]*$//' again.csv >shares.csv
+    differ 'without radii' "$fall" "$(json 'effect edges 0.01; effect row shares.csv; fall')"
+    same radii '0.0005 0 0.0004' "$(json 'effect edges 0.01; effect row again.csv; row' | values radius | paste -sd ' ' -)"
+    for name in float double quad; do
+        same "$name" 'all fall' "$(json "set q hollow; set precision $name; effect edges 0.01; effect row 5; verdict" | values verdict)"
+    done
+}
+
 @test "the ledger closes with friction at every event" {
     for parameters in 'set s 0.4' 'set s 0.3; set r 1.2' 'set q hollow; set s 0.5; set r 1.8' 'set s 0.6; set r 1.4'; do
         json "$parameters; effect friction 0.2; step; step; step; step; step" | while IFS= read -r row; do

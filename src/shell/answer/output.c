@@ -43,6 +43,13 @@ void answer_leave_out(struct answer *a, const char *key)
         c[0] = c[1];
 }
 
+void answer_means(struct answer *a, const char *key, const char *meaning)
+{
+    for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+        if (strcmp(c->key, key) == 0)
+            c->meaning = meaning;
+}
+
 void answer_largest(struct answer *a, const char *key, domq_real largest)
 {
     for (int i = 0; a->columns[i].key; i++)

@@ -18,6 +18,9 @@ struct column *answer_columns(struct answer *answer, const struct column *column
  * it. */
 void answer_leave_out(struct answer *answer, const char *key);
 
+/* Gives the column with this key another meaning, in this answer alone; before the first row. */
+void answer_means(struct answer *answer, const char *key, const char *meaning);
+
 /*
  * Gives the largest number that the column with this key will hold, before the first row and after the
  * columns are settled: the unit that people see in a table of rows follows from it.  Without it the first row

@@ -37,6 +37,12 @@ static bool run_thetac(struct session *session, const struct call *call)
     enum dom_status status = domq_angles_find(&session->train, &compute, &a);
     if (status != DOM_OK)
         return session_status(session, status);
+    if (session->train.rho != 0) {
+        answer_means(call->answer, "theta_c",
+                     "the head hits the next: rho theta_c + (1 - 2 rho) sin theta_c = r s");
+        answer_means(call->answer, "theta_u", "a single domino tips over, with its rounded foot");
+        answer_means(call->answer, "theta_inf", "far followers rest");
+    }
     return answer_cells(call->answer, CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf),
                         CELL_OF(a, theta_f), CELL_OF(a, theta_leave), cell_flag(a.detaches));
 }
@@ -123,7 +129,9 @@ static bool run_fuel(struct session *session, const struct call *call)
     enum dom_status status = domq_fuel_find(&session->train, &compute, &f);
     if (status != DOM_OK)
         return session_status(session, status);
-    struct cell exact = CELL_OF(f, exact), paper = CELL_OF(f, paper);
+    /* The closed form is of sharp edges. */
+    struct cell exact = CELL_OF(f, exact),
+                paper = session->train.rho != 0 ? cell_real(DOMQ_NAN) : CELL_OF(f, paper);
     struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
     if (domq_law(&session->train)->dissipates) { /* less what friction takes */

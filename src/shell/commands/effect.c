@@ -185,7 +185,10 @@ static void plan_row(struct answer *a, const char *part, const char *solved, siz
 static void plan_train(const struct session *session, struct answer *a, size_t n)
 {
     bool rubs = domq_law(&session->train)->dissipates;
-    plan_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, no trigonometry", n, "always");
+    if (session->train.rho != 0)
+        plan_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
+    else
+        plan_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, no trigonometry", n, "always");
     plan_row(a, "energy", "H (19; c1) and J (20; c2), ended by a bound of the tail", n, "always");
     plan_row(a, "motion", domq_law(&session->train)->plan, n, rubs ? "friction is on" : "no losses");
     plan_row(a, "barrier", rubs ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
@@ -214,6 +217,8 @@ static void plan_of_row(const struct session *session, struct answer *a, size_t 
              pushed ? domq_effect(DOM_EFFECT_push)->plan : "(9; b5): energy of a fall from its edge", 1,
              pushed ? "push is on" : "no push");
     plan_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
+    if (session->train.rho != 0)
+        plan_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
     plan_row(a, "motion",
              rubs ? domq_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated",
              n, rubs ? "friction is on" : "no losses");

@@ -109,17 +109,25 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         return;
     domq_real omega = quad(sqrt)(l.omegasq) / u.tau;
     bool rubs = domq_law(&w->train)->dissipates;
-    const char *inertia = rubs ? "A(0)" : "J(0)";
+    bool rounds = w->train.rho != 0;
+    const char *inertia = rubs ? "A(0)" : "J(0)", *own = rounds ? "i(0)" : "1";
     answer_say(
         a,
         "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From then "
-        "on all move as one train, and the head turns with %s: %s omega(0) = (%s - 1) omega_1(theta_c), "
-        "%s = %.6g (22; c4), (24; c6).",
+        "on all move as one train, and the head turns with %s: %s omega(0) = (%s - %s) omega_1(theta_c), "
+        "%s%s = %.6g (22; c4), (24; c6).",
         spoken_omega(session, omega / l.velocity_ratio).text, measured(u.height, "m", 6).text,
-        spoken_omega(session, omega).text, inertia, inertia, inertia, (double)(1 / (1 - l.velocity_ratio)));
+        spoken_omega(session, omega).text, inertia, inertia, own, inertia, rounds ? "/i(0)" : "",
+        (double)(1 / (1 - l.velocity_ratio)));
     if (rubs)
-        answer_say(a, "A(0) = sum r^-(q+1)i S_i theta_i' is J(0) with friction; S_i is the share that the "
-                      "contacts pass on.");
+        answer_say(a,
+                   "A(0) = sum r^-(q+1)i S_i %stheta_i' is J(0) with friction; S_i is the share that the "
+                   "contacts pass on.",
+                   rounds ? "i(theta_i) " : "");
+    if (rounds)
+        answer_say(a,
+                   "i(theta) is the inertia of a domino with rounded edges, about its line of contact with "
+                   "the floor, over that with sharp edges.");
     if (impulses.bounded)
         answer_say(a, "The impulses from contact to contact down the train: %s%s %s s; all push (> 0).",
                    impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit);
@@ -127,7 +135,10 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         answer_say(a, "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0, and its "
                       "impulse has no bound in this model (14; b10).");
     answer_say(a, "The collision takes %.4g %% of the kinetic energy%s; %.6g %s are left.",
-               (double)(100 * s->lost / s->before), rubs ? "" : ", the share 1/J(0)",
+               (double)(100 * s->lost / s->before),
+               rubs     ? ""
+               : rounds ? ", the share i(0)/J(0)"
+                        : ", the share 1/J(0)",
                (double)(l.kinetic * u.energy), u.energy_unit);
     if (b.theta_m == 0)
         answer_say(a, "There is nothing to climb: the train goes down from the first moment on (26; c8).");
@@ -211,12 +222,14 @@ static void say_hit(const struct session *session, const struct walk *w, const s
 {
     struct walk_units u = walk_units(session, w->cycle), next = walk_units(session, w->cycle + 1);
     answer_say(a,
-               "The head reaches the next domino, %s tall, at theta_c = %.6g %s: sin theta_c = r s (2; a2). "
+               "The head reaches the next domino, %s tall, at theta_c = %.6g %s: %s (2; a2). "
                "It turns "
                "with %s; the cycle has set free %.6g %s, the fuel P (25; c7), and lasted %.6g s.",
                measured(next.height, "m", 6).text, (double)style_angle(&session->style, s->theta),
-               style_angle_unit(&session->style), spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text,
-               (double)(-s->climbed * u.energy), u.energy_unit, (double)(s->time * u.tau));
+               style_angle_unit(&session->style),
+               w->train.rho != 0 ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+               spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text, (double)(-s->climbed * u.energy),
+               u.energy_unit, (double)(s->time * u.tau));
     if (domq_law(&w->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
                    (double)(s->friction_work * u.energy), u.energy_unit);

@@ -127,6 +127,8 @@ bool run_why(struct session *session, const struct call *call)
     if (domq_law(&session->train)->dissipates)
         a->columns = why_rubbing_columns;
     walk_columns_in(session, a);
+    if (session->train.rho != 0)
+        answer_means(a, "J0", "inertia J(0): the collision takes the share i(0)/J(0) (22; c4)");
     return answer_cells(a,
                         cell_word(verdict == DOM_OK      ? "goes on"
                                   : verdict == DOM_STOPS ? "stops"

@@ -18,23 +18,35 @@ static const struct column row_columns[] = {
     {"gap", "m", "free distance to the domino before it", 0},
     {"mass", "kg", "its mass, if masses are known", 0},
     {"relative", "", "its mass over that of the first, if they are not known", 0},
+    {"radius", "m", "of its edges, if the file of the row has radii; with 'effect edges'", 0},
     {NULL, NULL, NULL, 0},
 };
+
+/* Returns true if dominoes have a radius of their own, which a file of the row has to keep. */
+static bool row_has_radii(const struct scene_row *scene)
+{
+    for (size_t k = 0; k < scene->row.count; k++)
+        if (scene->domino[k].radius > 0)
+            return true;
+    return false;
+}
 
 /* Chooses the units of lengths and masses by the largest domino. */
 static void row_largest(struct answer *a, const struct scene_row *scene)
 {
-    domq_real height = 0, thickness = 0, gap = 0, mass = 0;
+    domq_real height = 0, thickness = 0, gap = 0, mass = 0, radius = 0;
     for (size_t k = 0; k < scene->row.count; k++) {
         height = quad_larger(height, scene->domino[k].height);
         thickness = quad_larger(thickness, scene->domino[k].thickness);
         gap = quad_larger(gap, scene->domino[k].gap);
         mass = quad_larger(mass, scene->domino[k].mass);
+        radius = quad_larger(radius, scene->domino[k].radius);
     }
     answer_largest(a, "height", height);
     answer_largest(a, "thickness", thickness);
     answer_largest(a, "gap", gap);
     answer_largest(a, "mass", mass);
+    answer_largest(a, "radius", radius);
 }
 
 static bool run_row(struct session *session, const struct call *call)
@@ -43,15 +55,24 @@ static bool run_row(struct session *session, const struct call *call)
     if (!scene_row_make(session, &scene))
         return false;
     bool weighed = scene_weighed(session);
+    bool rounds = row_has_radii(&scene);
     answer_leave_out(call->answer, weighed ? "relative" : "mass");
+    if (!rounds)
+        answer_leave_out(call->answer, "radius");
     call->answer->units = true;
     call->answer->style.errors = false; /* its columns are those that 'effect row FILE' reads */
     row_largest(call->answer, &scene);
     for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
         const struct domq_domino *d = &scene.domino[k];
-        answer_cells(call->answer, cell_count((domq_real)k + 1), cell_real(d->height),
-                     cell_real(d->thickness), cell_real(d->gap),
-                     cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass));
+        struct cell mass = cell_real(weighed ? d->mass : d->mass / scene.domino[0].mass);
+        if (rounds)
+            answer_row(call->answer,
+                       ROW(cell_count((domq_real)k + 1), cell_real(d->height), cell_real(d->thickness),
+                           cell_real(d->gap), mass, cell_real(d->radius)),
+                       NULL);
+        else
+            answer_cells(call->answer, cell_count((domq_real)k + 1), cell_real(d->height),
+                         cell_real(d->thickness), cell_real(d->gap), mass);
     }
     free(scene.domino);
     session->listed.saved = session->listed.saved || session->redirected;
