@@ -297,6 +297,11 @@ static void rows(void **state)
                 row_refused(&r.row, &compute, member != 3 ? BAD_ONE + 1 : 0, named[member]);
         }
         row_make(&r);
+        r.row.rho = 0.01; /* a radius matters where edges are on, and 0 is the radius of the row */
+        r.domino[BAD_ONE].radius = bad[k];
+        if (bad[k] != 0)
+            row_refused(&r.row, NULL, BAD_ONE + 1, DOM_BAD_RADIUS);
+        row_make(&r);
         r.row.push = bad[k];
         if (k == 1 || k == 3)
             row_refused(&r.row, NULL, 0, DOM_BAD_PUSH);
