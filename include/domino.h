@@ -220,10 +220,11 @@ enum dom_design_limit {
 
 /* What dom_row_windows changes. */
 enum dom_window_of {
-    DOM_WINDOW_GAP,     /* the gap before a domino; all after it move along */
-    DOM_WINDOW_PLACE,   /* the place of a domino, which alone moves: from the back of the first to its back */
-    DOM_WINDOW_HEIGHT,  /* the height of a domino; its density stays, so that its mass changes with it */
-    DOM_WINDOW_FRICTION /* the friction between all dominoes */
+    DOM_WINDOW_GAP,    /* the gap before a domino; all after it move along */
+    DOM_WINDOW_PLACE,  /* the place of a domino, which alone moves: from the back of the first to its back */
+    DOM_WINDOW_HEIGHT, /* the height of a domino; its density stays, so that its mass changes with it */
+    DOM_WINDOW_FRICTION, /* the friction between all dominoes */
+    DOM_WINDOW_PLUMB     /* the lean of a domino, in rad */
 };
 
 /* ---- Work and interrupts ---- */
@@ -827,11 +828,11 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
-/* The values of one gap, place, height or friction with which all dominoes fall, all others being as they
- * are. */
+/* The values of one gap, place, height, friction or lean with which all dominoes fall, all others being as
+ * they are. */
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for the friction */
-    dom_real now;  /* the value now, in m; of the friction without a unit */
+    dom_real now;  /* the value now, in m; of the friction without a unit, of a lean in rad */
     dom_real low;  /* the smallest value of the window, to seven digits; NaN: no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true: the row also falls with values outside the window */
@@ -841,12 +842,13 @@ struct dom_window {
 };
 
 /*
- * Finds the windows of all gaps or places (row->count - 1 of them, from domino 2 on), of all heights
+ * Finds the windows of all gaps or places (row->count - 1 of them, from domino 2 on), of all heights or leans
  * (row->count), or of the friction (one). If the row falls, a window is the one around the value now, low <=
  * now <= high; if not, it is the nearest one beside the value, and dominoes farther than the one after the
  * end of the row have none. Tries gaps from 0 up to the height of the domino before the gap; places that are
  * such gaps, up to the next domino; heights from 1/100 to 4 times the height now, as far as the domino stands
- * on the slope; and friction from 0 to 2, or to 4 times the friction now. Steps as dom_row_mend, then
+ * on the slope; friction from 0 to 2, or to 4 times the friction now; and leans to either side,
+ * until the domino falls over by itself. Steps as dom_row_mend, then
  * bisection; all fall with low and high themselves. An interval narrower than a step, in which the row does
  * not fall, can be missed. progress, unless NULL, is called for each window. Statuses as dom_row_run.
  */

@@ -185,7 +185,7 @@ static void growths_mends_and_pushes(void **state)
         struct dom_window windows[8];
         struct domq_window windowsq[8];
         rows_make(&r, 1.3, 6, 0, p);
-        for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_FRICTION; of++) {
+        for (enum dom_window_of of = DOM_WINDOW_GAP; of <= DOM_WINDOW_PLUMB; of++) {
             size_t number = of == DOM_WINDOW_FRICTION ? 1 : r.row.count - (of <= DOM_WINDOW_PLACE);
             assert_status(dom_row_windows(&r.row, &r.compute, of, NULL, NULL, windows), DOM_OK);
             assert_status(domq_row_windows(&r.rowq, &r.computeq, of, NULL, NULL, windowsq), DOM_OK);

@@ -87,7 +87,7 @@ static void the_verdict_changes_at_the_ends(void **state)
     assert_true(fall > 10 && stop > 5 && open > 5 && narrow > 5 && none > 5);
 }
 
-/* ---- Places, heights, friction ---- */
+/* ---- Places, heights, friction, leans ---- */
 
 /* Changes the row as a builder would, without the library. */
 static bool falls_changed(const struct run *run, enum dom_window_of of, const struct domq_window *w,
@@ -104,6 +104,8 @@ static bool falls_changed(const struct run *run, enum dom_window_of of, const st
     } else if (of == DOM_WINDOW_HEIGHT) {
         d->mass *= value / d->height;
         d->height = value;
+    } else if (of == DOM_WINDOW_PLUMB) {
+        d->lean = value;
     } else {
         other.row.mu = value;
     }
@@ -115,7 +117,8 @@ static void check_window(const struct run *run, enum dom_window_of of, const str
                          int ends[2])
 {
     double low = (double)w->low, high = (double)w->high;
-    double outside = 20 * pow(10, floor(log10(fmax(high, 1e-3))) - 6) + 1e-9 * high;
+    double size = fmax(fabs(low), fabs(high)),
+           outside = 20 * pow(10, floor(log10(fmax(size, 1e-3))) - 6) + 1e-9 * size;
     assert_true(low <= high);
     for (int part = 0; part <= 8; part++)
         assert_true(falls_changed(run, of, w, low + (high - low) * part / 8));
@@ -132,14 +135,14 @@ static void places_heights_and_friction(void **state)
     (void)state;
     static struct run run;
     uint64_t seed = 41;
-    int ends[3][2] = {{0}}, beside = 0;
+    int ends[4][2] = {{0}}, beside = 0;
     for (int i = 0; i < 24; i++) {
         random_row(&run, &seed);
         run.row.alpha = random_unit(&seed) < 0.8 ? 0 : 0.05;
         run.domino[run.row.count / 2].height *= i % 3 ? 1 : 2;
         bool falls = row_end(&run) == DOM_ROW_FALLS;
         size_t count = run.row.count;
-        for (enum dom_window_of of = DOM_WINDOW_PLACE; of <= DOM_WINDOW_FRICTION; of++) {
+        for (enum dom_window_of of = DOM_WINDOW_PLACE; of <= DOM_WINDOW_PLUMB; of++) {
             size_t first = of == DOM_WINDOW_PLACE ? 1 : 0;
             size_t end = of == DOM_WINDOW_FRICTION ? 1 : count;
             run.row.domino = run.domino;
@@ -158,10 +161,12 @@ static void places_heights_and_friction(void **state)
             }
         }
     }
-    print_message("# ends below and above: places %d, %d; heights %d, %d; friction %d, %d; %d beside\n",
-                  ends[0][0], ends[0][1], ends[1][0], ends[1][1], ends[2][0], ends[2][1], beside);
+    print_message(
+        "# ends below and above: places %d, %d; heights %d, %d; friction %d, %d; leans %d, %d; %d beside\n",
+        ends[0][0], ends[0][1], ends[1][0], ends[1][1], ends[2][0], ends[2][1], ends[3][0], ends[3][1],
+        beside);
     assert_true(ends[0][0] > 5 && ends[0][1] > 5 && ends[1][0] > 5 && ends[1][1] > 5 && ends[2][1] > 5);
-    assert_true(beside > 5);
+    assert_true(ends[3][0] > 5 && beside > 5);
 }
 
 /* Checks that places are counted from the back of the first domino to the back of each. */

@@ -124,6 +124,8 @@ static inline dom_real trial_now(const struct trial *t)
         return t->domino[t->k].height;
     case DOM_WINDOW_FRICTION:
         return t->row.mu;
+    case DOM_WINDOW_PLUMB:
+        return t->domino[t->k].lean;
     case DOM_WINDOW_GAP:
         break;
     }
@@ -153,6 +155,9 @@ static inline void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_FRICTION:
         t->row.mu = value;
+        break;
+    case DOM_WINDOW_PLUMB:
+        d->lean = value;
         break;
     }
 }
@@ -211,7 +216,7 @@ static inline dom_real value_find(struct trial *t, dom_real good, dom_real bad, 
 static inline dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
 {
     dom_real digits = t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS;
-    dom_real digit = digit_of(fmax(good, bad), 0) * digits;
+    dom_real digit = digit_of(fmax(fabs(good), fabs(bad)), 0) * digits;
     good = value_find(t, good, bad, digit / 8);
     dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
     return falls_with(rounded, t) ? rounded : good;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far each value of a row may be off: windows of gaps, places, heights, and of the friction. */
+/* How far each value of a row may be off: windows of gaps, places, heights, leans, and of the friction. */
 #include "row/trial.h"
 
 /* The height of a domino is tried from a part of its own to a multiple, and the friction up to a multiple or
@@ -33,6 +33,11 @@ static struct range range_of(const struct trial *t)
     }
     case DOM_WINDOW_FRICTION:
         return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
+    case DOM_WINDOW_PLUMB: {
+        dom_real most = atan(d->thickness / d->height) * (1 - (dom_real)1e-9);
+        return (struct range){fmin(-most - t->row.alpha, d->lean), fmax(most - t->row.alpha, d->lean),
+                              DOM_ROW_FALLS};
+    }
     case DOM_WINDOW_GAP:
         break;
     }
