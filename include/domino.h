@@ -850,7 +850,9 @@ struct dom_window {
  * on the slope; friction from 0 to 2, or to 4 times the friction now; and leans to either side,
  * until the domino falls over by itself. Steps as dom_row_mend, then
  * bisection; all fall with low and high themselves. An interval narrower than a step, in which the row does
- * not fall, can be missed. progress, unless NULL, is called for each window. Statuses as dom_row_run.
+ * not fall, can be missed. For an engine's rows a window has a quarter of the steps and three digits, and a
+ * value that the engine cannot decide ends it. progress, unless NULL, is called for each window. Statuses as
+ * dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,

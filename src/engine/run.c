@@ -18,10 +18,10 @@ static const double brakes = 0.9;          /* a step goes this part of the way t
 static const double lies = 1e-3;           /* so low is the tip of a box that lies, over its height */
 static const double rests = 1e-5;          /* an angular velocity, in that unit */
 static const double hinged_rest = 0.1, any_rest = 3; /* so long a box rests that has stopped, in that unit */
-static const double most_steps = 100; /* times the steps in a unit, for each box and some more: ten times as
-                                       * many as a row takes */
-enum { CALM = 2, HARDER = 50 };       /* short steps after a hit; their iterations */
-enum { FOREMOST = 4 };                /* boxes whose drift is noted */
+static const double most_work = 30; /* work in steps, over the steps in a unit, for each box and some more:
+                                     * twenty times as much as most rows take */
+enum { CALM = 2, HARDER = 50 };     /* short steps after a hit; their iterations */
+enum { FOREMOST = 4 };              /* boxes whose drift is noted */
 
 struct run {
     struct world world;
@@ -29,22 +29,35 @@ struct run {
     double unit;         /* sqrt(height / g) of the head */
     double dt, whole;    /* this step, and the longest one */
     int calm;            /* short steps that are left after a hit */
+    double work;         /* steps so far, one with more iterations counted as so many more */
     double rest, most;   /* for how long the head has rested; its largest tilt */
     double *tilt, *foot; /* for visits */
 };
 
-/* Returns the time until the head reaches the back face of the next box, at the present speed. */
+/* Returns the time until the front face of the head reaches the upper back edge of a lower box. */
+static double time_to_edge(const struct world *w, cpVect edge)
+{
+    const size_t k = w->head;
+    const cpVect normal = cpvforangle(-world_tilt(w, k)), from = cpvsub(edge, world_foot(w, k));
+    const double along = cpvdot(from, cpvperp(normal)), distance = cpvdot(from, normal);
+    const double speed = cpvdot(w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, edge), normal);
+    bool meets = along < w->row->box[k].height && distance > 0 && speed > 0;
+    return meets ? distance / speed : (double)INFINITY;
+}
+
+/* Returns the time until the head reaches the next box, at the present speed. */
 static double time_to_hit(const struct world *w)
 {
     const size_t k = w->head, next = k + 1;
-    double soonest = (double)INFINITY;
     if (next == w->row->count)
-        return soonest;
-    double face = w->body[next].corner.x - w->row->box[next].thickness;
+        return (double)INFINITY;
+    const double face = w->body[next].corner.x - w->row->box[next].thickness;
+    const double height = w->row->box[next].height;
+    double soonest = time_to_edge(w, cpv(face, height));
     for (int i = 0; i < 2; i++) {
         cpVect at = world_front(w, k, i == 0);
         double speed = w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, at).x;
-        if (speed > 0)
+        if (speed > 0 && at.y < height) /* a tip above the next box passes over it */
             soonest = fmin(soonest, (face - at.x) / speed);
     }
     return soonest;
@@ -89,7 +102,9 @@ static void step(struct run *r)
     if (r->calm == 0)
         r->dt = fmax(fmin(fmin(r->whole, 2 * r->dt), brakes * time_to_hit(w)), shortest * r->whole);
     bool hard = r->calm > 0 || r->dt < 2 * shortest * r->whole;
-    w->cp->cpSpaceSetIterations(w->space, r->grain->iterations * (hard ? HARDER : 1));
+    const int harder = hard ? HARDER : 1;
+    w->cp->cpSpaceSetIterations(w->space, r->grain->iterations * harder);
+    r->work += harder;
     w->now += r->dt;
     w->cp->cpSpaceStep(w->space, r->dt);
     if (w->head > head) {
@@ -172,15 +187,15 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
     if (status == ENGINE_OK)
         note_state(&r);
     bool done = fall->leans;
-    const double most = most_steps * grain->steps * ((double)row->count + 20);
-    for (size_t i = 0; status == ENGINE_OK && !done; i++) {
+    const double most = most_work * grain->steps * ((double)row->count + 20);
+    while (status == ENGINE_OK && !done) {
         if (r.world.count < row->count && r.world.count < r.world.head + 2)
             world_stand(&r.world);
         step(&r);
         done = ends(&r) || (visit && !visited(&r, visit, context));
         if (interrupt && *interrupt)
             status = ENGINE_INTERRUPTED;
-        else if ((double)i >= most)
+        else if (r.work >= most)
             status = ENGINE_NO_END;
     }
     if (status == ENGINE_OK)

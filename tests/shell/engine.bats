@@ -63,6 +63,23 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     [[ $output == *'after the push'* ]]
 }
 
+@test "tolerance: windows of the engine are those of the model, to 2 %" {
+    two="$scene; effect row 2"
+    model=$(json "$two; tolerance") engine=$(json "$two; set method engine; tolerance")
+    for column in to from gap_low gap_high friction_high; do
+        paste <(values "$column" <<<"$model" | tail -n 1) <(values "$column" <<<"$engine" | tail -n 1) |
+            awk -v column="$column" '{ off = $2 / $1 - 1; if (!($1 > 0) || off > 0.02 || off < -0.02) { print column, $0; exit 1 } }'
+    done
+    run -0 "$DOMINO" -n -e "$two; effect feet 0.4; tolerance"
+    [[ $output == *'good to about 1 %'* ]]
+    run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; tolerance'
+}
+
+@test "very thick dominoes get an answer" {
+    run -0 "$DOMINO" -n -e "$scene; set d 100; effect feet 0.4; verdict"
+    [[ $output == *'The row ends at domino 1 of 5'* ]]
+}
+
 @test "^C ends a search of the engine" {
     run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; rowmax'
 }

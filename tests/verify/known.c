@@ -92,6 +92,7 @@ static long solve(int k, void *context)
     struct job *j = (struct job *)context + k;
 
     *j = job_of(k);
+    fprintf(stderr, "verify: growth %d of %d on real floors\n", k + 1, JOBS);
     double lo = j->known - 2 * j->off, hi = j->known + 2 * j->off;
     if (j->known == 0 || !falls(&j->scene, lo) || falls(&j->scene, hi))
         return 0;

@@ -88,6 +88,7 @@ static long solve(int job, void *context)
     domq_real duration;
 
     a->scene = scene_of(job);
+    fprintf(stderr, "verify: scene %d of %d\n", job + 1, JOBS);
     struct asked train = scene_train(scene);
     a->paper = (double)NAN;
     if (job >= GROWTHS) {

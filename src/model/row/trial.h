@@ -108,11 +108,16 @@ static inline dom_real digit_of(dom_real value, int places)
 
 /* Values are rounded to this relative size, so that a person can type them. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
-/* The same for rows that an engine runs, which knows no more. */
-#define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 1000)
+/* The same for rows that an engine runs, whose answers are good to a percent. */
+#define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
-/* The number of values that are tried on each way. */
-enum { STEPS = 40 };
+/* The number of values that are tried on each way; an engine takes thousands of times as long for each. */
+enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
+
+static inline int trial_steps(const struct trial *t)
+{
+    return t->row.engine ? STEPS_OF_ENGINE : STEPS;
+}
 
 /* Returns the value that the trial changes, as it is now. */
 static inline dom_real trial_now(const struct trial *t)
@@ -173,6 +178,8 @@ static inline bool falls_with(dom_real value, void *context)
     trial_change(t, value);
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
+        if (t->row.engine && t->status == DOM_NOT_CONVERGED)
+            t->status = DOM_OK; /* a row that an engine cannot decide does not count as falling */
     } else {
         t->verdict.end = DOM_ROW_STOPS;
         if (t->status == DOM_OK)
@@ -217,16 +224,16 @@ static inline dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
 {
     dom_real digits = t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS;
     dom_real digit = digit_of(fmax(fabs(good), fabs(bad)), 0) * digits;
-    good = value_find(t, good, bad, digit / 8);
+    good = value_find(t, good, bad, digit / (t->row.engine ? 2 : 8));
     dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
     return falls_with(rounded, t) ? rounded : good;
 }
 
 /* Returns step i on the way from a value to `end`: the first steps are short, so that a small change is
  * found. */
-static inline dom_real value_step(dom_real value, dom_real end, int i)
+static inline dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i)
 {
-    dom_real part = (dom_real)i / STEPS;
+    dom_real part = (dom_real)i / (dom_real)trial_steps(t);
     return value + (end - value) * part * part * part;
 }
 
@@ -234,8 +241,8 @@ static inline dom_real value_step(dom_real value, dom_real end, int i)
  * `good`, the step before. */
 static inline dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i)
 {
-    for (; i <= STEPS; i++) {
-        dom_real next = value_step(now, end, i);
+    for (; i <= trial_steps(t); i++) {
+        dom_real next = value_step(t, now, end, i);
         if (!falls_with(next, t))
             return value_edge(t, good, next);
         good = next;
@@ -249,11 +256,11 @@ static inline bool value_towards(struct trial *t, dom_real end, dom_real *to, do
 {
     dom_real now = trial_now(t), bad = now, good = now;
     int i = 1;
-    while (i <= STEPS && !falls_with(good = value_step(now, end, i), t)) {
+    while (i <= trial_steps(t) && !falls_with(good = value_step(t, now, end, i), t)) {
         bad = good;
         i++;
     }
-    if (i > STEPS)
+    if (i > trial_steps(t))
         return false;
     *to = value_edge(t, good, bad);
     *until = value_until(t, now, end, good, i + 1);

@@ -52,8 +52,8 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
 {
     dom_real now = trial_now(t), edge = end, good = now;
     bool open = true;
-    for (int i = 1; i <= STEPS && end != now && !*others && t->status == DOM_OK; i++) {
-        dom_real x = value_step(now, end, i);
+    for (int i = 1; i <= trial_steps(t) && end != now && !*others && t->status == DOM_OK; i++) {
+        dom_real x = value_step(t, now, end, i);
         bool falls = falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);

@@ -135,10 +135,14 @@ static void friction_say(struct answer *a, const struct windows *w)
                    f.above == DOM_ROW_FALLS ? " (more is not tried)" : "", now);
 }
 
-static void tolerance_say(struct answer *a, const struct windows *w, size_t count)
+static void tolerance_say(struct answer *a, const struct windows *w, const struct scene_row *scene)
 {
+    const size_t count = scene->row.count;
     answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each. A window is of one "
                   "change, the rest of the row being as it is.");
+    if (scene->row.engine)
+        answer_say(a, "A rigid-body engine runs this row: ends of windows are good to about 1 %%, and at "
+                      "values that it cannot decide a window ends.");
     if (!w->falls)
         answer_say(a, "The row does not fall now: a change into one of these windows saves it.");
     if (w->first_place) {
@@ -219,7 +223,7 @@ bool run_tolerance(struct session *session, const struct call *call)
         tolerance_columns_choose(a, &w, scene.row.count);
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++)
             tolerance_row(a, &w, k);
-        tolerance_say(a, &w, scene.row.count);
+        tolerance_say(a, &w, &scene);
     }
     free(w.place);
     free(scene.domino);
