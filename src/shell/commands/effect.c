@@ -281,7 +281,10 @@ const struct command effect_commands[] = {
      .synonyms = "list switch",
      .summary = "all effects: on or off, what they add, and their cost",
      .help = "Measures the time of an answer of this scene with and without each effect and the effects that "
-             "it needs. An effect that is off is timed with its usual value.",
+             "it needs. An effect that is off is timed with its usual value. Effects decide which of three "
+             "methods "
+             "finds the motion: the energy balance; with friction, the equation of motion; with feet or "
+             "bounce, a rigid-body engine. 'scene' says which one this scene gets, and why.",
      .see = "effect scene",
      .unswept = "it measures time, and other points would run at the same time",
      .rows = true,
