@@ -77,7 +77,8 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count)
     if (in_motion || feet->hit_first.head > 0)
         feet_matter(a, in_motion);
     if (in_motion || feet->hit_first.head > 0)
-        answer_say(
-            a, "'effect feet %.4g' runs the row on this floor, with feet that slip, in a rigid-body engine.",
-            (double)feet->floor);
+        answer_say(a,
+                   "'effect floor off; effect feet %.4g' runs the row on this floor, with feet that slip, in "
+                   "a rigid-body engine.",
+                   (double)feet->floor);
 }
