@@ -18,7 +18,7 @@ verdicts() { # COMMANDS...
 
 @test "tolerance: all fall at both ends of a window, and not beyond" {
     "$DOMINO" -e "$scene; tolerance > t.csv"
-    same head 'domino,place,from,to,gap,gap_low,gap_high,height,height_low,height_high,friction_low,friction_high,first' \
+    same head 'domino,place,from,to,gap,gap_low,gap_high,height,height_low,height_high,lean_low,lean_high,friction_low,friction_high,first' \
         "$(head -n 1 t.csv)"
     same rows 7 "$(wc -l <t.csv)"
     while IFS=, read -r k place from to gap low high _; do
@@ -35,7 +35,7 @@ verdicts() { # COMMANDS...
         by=$(awk "BEGIN { printf \"%.9f\", $place - $from }")
         same "place $k from" yes "$(verdicts "$(moved "-0.9999*$by")")"
     done <t.csv
-    high=$(sed -n 2p t.csv | cut -d , -f 12)
+    high=$(sed -n 2p t.csv | cut -d , -f 14)
     same friction 'yes no' "$(verdicts "effect friction $high" "effect friction 1.0001*$high")"
 }
 
@@ -59,10 +59,18 @@ verdicts() { # COMMANDS...
     grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the least room of all, and is at 3.58 cm now.' <<<"$said"
     grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
     grep -qE '^All fall with a friction between the dominoes up to 0\.17' <<<"$said"
+    grep -qxF 'Set domino 2 up plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the least room of all.' <<<"$said"
     same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
     exact=$(json 'effect row 5; tolerance' | sed -n 2p)
     within from "$(values from <<<"$exact")" 0.0325 'o >= e && d < 0.01'
     within to "$(values to <<<"$exact")" 0.0464 'o <= e && d > -0.01'
+    within 'top backwards' "$(values lean_low <<<"$exact")" -0.0017 'd <= 0 && d > -0.01'
+    # Until its middle is above its front edge: h sin(theta_u) with theta_u = atan(0.0070 / 0.048) and h = 0.048.
+    within 'top forwards' "$(json 'effect row 5; tolerance' | head -n 1 | values lean_high)" 0.00692673 'd*d < 1e-10'
+    # What is not known is not said.
+    run ! grep -q plumb <<<"$("$DOMINO" -e 'effect row 3; effect edges 0.01; tolerance')"
+    same 'no lean' 'null null null' "$(json 'effect row 3; effect edges 0.01; tolerance' | values lean_high | paste -sd ' ' -)"
+    grep -q '^Set domino 1 up square to the floor: ' <<<"$("$DOMINO" -e 'effect row 3; effect slope 0.1; tolerance')"
     said=$("$DOMINO" -e 'effect row 3; place 2 4 m; tolerance')
     grep -q 'does not fall now: a change into one of these windows saves it' <<<"$said"
     low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)

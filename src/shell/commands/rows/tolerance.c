@@ -17,6 +17,8 @@ const struct column tolerance_columns[] = {
     {"height", "m", "its height", 8},
     {"height_low", "m", "all fall with heights from here ...", 10},
     {"height_high", "m", "... to here; its mass changes with it", 11},
+    {"lean_low", "m", "all fall if its top is off from here when it is set up ...", 8},
+    {"lean_high", "m", "... to here; negative is backwards", 9},
     {"friction_low", "", "all fall with a friction between dominoes from here ...", 8},
     {"friction_high", "", "... to here; 2 or more is not tried", 8},
     {"first", "", "what fails first at this domino, of all: place, height or both", 6},
@@ -25,8 +27,12 @@ const struct column tolerance_columns[] = {
 
 /* The windows of a row; friction has one. */
 struct windows {
-    struct domq_window *place, *gap, *height, friction; /* of domino k, from 0: [k]; place and gap from 1 */
-    size_t first_place, first_height;                   /* numbers of the dominoes; 0: none */
+    struct domq_window *place, *gap, *height; /* of domino k, from 0: [k]; place and gap from 1 */
+    struct domq_window *lean;                 /* lengths, at its top */
+    struct domq_window friction;
+    size_t first_place, first_height, first_lean; /* numbers of the dominoes; 0: none */
+    bool leans;                                   /* false: leans are not tried */
+    bool slope;                                   /* true: a domino that stands as it should is not plumb */
     bool falls;
 };
 
@@ -35,7 +41,7 @@ struct pass {
     int number;
 };
 
-enum { PASSES = 4 };
+enum { PASSES = 5 };
 
 static void pass_progress(size_t done, size_t of, void *context)
 {
@@ -49,15 +55,20 @@ static domq_real room(const struct domq_window *w)
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/* Finds the dominoes whose place and whose height have the least room: lengths, and shares of the height. */
+/* Finds the dominoes whose place, height and lean have the least room: lengths, shares of the height,
+ * lengths. */
 static void first_find(struct windows *w, size_t count)
 {
-    domq_real place = DOMQ_NAN, height = DOMQ_NAN;
+    domq_real place = DOMQ_NAN, height = DOMQ_NAN, lean = DOMQ_NAN;
     for (size_t k = 0; k < count && w->falls; k++) {
         domq_real share = room(&w->height[k]) / w->height[k].now;
         if (!(share >= height)) {
             height = share;
             w->first_height = k + 1;
+        }
+        if (w->leans && !(room(&w->lean[k]) >= lean)) {
+            lean = room(&w->lean[k]);
+            w->first_lean = k + 1;
         }
         if (k > 0 && !(room(&w->place[k]) >= place)) {
             place = room(&w->place[k]);
@@ -66,29 +77,50 @@ static void first_find(struct windows *w, size_t count)
     }
 }
 
+/* Returns true if the library knows rows in which a domino leans. */
+static bool leans_are_known(const struct domq_row *row)
+{
+    return !row->engine && row->rho == 0;
+}
+
+/* Returns the window of the top of a domino from that of its lean. */
+static struct domq_window top_of(const struct domq_window *lean, domq_real height)
+{
+    struct domq_window top = *lean;
+    top.now = height * quad(sin)(lean->now);
+    top.low = height * quad(sin)(lean->low);
+    top.high = height * quad(sin)(lean->high);
+    return top;
+}
+
 /* Finds all windows of the row; w->place is to be freed. */
 static enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
 {
     struct pass pass = {{0, 0}, 0};
     const size_t count = scene->row.count;
     struct domq_verdict v;
-    *w = (struct windows){.place = malloc(3 * count * sizeof *w->place)};
+    *w = (struct windows){.place = malloc(4 * count * sizeof *w->place)};
     if (!w->place)
         return DOM_NO_MEMORY;
     w->gap = w->place + count;
     w->height = w->gap + count;
+    w->lean = w->height + count;
+    w->leans = leans_are_known(&scene->row);
+    w->slope = scene->row.alpha != 0;
     enum dom_status status = domq_row_run(&scene->row, &scene->compute, false, NULL, NULL, &v);
     w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
-    struct domq_window *const found[PASSES] = {w->place + 1, w->gap + 1, w->height, &w->friction};
+    struct domq_window *const found[PASSES] = {w->place + 1, w->gap + 1, w->height, &w->friction, w->lean};
     static const enum dom_window_of of[PASSES] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
-                                                  DOM_WINDOW_FRICTION};
-    for (; pass.number < PASSES && status == DOM_OK; pass.number++)
+                                                  DOM_WINDOW_FRICTION, DOM_WINDOW_PLUMB};
+    for (; pass.number < PASSES - !w->leans && status == DOM_OK; pass.number++)
         status = domq_row_windows(&scene->row, &scene->compute, of[pass.number], pass_progress, &pass,
                                   found[pass.number]);
     progress_show(&pass.progress, 1);
     const struct domq_window none = {
         .now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN}; /* domino 1 has no gap */
     w->place[0] = w->gap[0] = none;
+    for (size_t k = 0; k < count; k++)
+        w->lean[k] = w->leans && status == DOM_OK ? top_of(&w->lean[k], scene->domino[k].height) : none;
     if (status == DOM_OK)
         first_find(w, count);
     return status;
@@ -157,6 +189,12 @@ static void tolerance_say(struct answer *a, const struct windows *w, const struc
                    w->first_height, length(h.low).text, length(h.high).text, count > 1 ? " of all" : "",
                    length(h.now).text);
     }
+    if (w->first_lean) {
+        const struct domq_window l = readable(&w->lean[w->first_lean - 1]);
+        answer_say(a, "Set domino %zu up %s: its top may be off by %s backwards or %s forwards%s.",
+                   w->first_lean, w->slope ? "square to the floor" : "plumb", length(0 - l.low).text,
+                   length(l.high).text, count > 1 ? ", the least room of all" : "");
+    }
     friction_say(a, w);
 }
 
@@ -167,7 +205,8 @@ static void tolerance_columns_choose(struct answer *a, const struct windows *w, 
 {
     domq_real place = 0, gap = 0, height = 0;
     if (answer_for_people(a)) {
-        static const char *const left_out[] = {"place", "gap", "height", "friction_low", "friction_high"};
+        static const char *const left_out[] = {"place",     "gap",          "height",       "lean_low",
+                                               "lean_high", "friction_low", "friction_high"};
         for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
             answer_leave_out(a, left_out[i]);
     }
@@ -191,7 +230,8 @@ static struct cell value(domq_real value)
 
 static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
 {
-    const struct domq_window p = w->place[k], g = w->gap[k], h = w->height[k], f = w->friction;
+    const struct domq_window p = w->place[k], g = w->gap[k], h = w->height[k], f = w->friction,
+                             l = w->lean[k];
     bool place = w->first_place == k + 1, height = w->first_height == k + 1;
     struct cell first = cell_word(place && height ? "both" : place ? "place" : height ? "height" : "");
     if (answer_for_people(a)) {
@@ -203,9 +243,9 @@ static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
     } else
         answer_row(a,
                    ROW(cell_count((domq_real)k + 1), value(p.now), value(p.low), value(p.high), value(g.now),
-                       value(g.low), value(g.high), value(h.now), value(h.low), value(h.high), value(f.low),
-                       value(f.high), first),
-                   w->falls || !isnan(p.low) || !isnan(g.low) || !isnan(h.low)
+                       value(g.low), value(g.high), value(h.now), value(h.low), value(h.high), value(l.low),
+                       value(l.high), value(f.low), value(f.high), first),
+                   w->falls || !isnan(p.low) || !isnan(g.low) || !isnan(h.low) || !isnan(l.low)
                        ? NULL
                        : "no change of this domino alone saves the row");
 }
