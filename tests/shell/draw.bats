@@ -30,6 +30,23 @@ one_line() { # PART COMMANDS: fails with one line, that has the part
     same 'not before' '(nothing)' "$(cut -d , -f 11 <<<"$before")"
 }
 
+@test "draw: rounded edges touch the back of their leader; files show them as arcs, captions name the radius" {
+    cd "$BATS_TEST_TMPDIR"
+    for scene in 'draw 0' 'draw 0.3' 'set r 1.2; effect friction 0.1; draw 0.1'; do
+        "$DOMINO" -e "set output csv; set digits 17; set header off; effect edges 0.05; $scene" 2>forces.txt |
+            awk -F, '$11 + 0 == $11 && $12 != "" { n++; x = $9 - $7; z = $10 - $8
+                off = (x * ($12 - $8) - z * ($11 - $7)) / $2
+                if (off > 1e-9 || off < -1e-9) { print; bad = 1 } }
+                END { exit bad || n < 3 }'
+    done
+    command -v gnuplot >/dev/null || skip 'gnuplot is not installed'
+    "$DOMINO" -e 'draw > sharp.svg; effect edges 0.02; draw > round.svg; effect row 5; draw > row.svg; draw at end > end.svg'
+    [ "$(wc -c <round.svg)" -gt "$(wc -c <sharp.svg)" ]
+    grep -q 'edges 0.02 h' round.svg
+    grep -q 'edges rounded by 0.02 of the height' row.svg
+    same 'points of a polygon' 17 "$(tr '\n' ' ' <end.svg | grep -o "<polygon [^>]*" | sed -n "s/.*points = '\([^']*\)'.*/\1/p" | head -n 1 | wc -w)"
+}
+
 @test "draw: in characters, to scale, in 80 columns and 24 rows, with and without gnuplot" {
     mkdir "$BATS_TEST_TMPDIR/empty"
     run -0 env PATH="$BATS_TEST_TMPDIR/empty" "$DOMINO" -e 'draw 0.3'

@@ -6,7 +6,12 @@
 #include "domino_quad.h"
 #include <stdio.h>
 
-enum { DOMINOES = 200, CORNERS = 4 };
+enum {
+    DOMINOES = 200,
+    CORNERS = 4,
+    ARC = 5,               /* points of a rounded edge */
+    OUTLINE = 3 * ARC + 1, /* the lower edge at the back is sharp */
+};
 
 struct point {
     double x, y;
@@ -16,7 +21,8 @@ struct point {
 struct drawn {
     int number; /* 0 = head; 1, 2, ... its followers; -1 = the next, upright domino */
     double height, foot, theta;
-    struct point corner[CORNERS]; /* front foot, front top, back top, back foot */
+    double radius;                /* of its edges */
+    struct point corner[CORNERS]; /* front foot, front top, back top, back foot, as if edges were sharp */
     bool touched;                 /* by its follower, at contact, else NaN */
     struct point contact;
     double force, of_own; /* of that contact, in m g of the head and of this domino; NaN: not known */
@@ -34,8 +40,12 @@ static inline struct point along(struct point from, double length, double x, dou
     return (struct point){from.x + length * x, from.y + length * y};
 }
 
-/* A domino with its hinge at (foot, 0); d is its thickness over its height. */
-struct drawn drawn_at(int number, double height, double foot, double theta, double d);
+/* A domino with its hinge at (foot, 0), or, with a radius, one that has rolled from there; d is its thickness
+ * over its height. */
+struct drawn drawn_at(int number, double height, double foot, double theta, double d, double radius);
+
+/* Writes the corners of its outline, with points along rounded edges. Returns how many. */
+int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
 /*
  * The train at one tilt, with the next domino in front; as far back as `behind` heights, 0 for what fits a

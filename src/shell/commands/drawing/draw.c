@@ -118,17 +118,20 @@ static void canvas_write(const struct canvas *c, FILE *out)
 
 enum { TITLE_SIZE = 256 };
 
-/* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale". */
+/* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale"; the radius of rounded
+ * edges takes the place of the last words. */
 static const char *title_text(const struct session *session, domq_real theta, const char *letter,
                               char text[TITLE_SIZE])
 {
     const struct domq_train *t = &session->train;
     const struct walk *walk = walk_now(session);
     struct walk_units units = walk_units(session, walk ? walk->cycle : 1);
-    snprintf(text, TITLE_SIZE,
-             "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, to scale", letter,
-             (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s, (double)t->r, (double)t->d,
-             (double)(1000 * units.height));
+    char last[40] = "to scale";
+    if (t->rho != 0)
+        snprintf(last, sizeof last, "edges %.4g h", (double)t->rho);
+    snprintf(text, TITLE_SIZE, "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, %s",
+             letter, (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s, (double)t->r,
+             (double)t->d, (double)(1000 * units.height), last);
     return text;
 }
 

@@ -75,6 +75,10 @@ static void caption_write(const struct session *session, const struct row_moment
     const struct falling_row *row = &m->row;
     char verdict[ROW_SENTENCE], weakest[ROW_SENTENCE], first[ROW_SENTENCE];
     struct measured floor = measured((domq_real)row_right(row, false), "m", 3);
+    char rounded[ROW_SENTENCE] = "";
+    if (session->train.rho != 0)
+        snprintf(rounded, sizeof rounded, ", edges rounded by %.4g of the height",
+                 (double)session->train.rho);
     if (m->head > 0)
         falling_row_moment(row, m->head, m->time, first);
     else
@@ -83,7 +87,7 @@ static void caption_write(const struct session *session, const struct row_moment
     falling_row_weakest(row, coloured ? "red" : row_text_weakest(session->out), weakest);
     int at = snprintf(text, CAPTION, "%s", first);
     if (m->head == 0)
-        at += snprintf(text + at, CAPTION - (size_t)at, ", on %s of floor%s.", floor.text,
+        at += snprintf(text + at, CAPTION - (size_t)at, "%s, on %s of floor%s.", rounded, floor.text,
                        session->effect[DOM_EFFECT_slope].on ? " that slopes (drawn level)" : "");
     snprintf(text + at, CAPTION - (size_t)at, "\n%s%s%s", verdict, *weakest ? "\n" : "", weakest);
 }

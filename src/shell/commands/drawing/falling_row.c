@@ -98,7 +98,10 @@ struct drawn falling_row_domino(const struct falling_row *row, size_t k, double 
 {
     const struct domq_domino *d = &row->scene.domino[k];
     double height = (double)d->height, thickness = (double)d->thickness;
-    return drawn_at((int)k + 1, height, row->at[k] + row->slid[k] + thickness, tilt, thickness / height);
+    double rho = (double)row->scene.row.rho,
+           radius = rho != 0 && d->radius > 0 ? (double)d->radius : rho * height;
+    return drawn_at((int)k + 1, height, row->at[k] + row->slid[k] + thickness, tilt, thickness / height,
+                    radius);
 }
 
 bool row_ends_at(const struct falling_row *row, size_t k)

@@ -122,7 +122,7 @@ static void script_waiting(FILE *script, const struct film *film, struct place a
     for (int k = cycle + 2; k <= film->cycles; k++) {
         height *= film->r;
         foot += film->pitch * height;
-        struct drawn waits = drawn_at(-1, height, foot, 0, film->d);
+        struct drawn waits = drawn_at(-1, height, foot, 0, film->d, (double)film->train.rho * height);
         script_domino(script, &waits, at, (double)INFINITY);
     }
 }

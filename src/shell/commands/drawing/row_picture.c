@@ -302,8 +302,10 @@ static int script_corners(FILE *script, const struct view *v, const struct falli
         struct drawn domino = falling_row_domino(row, k, lean);
         if (domino.corner[0].x + domino.height < v->left || domino.corner[3].x > v->right)
             continue;
-        for (int i = 0; i <= CORNERS; i++)
-            fprintf(script, "%.8g %.8g\n", domino.corner[i % CORNERS].x, domino.corner[i % CORNERS].y);
+        struct point outline[OUTLINE];
+        int n = drawn_outline(&domino, outline);
+        for (int i = 0; i <= n; i++)
+            fprintf(script, "%.8g %.8g\n", outline[i % n].x, outline[i % n].y);
         fprintf(script, "\n");
         count++;
     }
