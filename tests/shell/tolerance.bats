@@ -67,6 +67,10 @@ verdicts() { # COMMANDS...
     within 'top backwards' "$(values lean_low <<<"$exact")" -0.0017 'd <= 0 && d > -0.01'
     # Until its middle is above its front edge: h sin(theta_u) with theta_u = atan(0.0070 / 0.048) and h = 0.048.
     within 'top forwards' "$(json 'effect row 5; tolerance' | head -n 1 | values lean_high)" 0.00692673 'd*d < 1e-10'
+    for precision in float double quad; do # no precision takes what is tried for a domino that falls over by itself
+        grep -q '^Set domino 2 up plumb: ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; tolerance")"
+        grep -q '^Set domino 1 up square ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; effect slope 0.1; tolerance")"
+    done
     # What is not known is not said.
     run ! grep -q plumb <<<"$("$DOMINO" -e 'effect row 3; effect edges 0.01; tolerance')"
     same 'no lean' 'null null null' "$(json 'effect row 3; effect edges 0.01; tolerance' | values lean_high | paste -sd ' ' -)"

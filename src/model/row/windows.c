@@ -8,6 +8,10 @@
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
+/* The share that keeps heights on a slope, and leans, clear of a domino that falls over by itself: more than
+ * float rounds. */
+#define STANDS_SHORT ((dom_real)1e-6)
+
 /* The values that are tried. */
 struct range {
     dom_real lowest, highest;
@@ -27,14 +31,14 @@ static struct range range_of(const struct trial *t)
     }
     case DOM_WINDOW_HEIGHT: {
         /* On a slope no domino stands that is taller than thickness / tan |alpha|. */
-        dom_real stands = d->thickness / fabs(tan(t->row.alpha)) * (1 - (dom_real)1e-9);
+        dom_real stands = d->thickness / fabs(tan(t->row.alpha)) * (1 - STANDS_SHORT);
         return (struct range){HEIGHT_PART * d->height,
                               fmax(fmin(HEIGHT_MULTIPLE * d->height, stands), d->height), DOM_ROW_FALLS};
     }
     case DOM_WINDOW_FRICTION:
         return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
     case DOM_WINDOW_PLUMB: {
-        dom_real most = atan(d->thickness / d->height) * (1 - (dom_real)1e-9);
+        dom_real most = atan(d->thickness / d->height) * (1 - STANDS_SHORT);
         return (struct range){fmin(-most - t->row.alpha, d->lean), fmax(most - t->row.alpha, d->lean),
                               DOM_ROW_FALLS};
     }
