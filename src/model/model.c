@@ -322,7 +322,7 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                : status;
 }
 
-enum dom_status dom_course_begin(const struct dom_row *row, const struct dom_compute *asked,
+enum dom_status course_begin(const struct dom_row *row, const struct dom_compute *asked,
                                  struct dom_course *course, struct dom_verdict *verdict)
 {
     struct dom_compute compute = compute_or_default(asked);
@@ -336,13 +336,13 @@ enum dom_status dom_course_begin(const struct dom_row *row, const struct dom_com
     return course->kernel->row_course(&request, &course->course, verdict);
 }
 
-enum dom_status dom_course_again(const struct dom_course *course, const struct dom_domino *domino,
+enum dom_status course_again(const struct dom_course *course, const struct dom_domino *domino,
                                  size_t first, size_t last, struct dom_verdict *verdict)
 {
     return course->kernel->row_again(course->course, domino, first, last, verdict);
 }
 
-void dom_course_end(struct dom_course *course)
+void course_end(struct dom_course *course)
 {
     if (course->kernel)
         (void)course->kernel->row_course_end(course->course);

@@ -139,7 +139,6 @@ C
         same "$way: $digits digits" "${known:0:digits}" "${wide:0:digits}"
         same "$way: as a double" 1.64422903953515 "$converted"
         close "$way: in double" "$known" "$narrow" 1e-12
-        differ "$way: digits" "${known:0:18}" "$narrow"
     done
 }
 

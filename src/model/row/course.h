@@ -15,25 +15,25 @@ struct dom_course {
 };
 
 #ifdef DOMQ
-#define dom_course_begin domq_course_begin
-#define dom_course_again domq_course_again
-#define dom_course_end   domq_course_end
+#define course_begin domq_course_begin
+#define course_again domq_course_again
+#define course_end   domq_course_end
 #endif
 
-/* Runs a row and keeps what later runs need; without times, and whatever row->floor is. dom_course_end frees
+/* Runs a row and keeps what later runs need; without times, and whatever row->floor is. course_end frees
  * that, also after a failure. Statuses as dom_row_run. */
-enum dom_status dom_course_begin(const struct dom_row *row, const struct dom_compute *compute,
+enum dom_status course_begin(const struct dom_row *row, const struct dom_compute *compute,
                                  struct dom_course *course, struct dom_verdict *verdict);
 
 /*
  * Runs the row with other dominoes, of which only domino[first] ... domino[last] differ from those of
- * dom_course_begin, from 0. In one course `first` never decreases. Sets verdict->end; the end of a row that
+ * course_begin, from 0. In one course `first` never decreases. Sets verdict->end; the end of a row that
  * does not fall before the change may be that of the unchanged row. Also sets verdict->spare: the smallest
  * margin / barrier seen in this run, negative where the row stops in it. Statuses as dom_row_run.
  */
-enum dom_status dom_course_again(const struct dom_course *course, const struct dom_domino *domino,
+enum dom_status course_again(const struct dom_course *course, const struct dom_domino *domino,
                                  size_t first, size_t last, struct dom_verdict *verdict);
 
-void dom_course_end(struct dom_course *course);
+void course_end(struct dom_course *course);
 
 #endif

@@ -60,7 +60,7 @@ static inline bool trial_begin(struct trial *t)
     if (t->row.engine)
         (void)trial_falls(t); /* an engine runs the whole row each time */
     else
-        t->status = dom_course_begin(&t->row, &t->compute, &t->course, &t->verdict);
+        t->status = course_begin(&t->row, &t->compute, &t->course, &t->verdict);
     if (t->status == DOM_OK) {
         t->domino = malloc(t->row.count * sizeof *t->domino);
         if (t->domino)
@@ -74,7 +74,7 @@ static inline bool trial_begin(struct trial *t)
 
 static inline void trial_end(struct trial *t)
 {
-    dom_course_end(&t->course);
+    course_end(&t->course);
     free(t->domino);
 }
 
@@ -183,7 +183,7 @@ static inline bool falls_with(dom_real value, void *context)
     } else {
         t->verdict.end = DOM_ROW_STOPS;
         if (t->status == DOM_OK)
-            t->status = dom_course_again(&t->course, t->domino, t->k,
+            t->status = course_again(&t->course, t->domino, t->k,
                                          t->k + (next && t->of == DOM_WINDOW_PLACE), &t->verdict);
         falls = trial_judged(t);
     }
@@ -195,7 +195,7 @@ static inline bool falls_with(dom_real value, void *context)
 
 /*
  * Returns what edge_find returns for falls_with, in fewer trials. Where the row stops beyond the edge, the
- * energy to spare (dom_course_again) goes through 0 there: every other trial is where the line through both
+ * energy to spare (course_again) goes through 0 there: every other trial is where the line through both
  * ends does, moved by half of `absolute` to the end that is farther off, so that this end comes close, too.
  */
 static inline dom_real value_find(struct trial *t, dom_real good, dom_real bad, dom_real absolute)

@@ -135,7 +135,10 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
     if (c && c->principal)
         return command_quantity(e, c, key, arguments, count, result);
     if (c)
-        return expression_fail(e, "'%s' is a command without a value; enter it without parentheses", name);
+        return expression_fail(e,
+                               count > 0 ? "'%s' has no value; the command is entered without parentheses"
+                                         : "'%s' has no value: its command answers in words or rows",
+                               name);
     const char *close = names_closest(value_names, session, name);
     return expression_fail(
         e, close && strcmp(close, name) != 0 ? "'%s' has no value; did you mean '%s'?" : "'%s' has no value",

@@ -119,6 +119,7 @@ static bool read_at(struct reader *r, struct draw_what *what)
     }
     if (word_is(r, "domino")) {
         what->at = ROW_AT_DOMINO;
+        session->column = reader_column(r, skip_blanks(r->at));
         return more(r)
                    ? value(r, "the domino", ARGUMENT_ANY, &q, &what->domino) && nothing_more(r, draw_usage)
                    : session_error(session, "the number of the domino is missing, as in 'draw at domino 8'");
