@@ -323,7 +323,7 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
 }
 
 enum dom_status course_begin(const struct dom_row *row, const struct dom_compute *asked,
-                                 struct dom_course *course, struct dom_verdict *verdict)
+                             struct dom_course *course, struct dom_verdict *verdict)
 {
     struct dom_compute compute = compute_or_default(asked);
     struct row_request request = row_request(row, &compute);
@@ -336,8 +336,8 @@ enum dom_status course_begin(const struct dom_row *row, const struct dom_compute
     return course->kernel->row_course(&request, &course->course, verdict);
 }
 
-enum dom_status course_again(const struct dom_course *course, const struct dom_domino *domino,
-                                 size_t first, size_t last, struct dom_verdict *verdict)
+enum dom_status course_again(const struct dom_course *course, const struct dom_domino *domino, size_t first,
+                             size_t last, struct dom_verdict *verdict)
 {
     return course->kernel->row_again(course->course, domino, first, last, verdict);
 }

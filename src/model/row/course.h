@@ -14,16 +14,10 @@ struct dom_course {
     struct course *course; /* NULL: none */
 };
 
-#ifdef DOMQ
-#define course_begin domq_course_begin
-#define course_again domq_course_again
-#define course_end   domq_course_end
-#endif
-
 /* Runs a row and keeps what later runs need; without times, and whatever row->floor is. course_end frees
  * that, also after a failure. Statuses as dom_row_run. */
 enum dom_status course_begin(const struct dom_row *row, const struct dom_compute *compute,
-                                 struct dom_course *course, struct dom_verdict *verdict);
+                             struct dom_course *course, struct dom_verdict *verdict);
 
 /*
  * Runs the row with other dominoes, of which only domino[first] ... domino[last] differ from those of
@@ -31,8 +25,8 @@ enum dom_status course_begin(const struct dom_row *row, const struct dom_compute
  * does not fall before the change may be that of the unchanged row. Also sets verdict->spare: the smallest
  * margin / barrier seen in this run, negative where the row stops in it. Statuses as dom_row_run.
  */
-enum dom_status course_again(const struct dom_course *course, const struct dom_domino *domino,
-                                 size_t first, size_t last, struct dom_verdict *verdict);
+enum dom_status course_again(const struct dom_course *course, const struct dom_domino *domino, size_t first,
+                             size_t last, struct dom_verdict *verdict);
 
 void course_end(struct dom_course *course);
 
