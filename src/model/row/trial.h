@@ -183,8 +183,8 @@ static inline bool falls_with(dom_real value, void *context)
     } else {
         t->verdict.end = DOM_ROW_STOPS;
         if (t->status == DOM_OK)
-            t->status = course_again(&t->course, t->domino, t->k,
-                                         t->k + (next && t->of == DOM_WINDOW_PLACE), &t->verdict);
+            t->status = course_again(&t->course, t->domino, t->k, t->k + (next && t->of == DOM_WINDOW_PLACE),
+                                     &t->verdict);
         falls = trial_judged(t);
     }
     t->row.mu = mu;
