@@ -343,7 +343,7 @@ static void radii_that_do_not_fit(void **state)
     train.s = 0.4;
     train.alpha = 0.14; /* below d, above d - 2 rho */
     assert_status(ask_train_check(&train), DOM_NO_STAND);
-    struct domq_domino two[] = {{1, 0.1, 0, 1, 0}, {1, 0.1, 0.5, 1, 0.06}};
+    struct domq_domino two[] = {{1, 0.1, 0, 1, 0, 0}, {1, 0.1, 0.5, 1, 0.06, 0}};
     struct asked_row row = {
         .domino = two, .count = 2, .g = 1, .push = 2, .rho = 0.01, .tol = train.tol, .precision = DOM_DOUBLE};
     struct domq_verdict verdict;
