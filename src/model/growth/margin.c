@@ -178,7 +178,7 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
 #define ROUGH ((real)1e-3)
 
 /* Finds the sign of the margin; how: MARGIN_SIGN or MARGIN_TOPS, without friction. */
-static struct margin margin_as(struct margin_context *c, real r, int how)
+static struct margin margin_as(struct margin_context *c, real r, enum margin_how how)
 {
     struct margin m = {.kinetic = REAL_NAN};
     const real asked_tol = c->geometry.tol;

@@ -32,7 +32,7 @@ struct margin_context {
     size_t dominoes;          /* number of moving dominoes: CHAIN_ENDLESS, or those of a pair */
     real s;
     enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
-    enum {
+    enum margin_how {
         MARGIN_SURE, /* find the barrier by a search for all tops */
         /* use an upper bound of the barrier, or one of its tops, if the sign of the margin is the same */
         MARGIN_SIGN,
