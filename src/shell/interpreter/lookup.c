@@ -62,7 +62,9 @@ const char *value_names(const void *context, int k)
         if (k-- == 0)
             return expression_names(NULL, n);
     int own = session ? (int)session->variables.count : 0;
-    return k == 0 ? "ans" : k <= own ? session->variables.list[k - 1].name : topic_names(NULL, k - 1 - own);
+    return k == 0                ? "ans"
+           : session && k <= own ? session->variables.list[k - 1].name
+                                 : topic_names(NULL, k - 1 - own);
 }
 
 /* Evaluates a function of the session; its own arguments are the only ones that its text knows. */

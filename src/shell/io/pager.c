@@ -62,7 +62,7 @@ static int line_rows(const char *line, const char *end, int width)
             columns += ((unsigned char)*line & 0xc0) != 0x80;
         line++;
     }
-    return columns > width ? (columns + width - 1) / width : 1;
+    return width > 0 && columns > width ? (columns + width - 1) / width : 1;
 }
 
 /* Returns the end of a line, after its '\n'. */

@@ -195,8 +195,9 @@ static void emit_name(const struct completion *c, const char *name, const char *
 {
     char whole[128], list[sizeof whole + 1];
     snprintf(whole, sizeof whole, "%.*s%s%s", (int)(c->name - c->typed->last), c->typed->last, name, more);
+    snprintf(list, sizeof list, "%s,", whole);
     if (strncmp(name, c->name, strlen(c->name)) == 0 && !escape_needed(whole) && /* it is written as it is */
-        (!checked || accepted(c, whole) || (c->listed && accepted(c, strcat(strcpy(list, whole), ",")))))
+        (!checked || accepted(c, whole) || (c->listed && accepted(c, list))))
         c->emit(whole, c->context);
 }
 
@@ -231,9 +232,9 @@ static void emit_variables(const struct completion *c, const struct argument *a,
     const struct variables *all = &c->session->variables;
     for (size_t i = 0; i < all->count; i++) {
         const struct variable *v = &all->list[i];
-        bool fits =
-            any || (a->kind != ARGUMENT_GRID && (v->body || quantity_alike(v->value, argument_unit(a))));
-        if (!a || fits)
+        bool fits = !a || any ||
+                    (a->kind != ARGUMENT_GRID && (v->body || quantity_alike(v->value, argument_unit(a))));
+        if (fits)
             emit_name(c, v->name, a && v->body ? "(" : "", a && !any);
     }
 }

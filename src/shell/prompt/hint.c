@@ -143,8 +143,9 @@ static int take_word_or_forward(int count, int key)
 /* Binds the keys of one function to another in the keymaps in which lines are typed. */
 static void rebind(rl_command_func_t *from, rl_command_func_t *to)
 {
-    const Keymap maps[] = {emacs_standard_keymap, vi_insertion_keymap};
-    for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
+    enum { MAPS = 2 };
+    const Keymap maps[MAPS] = {emacs_standard_keymap, vi_insertion_keymap};
+    for (int i = 0; i < MAPS; i++) {
         char **keys = rl_invoking_keyseqs_in_map(from, maps[i]);
         for (char **key = keys; key && *key; key++) {
             rl_bind_keyseq_in_map(*key, to, maps[i]);

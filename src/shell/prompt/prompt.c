@@ -89,10 +89,11 @@ static void prompt_suspend(const sigset_t *awake)
 static char *line_whole(struct session *session, char *text)
 {
     char *whole = text;
-    if (begun && (whole = malloc(strlen(begun) + strlen(text) + 1)) != NULL) {
-        strcpy(whole, begun);
-        strcat(whole, text);
-        free(text);
+    if (begun) {
+        if (asprintf(&whole, "%s%s", begun, text) < 0)
+            whole = NULL;
+        else
+            free(text);
     }
     bool before = begun != NULL;
     joined = before;

@@ -342,8 +342,10 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
         return false;
     if ((rows->count & (rows->count - 1)) == 0) { /* the arrays are full at 0, 1, 2, 4, ... */
         struct domq_domino *more = realloc(rows->domino, 2 * (rows->count + 1) * sizeof *more);
-        rows->domino = more ? more : rows->domino;
-        domq_real *wider = more ? realloc(rows->width, 2 * (rows->count + 1) * sizeof *wider) : NULL;
+        if (!more)
+            return wrong(r, NULL, "out of memory");
+        rows->domino = more;
+        domq_real *wider = realloc(rows->width, 2 * (rows->count + 1) * sizeof *wider);
         if (!wider)
             return wrong(r, NULL, "out of memory");
         rows->width = wider;
