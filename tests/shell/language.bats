@@ -149,7 +149,7 @@ END
     wrong 'RMAX' "unknown command 'RMAX'; did you mean 'rmax'"
     wrong 'Show s' "did you mean 'show'"
     wrong '2**10' "a power is written with '\^'"
-    wrong 'help(rmax)' "'help' is a command without a value"
+    wrong 'help(rmax)' "'help' has no value; the command is entered without parentheses"
     wrong 'let xx = 3; xx += 1' "'xx' is a variable; 'xx = VALUE' changes it"
     wrong 'nonesuch' "unknown command 'nonesuch'; 'help' lists the commands"
 }
