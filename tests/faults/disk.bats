@@ -39,7 +39,7 @@ appended() {
     cmp file before
     empty
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 >> file'
-    cat before before | cmp - file
+    { cat before && sed 1d before; } | cmp - file # a file has one head
 }
 export -f appended
 @test "full disk: '>>' takes back what it could not end" { disk appended; }

@@ -69,7 +69,7 @@ readable() { # WHAT NAME: one line without letters that harm
     for name in . .. / folder folder/ file/ file/x loop loop/x nowhere/x '' "folder/${long:0:256}" \
         "$(printf 'folder/../%.0s' {1..500})x"; do
         for call in 'fuel >' 'fuel >>' save source 'effect row' pool; do
-            soon "$DOMINO" -n -e "$call $(quoted "$name"); print 42" >out 2>err && status=0 || status=$?
+            soon "$DOMINO" -n --keep-going -e "$call $(quoted "$name"); print 42" >out 2>err && status=0 || status=$?
             same "$call ${name:0:40}: status" 1 "$status"
             readable "$call" "${name:0:40}"
             same "$call ${name:0:40}: the session goes on" 42 "$(cat out)"

@@ -305,7 +305,7 @@ void pager_end(struct pager *p)
     fclose(messages);
     messages = NULL;
     if (messages_text)
-        fputs(messages_text, stderr);
+        fwrite(messages_text, 1, messages_size, stderr);
     free(messages_text);
     messages_text = NULL;
 }

@@ -55,7 +55,10 @@ static size_t stops_say(struct answer *a, const size_t *stops, size_t count, siz
     size_t first = 0;
     char text[200];
     int n = 0;
-    bool *said = calloc(count, sizeof *said);
+    bool *said = calloc(count, sizeof *said); /* without it the sentence is missing, which is not an error */
+    for (size_t k = 0; k < count; k++)
+        if (stops[k] > 0 && (first == 0 || stops[k] > stops[first - 1]))
+            first = k + 1;
     for (int i = 0; said && i < SHOWN; i++) {
         size_t most = count;
         for (size_t k = 0; k < count; k++)
@@ -64,7 +67,6 @@ static size_t stops_say(struct answer *a, const size_t *stops, size_t count, siz
         if (most == count)
             break;
         said[most] = true;
-        first = first ? first : most + 1;
         n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", most + 1,
                       100 * (double)stops[most] / (double)others);
     }
