@@ -99,7 +99,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     [[ $output == *'(A(0) - i(0)) omega_1'* && $output == *'S_i i(theta_i) theta_i'* && $output == *"Halley's method"* ]]
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
     same 'no proof' 'not proved: trains with friction, a slope or rounded edges have no proof' "$(json 'effect edges 0.01; prove rmax' | values reason)"
-    cd "$BATS_TEST_TMPDIR"
+    cd "$BATS_TEST_TMPDIR" || false
     printf 'height (mm),thickness (mm),gap (mm),radius (mm)\n48,7,,0.5\n60,8,20,0\n72,9,25,0.4\n' >radii.csv
     fall=$("$DOMINO" -e 'effect edges 0.01; effect row radii.csv; row > again.csv; set output json; fall')
     same 'written and read' "$fall" "$(json 'effect edges 0.01; effect row again.csv; fall')"

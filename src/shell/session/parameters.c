@@ -38,7 +38,7 @@ static const char hints_help[] =
     "arrow, "
     "^E and End take an earlier line, and M-f its next word. There are no hints without colours.";
 static const char method_help[] =
-    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as a second opinion: it knows no "
+    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as a second opinion: it uses no "
     "equation of this program, and includes contacts that the model lacks, such as that of a fallen domino "
     "with the "
     "foot of the next. Its step is halved until the verdict no longer changes. It takes a thousand times as "

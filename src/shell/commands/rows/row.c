@@ -182,7 +182,7 @@ static void fall_choose(const struct session *session, struct answer *a, const s
         answer_leave_out(a, "floor_hit");
     if (!feet_slide(scene))
         answer_leave_out(a, "slid");
-    if (people && scene->row.engine) /* which knows no barrier */
+    if (people && scene->row.engine) /* the engine computes no barrier */
         answer_leave_out(a, "energy");
 }
 
