@@ -5,7 +5,6 @@
  *
  *   cc client.c -o client
  */
-#define _POSIX_C_SOURCE 200809L
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -15,7 +15,7 @@ setup() {
 }
 
 @test "clients in Python and in C ask line by line, and find the same separation" {
-    cc -std=c99 -Wall -Wextra -Wpedantic -Werror "$examples/client.c" -o client
+    cc -std=c99 -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wpedantic -Werror "$examples/client.c" -o client
     for growth in 1.6 '3/2' '0.9*rmax'; do
         in_c=$(timeout 60 ./client "$growth")
         same "$growth" "$in_c" "$(timeout 60 "$examples/client.py" "$growth")"
