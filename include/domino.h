@@ -194,8 +194,7 @@ enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
     X(LEANS, "it touches the next domino before it tips over: it needs a push")                              \
     X(PARTS, "it moves ahead of the dominoes that lean on it, which the model does not include")             \
     X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")                   \
-    X(SKEWED, "it and the next domino touch already, or at a place that the model does not include, since "  \
-              "one of them leans")
+    X(SKEWED, "as one of them leans, it touches the next already, or where the model has no contact")
 
 enum dom_row_end {
 #define DOM_ROW_ENUM(name, text) DOM_ROW_##name,

@@ -27,7 +27,7 @@ static void far_follower(const struct geometry *geometry, int order, real *f)
     }
     f[0] = 0;
     for (int k = 1; k <= order; k++) {
-        f[k] = (k == 1) - p[k];
+        f[k] = k == 1 ? 1 - p[k] : -p[k];
         for (int j = 1; j + 1 < k; j++)
             f[k] -= f[j] * p[k - 1 - j];
     }
@@ -99,8 +99,8 @@ KERNEL void far_make(struct geometry *geometry, real passes)
         H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
                : k == 2 ? -2 * geometry_height(geometry, geometry->inf)
                         : -H[k - 2];
-    for (int k = 0; k <= n; k += 2)
-        J[k] = (real)((k / 2 % 2 ? -1 : 1) * (k / 2 + 1));
+    for (int k = 0, size = 1, sign = 1; k <= n; k += 2, size++, sign = -sign)
+        J[k] = (real)(sign * size);
     for (int k = 1; k <= n + 1; k++) {
         power[k] = f[k];
         df[k - 1] = (real)k * f[k];
