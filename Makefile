@@ -180,8 +180,8 @@ $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/
 # Where the quotes and comments of a line end.
 $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # What completion offers, by the tables of commands.
-$(B)/unit/test_complete: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
-$(B)/unit/test_complete: GSL := $(B)/libdomino.a $(GSL) -lreadline
+$(B)/unit/test_complete $(B)/unit/test_lines: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
+$(B)/unit/test_complete $(B)/unit/test_lines: GSL := $(B)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.
 $(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
 # Where the dominoes of a picture are.

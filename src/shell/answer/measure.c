@@ -18,10 +18,9 @@ static const struct {
 
 struct measure measure_of(const char *unit, domq_real largest)
 {
-    largest =
-        quad(fabs)(largest) * (1 + (domq_real)1e-12); /* 10 mm, as typed, are 1 cm in spite of rounding */
-    for (size_t i = 0; i < sizeof measures / sizeof *measures; i++)
-        if (strcmp(unit, measures[i].base) == 0 && largest < measures[i].below)
+    const domq_real almost = 1 + (domq_real)1e-12; /* 10 mm, as typed, are 1 cm in spite of rounding */
+    for (size_t i = 0; *unit && i < sizeof measures / sizeof *measures; i++)
+        if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) * almost < measures[i].below)
             return measures[i].measure;
     return (struct measure){unit, 0};
 }

@@ -74,10 +74,32 @@ static int longest_word(const char *text)
     return longest;
 }
 
+void output_blanks(FILE *out, int blanks)
+{
+    static const char some[] = "                                ";
+    for (int n; blanks > 0; blanks -= n) {
+        n = blanks < (int)sizeof some - 1 ? blanks : (int)sizeof some - 1;
+        fwrite(some, 1, (size_t)n, out);
+    }
+}
+
+/* Writes a text that has no end on the right, as its words would be: no blanks before it, one fewer after it.
+ */
+static void output_whole(FILE *out, const char *text)
+{
+    text += strspn(text, " ");
+    size_t length = strlen(text);
+    fwrite(text, 1, length > 0 && text[length - 1] == ' ' ? length - 1 : length, out);
+}
+
 void output_wrapped(FILE *out, const char *text, int left, int right)
 {
     enum { BELOW = 4 }; /* where text begins that has too little room beside what is before it */
-    if (right && left > BELOW && left + longest_word(text) > right) {
+    if (!right) {
+        output_whole(out, text);
+        return;
+    }
+    if (left > BELOW && left + longest_word(text) > right) {
         left = BELOW;
         fprintf(out, "\n%*s", left, "");
     }
@@ -87,7 +109,7 @@ void output_wrapped(FILE *out, const char *text, int left, int right)
         int columns = 0;
         for (size_t i = 0; i < length; i++)
             columns += ((unsigned char)text[i] & 0xc0) != 0x80;
-        if (at > left && right && at + 1 + columns > right) {
+        if (at > left && at + 1 + columns > right) {
             fprintf(out, "\n%*s", left, "");
             at = left;
         }

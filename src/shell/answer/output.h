@@ -73,6 +73,9 @@ bool answer_for_people(const struct answer *answer);
 /* Writes a sentence that only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Writes so many blanks; none for a number below 1. */
+void output_blanks(FILE *out, int blanks);
+
 /*
  * Writes text whose lines begin at the column `left` and end before `right`, at blanks; right = 0 for no end.
  * Where a word would not fit, all of the text goes below, to column 4.  Adds no new line at the end.

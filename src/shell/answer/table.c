@@ -93,8 +93,9 @@ static const char *pretty(const struct answer *a, const char *text, char line[TE
 static void field(FILE *out, const char *text, int width)
 {
     int blanks = (width < 0 ? -width : width) - terminal_columns(text);
-    fprintf(out, "%*s%s%*s", width > 0 && blanks > 0 ? blanks : 0, "", text,
-            width < 0 && blanks > 0 ? blanks : 0, "");
+    output_blanks(out, width > 0 ? blanks : 0);
+    fputs(text, out);
+    output_blanks(out, width < 0 ? blanks : 0);
 }
 
 /* Writes the key of a column, which has a colour of its own where the terminal has colours. */
@@ -242,13 +243,15 @@ static void row_lines(struct answer *a, const struct cell *cells)
         if (a->width && terminal_columns(said) > number) /* too long beside its key, so below it */
             fprintf(a->out, "\n%*s%s", WORDS_INDENT / 2, "", bold);
         else
-            fprintf(a->out, "  %s", bold);
+            fputs(*bold ? "  \033[1m" : "  ", a->out);
         field(a->out, pretty(a, said, line), number);
         said = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, unit);
         if (below || !*c->meaning) /* no blanks at the end of the line */
             fprintf(a->out, "%s%s%s", end, *said ? " " : "", said);
-        else
-            fprintf(a->out, "%s %-*s  ", end, unit_width, said);
+        else {
+            fputs(*end ? "\033[m " : " ", a->out);
+            field(a->out, said, -unit_width - 2);
+        }
         if (below && *c->meaning)
             fprintf(a->out, "\n%*s", WORDS_INDENT / 2, "");
         output_wrapped(a->out, pretty(a, c->meaning, line), below ? WORDS_INDENT / 2 : left, a->width);
@@ -287,7 +290,8 @@ static void table_note(struct answer *a, const char *format, va_list arguments)
     said[length - below] = '\0';
     escape_text(said + above, text, sizeof text);
     int indent = (int)strspn(text, " ");
-    fprintf(a->out, "%s%*s", above ? "\n" : "", indent, "");
+    fputs(above ? "\n" : "", a->out);
+    output_blanks(a->out, indent);
     output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
     fputs(below ? "\n\n" : "\n", a->out);
 }

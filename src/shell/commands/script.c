@@ -47,9 +47,8 @@ static bool echo_read(struct reader *r, struct call *call)
     } else {
         while (end > begin && strchr(" \t\r\f\v", end[-1]))
             end--;
-        const struct text *t = r->text;
-        int from = t->from[begin - t->line];
-        call->word[call->count] = strndup(t->typed + from, (size_t)(t->from[end - t->line] - from));
+        const char *typed = text_typed(r->text, begin);
+        call->word[call->count] = strndup(typed, (size_t)(text_typed(r->text, end) - typed));
         r->at = end;
     }
     return call->word[call->count] || session_status(r->session, DOM_NO_MEMORY);

@@ -72,9 +72,7 @@ char *read_text(struct reader *r)
     struct place word;
     if (!pass_word(r, true, &word))
         return NULL;
-    const struct text *t = r->text;
-    return copy_word(t->typed + t->from[word.begin - t->line], t->typed + t->from[word.end - t->line],
-                     word.quoted);
+    return copy_word(text_typed(r->text, word.begin), text_typed(r->text, word.end), word.quoted);
 }
 
 char *read_file(struct reader *r)

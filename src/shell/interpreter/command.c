@@ -11,11 +11,13 @@ static const struct command_group *groups = no_group;
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
+static struct names_index every_index = {.list = command_names};
 
 void command_registry(const struct command_group *all)
 {
     groups = all;
     every_count = 0;
+    every_index = (struct names_index){.list = command_names};
     for (const struct command_group *g = groups; g->title; g++)
         for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++)
             every[every_count++] = c;
@@ -52,10 +54,8 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    for (int k = 0; k < every_count; k++)
-        if (strcmp(every[k]->name, name) == 0)
-            return every[k];
-    return NULL;
+    int k = names_indexed(&every_index, name);
+    return k < 0 ? NULL : every[k];
 }
 
 int command_principal(const struct command *c)

@@ -16,7 +16,7 @@ static const char *definition_name(const char *c, char name[VARIABLE_NAME])
     size_t n = name_start(*c) ? name_length(c) : 0;
     if (n == 0 || n >= VARIABLE_NAME)
         return NULL;
-    snprintf(name, VARIABLE_NAME, "%.*s", (int)n, c);
+    name_copy(c, n, name, VARIABLE_NAME);
     return skip_blanks(c + n);
 }
 
@@ -53,7 +53,7 @@ static bool is_expression(const struct session *session, const char *c)
         return *c && (isdigit((unsigned char)*c) || strchr("(.+-", *c));
     if (!word_ends(c + n))
         return strchr("(*/^+-.", c[n]) != NULL;
-    snprintf(name, sizeof name, "%.*s", (int)n, c);
+    name_copy(c, n, name, sizeof name);
     const struct command *command = command_find(name);
     int fewest;
     if (command)
@@ -70,7 +70,7 @@ static const struct command *called(struct reader *r, const char *c, size_t n)
     int fewest;
     if (n == 0 || n >= VARIABLE_NAME || c[n] != '(')
         return NULL;
-    snprintf(name, sizeof name, "%.*s", (int)n, c);
+    name_copy(c, n, name, sizeof name);
     const struct command *command = command_find(name);
     bool empty = c[n + 1] == ')' && word_ends(c + n + 2);
     if (!command || command_values(command, &fewest) >= 0 || (!empty && strcmp(name, "print") != 0))
@@ -85,7 +85,7 @@ static bool is_history(const struct session *session, const char *c, size_t n)
     size_t name = n ? n : *c == '%' || *c == '$' ? 1 : 0;
     bool digits = n > 3 && strncmp(c, "ans", 3) == 0 && strspn(c + 3, "0123456789") == n - 3;
     char word[VARIABLE_NAME];
-    snprintf(word, sizeof word, "%.*s", (int)n, c);
+    name_copy(c, n, word, sizeof word);
     return name > 0 && (digits || n == 0 || strspn(c, "_") == n) && !variable_find(&session->variables, word);
 }
 

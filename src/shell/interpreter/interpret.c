@@ -40,7 +40,9 @@ static void say_train(const struct session *session, struct answer *answer)
 /* Runs a command whose arguments have been read. */
 static bool run_call(struct session *session, const struct command *c, struct call *call)
 {
-    struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
+    struct cell kept[ANSWER_CELLS];
+    if (c->principal) /* without a principal column the cells are not kept */
+        memset(kept, 0, sizeof kept);
     struct answer answer = {
         .out = session->out,
         .style = session_style(session),
@@ -54,7 +56,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     };
     call->answer = &answer;
     session->column = 0;
-    double begun = terminal_clock();
+    double begun = session->timing ? terminal_clock() : 0;
     ticker_start();
     bool draws = session->format && c->picture && ending_of(session->redirected)->kind == ENDING_PICTURE;
     bool shown = c->draws && !c->files && answer.style.format->for_people && !session->redirected;
@@ -63,7 +65,6 @@ static bool run_call(struct session *session, const struct command *c, struct ca
                                                          : c->run(session, call);
     ticker_stop();
     call->answer = NULL;
-    double seconds = terminal_clock() - begun;
     session->fresh = session->fresh && done && !c->columns;
     if (done && c->train && !answer.of_row && session->effect[DOM_EFFECT_row].on)
         say_train(session, &answer);
@@ -81,7 +82,7 @@ static bool run_call(struct session *session, const struct command *c, struct ca
     if (done && session->timing && c->columns) {
         /* Programs that read csv or json find it where it does not disturb. */
         bool people = answer.style.format->for_people && !session->redirected;
-        fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * seconds);
+        fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
     return done;
 }

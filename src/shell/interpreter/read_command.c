@@ -53,6 +53,12 @@ const struct command *read_command(struct reader *r)
     char message[NAMES_MESSAGE] = "out of memory";
     session->column = reader_column(r, r->at);
     size_t length = strcspn(r->at, " \t\r\f\v;>");
+    char exact[VARIABLE_NAME];
+    const struct command *typed = name_copy(r->at, length, exact, sizeof exact) ? command_find(exact) : NULL;
+    if (typed) { /* as in nearly every line */
+        r->at += length;
+        return typed;
+    }
     char *name = strndup(r->at, length);
     r->at += length;
     int k = name ? names_find(command_names, NULL, "command", name, message) : -1;

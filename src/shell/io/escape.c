@@ -91,8 +91,17 @@ const char *escape_text(const char *text, char *shown, size_t size)
     char piece[ESCAPE_PIECE];
     size_t n = 0, fits = 0; /* fits: up to where "..." still finds room */
     while (*text) {
+        size_t length = 0;
+        while (is_plain((unsigned char)text[length]) && n + length + sizeof more < size)
+            length++;
+        memcpy(shown + n, text, length);
+        n += length;
+        fits = length ? n : fits;
+        text += length;
+        if (*text == '\0')
+            break;
         text += escape_next(text, piece);
-        size_t length = strlen(piece);
+        length = strlen(piece);
         if (n + length >= size) {
             memcpy(shown + fits, more, sizeof more);
             return shown;

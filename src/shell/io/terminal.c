@@ -21,17 +21,30 @@ void terminal_lend(FILE *memory, FILE *terminal)
     lender = terminal;
 }
 
+/* Returns true for a terminal; the three files that a program begins with are asked once. */
+static bool is_terminal(int file)
+{
+    static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: none */
+    if (file < 0 || file > STDERR_FILENO)
+        return file >= 0 && isatty(file);
+    if (known[file] == 0)
+        known[file] = isatty(file) ? 1 : -1;
+    return known[file] > 0;
+}
+
 /* Returns the file of the terminal that shows what the stream takes, or -1. */
 static int shown_on(FILE *stream)
 {
     int file = fileno(stream == lent ? lender : stream);
-    return file >= 0 && isatty(file) ? file : -1;
+    return is_terminal(file) ? file : -1;
 }
 
 bool terminal_colour(FILE *stream)
 {
+    if (shown_on(stream) < 0)
+        return false;
     const char *term = getenv("TERM"), *no = getenv("NO_COLOR");
-    return shown_on(stream) >= 0 && !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
+    return !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
 }
 
 bool terminal_size(FILE *stream, int *width, int *height)
@@ -109,7 +122,7 @@ static void ticker_set(long first)
 
 void ticker_start(void)
 {
-    if (!isatty(STDERR_FILENO))
+    if (!is_terminal(STDERR_FILENO))
         return;
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
     ticks = 0;
@@ -146,7 +159,7 @@ void progress_show(struct progress *p, double fraction)
     if (muted)
         return;
     double now = terminal_clock();
-    if (ticks > 0 && !ticker_quiet && isatty(STDERR_FILENO))
+    if (ticks > 0 && !ticker_quiet && is_terminal(STDERR_FILENO))
         wipe();
     ticker_quiet = 1;
     if (p->begun == 0)
@@ -155,7 +168,7 @@ void progress_show(struct progress *p, double fraction)
         wipe();
         p->shown = 0;
     }
-    if (fraction >= 1 || now - p->begun < 1 || now - p->shown < 0.2 || !isatty(STDERR_FILENO))
+    if (fraction >= 1 || now - p->begun < 1 || now - p->shown < 0.2 || !is_terminal(STDERR_FILENO))
         return;
     p->shown = now;
     fprintf(stderr, "\r%.0f %%, %.0f s left ", 100 * fraction, (now - p->begun) * (1 / fraction - 1));

@@ -178,7 +178,7 @@ static bool named(struct expression *e, struct quantity *q)
     int count = 0;
     if (length >= sizeof name)
         return expression_fail(e, "this name is too long");
-    snprintf(name, sizeof name, "%.*s", (int)length, at);
+    name_copy(at, length, name, sizeof name);
     e->end += length;
     bool called = *e->end == '(';
     if (called && !arguments(e, a, &count))
@@ -195,7 +195,7 @@ static bool named(struct expression *e, struct quantity *q)
     bool dotted = end[0] == '.' && name_start(end[1]);
     if (dotted) {
         size_t n = name_length(end + 1);
-        snprintf(key, sizeof key, "%.*s", (int)n, end + 1);
+        name_copy(end + 1, n, key, sizeof key);
         end += 1 + n;
     }
     e->end = at;

@@ -3,6 +3,7 @@
 #ifndef SHELL_NAMES_H
 #define SHELL_NAMES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Returns name k of a list; NULL after the last one. */
@@ -26,6 +27,21 @@ int names_find(names_list *list, const void *context, const char *what, const ch
 
 /* Returns the index of the exact name, or -1. */
 int names_exact(names_list *list, const void *context, const char *text);
+
+/*
+ * An index of a list that does not change and needs no context, at most half as long as the index: begins
+ * with the list alone, and is made at the first look-up.
+ */
+enum { NAMES_INDEXED = 256 };
+
+struct names_index {
+    names_list *list;
+    bool made;
+    unsigned char slot[NAMES_INDEXED]; /* 1 + the number of a name; 0: none */
+};
+
+/* Returns what names_exact does, without a walk through the list. */
+int names_indexed(struct names_index *index, const char *text);
 
 /* Returns the name in the list that is closest to text, if it is close; else NULL. */
 const char *names_closest(names_list *list, const void *context, const char *text);

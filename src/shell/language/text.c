@@ -14,16 +14,30 @@ static const struct {
 
 enum { LONGEST = 5 }; /* letters of the longest plain form */
 
+/* Makes the text of a line that is plain already, in the text's own room if that is enough. */
+static bool text_plain(struct text *text, size_t length)
+{
+    text->line = length < sizeof text->own ? text->own : malloc(length + 1);
+    if (!text->line)
+        return false;
+    memcpy(text->line, text->typed, length);
+    text->line[length] = '\0';
+    return true;
+}
+
 bool text_make(struct text *text, const char *typed, size_t length)
 {
     size_t size = length + 1, n = 0;
     int column = 0;
+    text->typed = typed;
+    text->column = text->from = NULL;
     for (size_t i = 0; i < length; i++)
         size += (unsigned char)typed[i] >= 0x80 ? LONGEST : 0;
+    if (size == length + 1)
+        return text_plain(text, length);
     text->line = malloc(size);
     text->column = malloc(size * sizeof *text->column);
     text->from = malloc(size * sizeof *text->from);
-    text->typed = typed;
     if (!text->line || !text->column || !text->from) {
         text_free(text);
         return false;
@@ -56,7 +70,8 @@ bool text_make(struct text *text, const char *typed, size_t length)
 
 void text_free(struct text *text)
 {
-    free(text->line);
+    if (text->line != text->own)
+        free(text->line);
     free(text->column);
     free(text->from);
 }
@@ -88,7 +103,9 @@ ssize_t text_read(char **line, size_t *size, FILE *in)
 
 const char *skip_blanks(const char *c)
 {
-    return c + strspn(c, " \t\r\f\v");
+    while (*c == ' ' || (*c >= '\t' && *c <= '\r' && *c != '\n'))
+        c++;
+    return c;
 }
 
 const char *text_quote(const char *c)
@@ -98,9 +115,17 @@ const char *text_quote(const char *c)
     return c;
 }
 
+/* Returns true if the letter is one of these, which are few. */
+static bool is_among(char letter, const char *all)
+{
+    while (*all && *all != letter)
+        all++;
+    return *all != '\0';
+}
+
 const char *text_end(const char *c, const char *ends)
 {
-    for (bool blank = true; *c && !strchr(ends, *c) && !(*c == '#' && blank);) {
+    for (bool blank = true; *c && !is_among(*c, ends) && !(*c == '#' && blank);) {
         const char *next = *c == '"' ? text_quote(c) : c + 1;
         blank = isspace((unsigned char)*c);
         c = next ? next : c + strlen(c);
@@ -121,5 +146,12 @@ bool text_continues(char *line)
 
 int text_column(const struct text *text, const char *place)
 {
-    return text->column[place - text->line];
+    size_t at = (size_t)(place - text->line);
+    return text->column ? text->column[at] : (int)at + 1;
+}
+
+const char *text_typed(const struct text *text, const char *place)
+{
+    size_t at = (size_t)(place - text->line);
+    return text->typed + (text->from ? (size_t)text->from[at] : at);
 }

@@ -11,11 +11,15 @@
 #include <stdio.h>
 #include <sys/types.h>
 
+enum { TEXT_SHORT = 128 };
+
+/* It may not be copied: the pointers of a short line are into the text itself. */
 struct text {
     char *line;
-    int *column; /* of each byte of line, and of its end */
-    int *from;   /* where in typed each of them comes from */
+    int *column; /* of each byte of line, and of its end; NULL: the line is as it was typed, in ASCII */
+    int *from;   /* where in typed each of them comes from; NULL: in the same place */
     const char *typed;
+    char own[TEXT_SHORT]; /* a short line in ASCII, as most are, needs no memory */
 };
 
 enum { TEXT_MOST = 4 << 20 }; /* bytes of a line: far above what people and programs write */
@@ -49,5 +53,8 @@ bool text_continues(char *line);
 
 /* Returns the column of a place in the line, from 1. */
 int text_column(const struct text *text, const char *place);
+
+/* Returns where in the line as it was typed a place of the plain line comes from. */
+const char *text_typed(const struct text *text, const char *place);
 
 #endif

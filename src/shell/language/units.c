@@ -140,6 +140,14 @@ size_t name_length(const char *c)
     return n;
 }
 
+bool name_copy(const char *text, size_t length, char *name, size_t size)
+{
+    size_t n = length < size ? length : size - 1;
+    memcpy(name, text, n);
+    name[n] = '\0';
+    return n == length;
+}
+
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
     if (!first && length == 1 && (*c == 'g' || *c == 't')) /* g is gravity there */

@@ -50,6 +50,9 @@ const char *expression_units(const void *context, int k);
 bool name_start(char c);
 size_t name_length(const char *text);
 
+/* Copies a name of this length; returns false, with as much as there is room for, if it is longer. */
+bool name_copy(const char *text, size_t length, char *name, size_t size);
+
 /*
  * "cm", "m/s^2" at the beginning of text, multiplied into the quantity: units joined without blanks; the part
  * that begins with something else is not taken, so that 4.8 cm/h divides by the parameter h.  The gram and

@@ -207,7 +207,8 @@ const char *parameter_offered(const void *parameter, int k)
 
 const struct parameter *parameter_find(const char *name)
 {
-    int k = names_exact(parameter_names, NULL, name);
+    static struct names_index index = {.list = parameter_names};
+    int k = names_indexed(&index, name);
     return k < 0 ? NULL : &session_parameters[k];
 }
 
@@ -347,13 +348,15 @@ bool parameter_check(struct session *session, const struct parameter *p, int i, 
     const struct domq_effect_argument *of = &p->value[i];
     const struct domq_arithmetic *arithmetic = domq_arithmetic(session->compute.precision);
     domq_real lowest = i ? of->lowest : parameter_lowest(session, p);
+    bool broken = of->whole && value != quad(floor)(value);
+    /* The doubles of the table are the nearest to decimals: both are inside. */
+    if (!broken && (value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) &&
+        value <= of->highest)
+        return true;
     parameter_range(session, p, i, range, sizeof range);
-    if (of->whole && value != quad(floor)(value))
+    if (broken)
         return session_no_answer(session, "%s = %s is not a whole number; %s is a whole number in %s",
                                  of->name, quad_shown(value).text, of->name, range);
-    /* The doubles of the table are the nearest to decimals: both are inside. */
-    if ((value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) && value <= of->highest)
-        return true;
     if (p->lowest_of && value > 0 && value < lowest)
         return session_no_answer(
             session, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Shortcuts on the way of a line: each gives what the long way gives, which is the C library's. */
+#include "support.h"
+
+#include "answer/output.h"
+#include "commands/tables.h"
+#include "io/escape.h"
+#include "language/quad.h"
+#include "language/text.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* Returns pseudo-random bits, the same in every run. */
+static unsigned bits(unsigned most)
+{
+    static unsigned long state = 1;
+    state = state * 6364136223846793005UL + 1442695040888963407UL;
+    return (unsigned)(state >> 40) % most;
+}
+
+#if defined DOMQ_REAL_FLOAT128
+extern domq_real strtof128(const char *restrict text, char **restrict end);
+#define PLAIN_READ strtof128
+#else
+#define PLAIN_READ strtold
+#endif
+
+static void numbers_read_as_by_the_c_library(void **state)
+{
+    static const char letters[] = "0123456789012345678901234567890123456789..eE+-x_m ";
+    (void)state;
+    int equal = 0;
+    for (int k = 0; k < 200000; k++) {
+        char text[24], *stop, *plain;
+        size_t n = 1 + bits(20);
+        for (size_t i = 0; i < n; i++)
+            text[i] = letters[bits(i < 2 || k % 2 ? sizeof letters - 1 : 42)];
+        text[n] = '\0';
+        domq_real value = quad_read(text, &stop), known = PLAIN_READ(text, &plain);
+        if (stop != plain || !(value == known))
+            fail_msg("'%s': read up to %d, not %d", text, (int)(stop - text), (int)(plain - text));
+        equal += plain > text && known != 0;
+    }
+    assert_true(equal > 100000);
+}
+
+static void whole_numbers_are_written_as_by_the_c_library(void **state)
+{
+    char text[WIDE_TEXT], plain[WIDE_TEXT];
+    (void)state;
+    for (int k = 0; k < 200000; k++) {
+        int digits = 1 + (int)bits(20);
+        double value = (double)bits(1u << 24) * (double)bits(1u << 24) / (double)(1u << bits(30));
+        value = k % 3 == 0 ? -value : k % 3 == 1 ? floor(value) : value;
+        snprintf(plain, sizeof plain, "%.*g", digits, value);
+        assert_string_equal(quad_text((domq_real)value, digits, text), plain);
+    }
+    assert_string_equal(quad_text((domq_real)-0.0, 6, text), "-0");
+}
+
+static void an_index_finds_what_the_list_has(void **state)
+{
+    char name[64];
+    const char *all;
+    int found = 0;
+    (void)state;
+    command_registry(all_commands);
+    for (int k = 0; (all = topic_names(NULL, k)) != NULL; k++)
+        for (size_t cut = 0; cut <= strlen(all); cut++) { /* names, and their beginnings */
+            snprintf(name, sizeof name, "%.*s", (int)cut, all);
+            int command = names_exact(command_names, NULL, name),
+                p = names_exact(parameter_names, NULL, name);
+            assert_ptr_equal(parameter_find(name), p < 0 ? NULL : &session_parameters[p]);
+            if (command < 0)
+                assert_null(command_find(name));
+            else
+                assert_string_equal(command_find(name)->name, command_names(NULL, command));
+            found += command >= 0 && p < 0;
+        }
+    assert_true(found > 50);
+}
+
+/* Makes the text with a Greek letter before it, too: that one has columns of its own. */
+static void a_line_in_ascii_has_the_columns_of_its_letters(void **state)
+{
+    static const char typed[] = "rmax 0.4; print theta # and so on, until this line is longer than a short "
+                                "one: rmax 0.4; rmax 0.4; rmax 0.4; rmax 0.4; rmax 0.4; rmax 0.4; rmax";
+    (void)state;
+    for (size_t n = 0; n < sizeof typed; n++) {
+        char greek[sizeof typed + 2];
+        struct text text, wide;
+        int length = snprintf(greek, sizeof greek, "π%.*s", (int)n, typed);
+        assert_true(text_make(&text, typed, n) && text_make(&wide, greek, (size_t)length));
+        assert_string_equal(text.line, wide.line + 2);
+        for (size_t k = 0; k <= n; k++) {
+            assert_int_equal(text_column(&text, text.line + k) + 1, text_column(&wide, wide.line + 2 + k));
+            assert_ptr_equal(text_typed(&text, text.line + k), typed + k);
+            assert_ptr_equal(text_typed(&wide, wide.line + 2 + k), greek + 2 + k);
+        }
+        text_free(&text);
+        text_free(&wide);
+    }
+}
+
+/* Returns what output_wrapped writes, which the caller frees. */
+static char *wrapped(const char *text, int right)
+{
+    char *written = NULL;
+    size_t size;
+    FILE *out = open_memstream(&written, &size);
+    assert_non_null(out);
+    output_wrapped(out, text, 2, right);
+    fclose(out);
+    return written;
+}
+
+static void a_text_without_a_right_end_is_one_line(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 20000; k++) {
+        char text[16], wide[16 * ESCAPE_PIECE], cut[12];
+        size_t n = bits(sizeof text);
+        for (size_t i = 0; i < n; i++)
+            text[i] = " a b\tc"[bits(6)];
+        text[n] = '\0';
+        char *one = wrapped(text, 0), *far = wrapped(text, 1000);
+        assert_string_equal(one, far);
+        free(one);
+        free(far);
+        /* What escape_copy has room for, escape_text cuts. */
+        escape_text(text, wide, sizeof wide);
+        const char *shown = escape_text(text, cut, sizeof cut);
+        if (strlen(wide) < sizeof cut)
+            assert_string_equal(shown, wide);
+        else
+            assert_true(strlen(shown) < sizeof cut && strcmp(shown + strlen(shown) - 3, "...") == 0 &&
+                        strncmp(shown, wide, strlen(shown) - 3) == 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_read_as_by_the_c_library),
+        cmocka_unit_test(whole_numbers_are_written_as_by_the_c_library),
+        cmocka_unit_test(an_index_finds_what_the_list_has),
+        cmocka_unit_test(a_line_in_ascii_has_the_columns_of_its_letters),
+        cmocka_unit_test(a_text_without_a_right_end_is_one_line),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
