@@ -3,6 +3,7 @@
 #include "dynamics/list.h"
 #include "precision/kernel.h"
 #include "row/course.h"
+#include "row/sample.h"
 
 /* Holds a question and the kernel that answers it. The status says why no kernel answers. */
 struct question {
@@ -347,6 +348,33 @@ void course_end(struct dom_course *course)
     if (course->kernel)
         (void)course->kernel->row_course_end(course->course);
     *course = (struct dom_course){NULL, NULL};
+}
+
+enum dom_status sample_begin(const struct dom_row *row, const struct dom_compute *asked,
+                             struct dom_sample *sample)
+{
+    struct dom_compute compute = compute_or_default(asked);
+    struct row_request request = row_request(row, &compute);
+    enum dom_status status = precision_check(compute.precision);
+    *sample = (struct dom_sample){NULL, NULL};
+    if (status != DOM_OK)
+        return status;
+    request.floor = false;
+    sample->kernel = kernels[compute.precision];
+    return sample->kernel->row_sample(&request, &sample->sample);
+}
+
+enum dom_status sample_run(const struct dom_sample *sample, const struct dom_domino *domino, bool gaps,
+                           struct dom_verdict *verdict)
+{
+    return sample->kernel->row_sampled(sample->sample, domino, gaps, verdict);
+}
+
+void sample_end(struct dom_sample *sample)
+{
+    if (sample->kernel)
+        (void)sample->kernel->row_sample_end(sample->sample);
+    *sample = (struct dom_sample){NULL, NULL};
 }
 
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *asked,

@@ -38,6 +38,10 @@ KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry,
 KERNEL enum dom_status chain_pushes(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     struct sums *sums);
 
+/* Returns true if one contact surely does its part to keep all contacts closed while its leader moves from b
+ * to a. */
+KERNEL bool contact_pushes(const struct link *a, const struct link *b);
+
 /* Finds the same sums where the head is `by` farther than `from`; `by` may be too small to change the
  * tilt. */
 KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,

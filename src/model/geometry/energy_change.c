@@ -112,13 +112,6 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns the factor by which t shrinks from a pair to the next. The arms keep the digits of 1 - G. */
-KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
-{
-    real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
-    return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
-}
-
 /* Returns true when the tail after this pair can be left out. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
@@ -158,7 +151,7 @@ enum {
  * bound. The arm a of the contact, which must be positive, decreases too. A leader that still leans backwards
  * gives none of these bounds.
  */
-static bool contact_pushes(const struct link *a, const struct link *b)
+static bool pushes_between(const struct link *a, const struct link *b)
 {
     const struct geometry *own = a->geometry, *next = own->follower ? own->follower : own;
     const real X = a->contact.X, Y = fmin(a->contact.Y, b->contact.Y), Y_most = X < 0 ? 1 : a->contact.Y;
@@ -170,6 +163,27 @@ static bool contact_pushes(const struct link *a, const struct link *b)
     return b->tilt.x >= 0 && a->tilt.y >= 0 && a->contact.Y * a->tilt.y - X * a->tilt.x + less >= 0 &&
            Y + own->mu * less > 0 && contact_arm_a(a) >= 0 && own->h.y > 0 && next->h.y > 0 &&
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
+}
+
+/* Returns the same, from bounds over halves of the way, halves of those, and so on. */
+static bool pushes_within(const struct link *a, const struct link *b, int halvings)
+{
+    if (pushes_between(a, b))
+        return true;
+    const real x = a->tilt.x + b->tilt.x, y = a->tilt.y + b->tilt.y, size = hypot(x, y);
+    if (halvings == 0 || !(size > 0))
+        return false;
+    struct link middle = *a;
+    middle.tilt = tilt_make(x / size, y / size);
+    link_geometry(&middle);
+    return pushes_within(&middle, b, halvings - 1) && pushes_within(a, &middle, halvings - 1);
+}
+
+enum { PUSHES_HALVINGS = 4 };
+
+KERNEL bool contact_pushes(const struct link *a, const struct link *b)
+{
+    return pushes_within(a, b, PUSHES_HALVINGS);
 }
 
 /*

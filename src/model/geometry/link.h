@@ -65,6 +65,14 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
+/* Returns the factor by which t = tan((theta_a - theta_b) / 2) shrinks from a domino, at two tilts, to its
+ * follower. The arms keep the digits of 1 - G (energy_change_between). */
+KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
+{
+    real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
+    return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
+}
+
 /* Return the arms of the contact of a domino with its follower (table 1), with friction, times r of the
  * domino. */
 KERNEL real contact_arm_a(const struct link *k)

@@ -178,7 +178,7 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
         if (status == DOM_OK && run.verdict.end == DOM_ROW_FALLS && k + 1 < count) {
             status = c->known > 0 ? row_geometry(&c->asked, k + 1, c->geometry) : DOM_OK;
             if (status == DOM_OK)
-                status = row_hit(&run, k, &d);
+                status = row_hit(&run, k, &d.st.geometry, &d.st.start);
         }
         if (status != DOM_OK)
             break;

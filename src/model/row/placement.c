@@ -3,6 +3,7 @@
  * seed and the number of the row alone. */
 #include "numerics/api.h"
 #include "numerics/quiet.h"
+#include "row/sample.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_randist.h>
@@ -10,6 +11,7 @@
 #include <gsl/gsl_roots.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Only the sign of the margin counts for a verdict: more digits would change one row in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
@@ -44,6 +46,7 @@ struct shared {
 struct batch {
     gsl_rng *random[2];
     struct dom_domino *domino;
+    struct dom_sample sample; /* runs the rows; none if an engine does */
 };
 
 /*
@@ -64,28 +67,35 @@ static void row_draw(const struct batch *b, const struct dom_row *row, const str
     gsl_rng_set(b->random[0], seed & 0xffffffffUL);
     gsl_rng_set(b->random[1], seed >> 32);
     for (size_t k = 0; k < row->count; k++) {
-        struct dom_domino d = row->domino[k];
-        double gap = (double)d.gap + (double)p->sigma * normal(b);
-        double grown = p->heights > 0 ? 1 + (double)p->heights * normal(b) : 1;
-        d.gap = k > 0 && p->sigma > 0 ? (dom_real)(gap > 0 ? gap : 0) : d.gap;
-        grown = grown > 0.01 ? grown : 0.01; /* every domino has some height */
-        d.height *= (dom_real)grown;
-        d.mass *= (dom_real)grown;
-        b->domino[k] = d;
+        const struct dom_domino *own = &row->domino[k];
+        struct dom_domino *d = &b->domino[k];
+        double gap = (double)own->gap + (double)p->sigma * normal(b);
+        if (k > 0 && p->sigma > 0)
+            d->gap = (dom_real)(gap > 0 ? gap : 0);
+        if (p->heights > 0) {
+            double grown = fmax(1 + (double)p->heights * normal(b), 0.01); /* every domino has some height */
+            d->height = own->height * (dom_real)grown;
+            d->mass = own->mass * (dom_real)grown;
+        }
     }
+}
+
+/* Runs the row that was drawn. */
+static enum dom_status row_verdict(const struct batch *b, const struct shared *s, struct dom_verdict *verdict)
+{
+    struct dom_row row = *s->row;
+    if (!row.engine)
+        return sample_run(&b->sample, b->domino, s->placement->heights <= 0, verdict);
+    row.domino = b->domino;
+    row.floor = false;
+    return dom_row_run(&row, &s->compute, false, NULL, NULL, verdict);
 }
 
 static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i)
 {
-    struct dom_row row = *s->row;
-    struct dom_compute compute = s->compute;
     struct dom_verdict verdict;
     row_draw(b, s->row, s->placement, i);
-    row.domino = b->domino;
-    row.floor = false;
-    compute.work = NULL;
-    compute.tol = compute.tol > VERDICT_TOL ? compute.tol : VERDICT_TOL;
-    enum dom_status status = dom_row_run(&row, &compute, false, NULL, NULL, &verdict);
+    enum dom_status status = row_verdict(b, s, &verdict);
     if (status != DOM_OK)
         return status;
     bool unknown = verdict.end == DOM_ROW_PASSES || verdict.end == DOM_ROW_PARTS;
@@ -107,6 +117,10 @@ static void batch_run(size_t index, void *context)
     struct batch b = {.random = {gsl_rng_alloc(gsl_rng_taus2), gsl_rng_alloc(gsl_rng_mrg)},
                       .domino = malloc(s->row->count * sizeof *b.domino)};
     enum dom_status status = b.random[0] && b.random[1] && b.domino ? DOM_OK : DOM_NO_MEMORY;
+    if (status == DOM_OK)
+        memcpy(b.domino, s->row->domino, s->row->count * sizeof *b.domino);
+    if (status == DOM_OK && !s->row->engine)
+        status = sample_begin(s->row, &s->compute, &b.sample);
     for (size_t i = index * BATCH; i < p->rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
         status = row_try(&b, s, p->first + i);
     int none = DOM_OK;
@@ -115,6 +129,7 @@ static void batch_run(size_t index, void *context)
     for (int i = 0; i < 2; i++)
         if (b.random[i])
             gsl_rng_free(b.random[i]);
+    sample_end(&b.sample);
     free(b.domino);
 }
 
@@ -218,9 +233,13 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 {
     struct shared shared = {
         .row = row, .compute = compute ? *compute : dom_compute_default(), .placement = p};
+    struct dom_work *work = shared.compute.work;
     shared.status = (int)study_check(row, &shared.compute, p);
     if (shared.status != DOM_OK)
         return (enum dom_status)shared.status;
+    shared.compute.work = NULL; /* rows run side by side */
+    if (shared.compute.tol < VERDICT_TOL)
+        shared.compute.tol = VERDICT_TOL;
     shared.stops = stops ? calloc(row->count, sizeof *shared.stops) : NULL;
     if (stops && !shared.stops)
         return DOM_NO_MEMORY;
@@ -231,8 +250,8 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
         status = (enum dom_status)shared.status;
     else if (status == DOM_OK && shared.done < p->rows) /* the pool has left some batches out */
         status = DOM_INTERRUPTED;
-    if (shared.compute.work)
-        shared.compute.work->entered[DOM_EFFECT_placement] += p->rows;
+    if (work)
+        work->entered[DOM_EFFECT_placement] += p->rows;
     struct dom_study found = {.rows = p->rows, .fall = shared.fall, .unknown = shared.unknown};
     if (status == DOM_OK)
         status = dom_study_interval(&found);
@@ -247,6 +266,8 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 
 /* ---- The budget ---- */
 
+enum { BUDGET_SEEN = 128 };
+
 struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
@@ -254,17 +275,30 @@ struct budget {
     double widest;  /* largest gap of the row */
     double lo, hi;  /* the share falls with lo, and no longer with hi, as far as is known */
     bool of_answer; /* lo and hi are being found, not the interval around the answer */
+    struct {
+        double sigma, share;
+    } seen[BUDGET_SEEN]; /* the last answers, since the searches for the interval ask many of them again */
+    int asked;
 };
 
 /* Finds the part of the rows that fall. Every sigma uses the same random numbers, with errors that are longer
  * or shorter, so that only sigma differs. */
-static enum dom_status fall_share(const struct budget *b, double sigma, double *share)
+static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
+    for (int i = 0; i < b->asked && i < BUDGET_SEEN; i++)
+        if (b->seen[i].sigma == sigma) {
+            *share = b->seen[i].share;
+            return DOM_OK;
+        }
     struct dom_placement p = *b->placement;
     struct dom_study study = {.rows = p.rows};
     p.sigma = (dom_real)sigma;
     enum dom_status status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
     *share = (double)study.fall / (double)study.rows;
+    if (status == DOM_OK) {
+        b->seen[b->asked % BUDGET_SEEN].sigma = sigma;
+        b->seen[b->asked++ % BUDGET_SEEN].share = *share;
+    }
     return status;
 }
 

@@ -4,14 +4,8 @@
 #define DOM_RUN_H
 
 #include "motion/forces.h"
+#include "row/joint.h"
 #include "row/moments.h"
-
-/* One domino, in SI units. */
-struct block {
-    real height, d, mass, tau; /* d = thickness / height */
-    real box;                  /* moment of inertia over that of a solid block */
-    real unit;                 /* m g h / 2 */
-};
 
 struct run {
     const struct row_request *asked;
@@ -40,18 +34,6 @@ struct descent {
     real begins, tau; /* s */
 };
 
-KERNEL struct block block_of(const struct row_request *row, size_t k);
-
-/* Checks the row and each domino; *wrong gets the number of a domino that is wrong. row_domino_check checks
- * one. */
-KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
-KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
-
-/* Makes the geometry of the whole row, or of domino k alone, when that of domino k - 1 is made. row_make also
- * takes the memory of the law, which dynamics_end of row[0] gives back, also after a failure. */
-KERNEL enum dom_status row_make(const struct row_request *asked, struct geometry *row);
-KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, struct geometry *row);
-
 /* Sets the state in which the first domino begins. */
 KERNEL void row_launch(struct run *run);
 
@@ -61,7 +43,9 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
 /* Moves the head k down, and leaves the state at its end in d. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Makes head k hit k + 1, the next head. The row ends there if k + 1 cannot move on. */
-KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct descent *d);
+/* Makes head k, which has arrived with `at` as `hitting`, hit k + 1, the next head. The row ends there if k +
+ * 1 cannot move on. */
+KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
+                               const struct start *at);
 
 #endif

@@ -222,7 +222,7 @@ static void plan_of_row(const struct session *session, struct answer *a, size_t 
     plan_row(a, "motion",
              rubs ? domq_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated",
              n, rubs ? "friction is on" : "no losses");
-    plan_row(a, "contact", "forces between dominoes, at four tilts each", n, "none may pull");
+    plan_row(a, "contact", "signs by a bound, else forces at four tilts", n, "none may pull");
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
 

@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A finite row as a chain: each domino has a size, a weight, a gap and a follower of its own. Its joint with
+ * the follower is the geometry of a train with other numbers; as everywhere in the kernels, the domino itself
+ * is the unit.
+ */
+#include "row/joint.h"
+#include "dynamics/walls.h"
+#include "geometry/rounded.h"
+#include <string.h>
+
+KERNEL struct block block_of(const struct row_request *row, size_t k)
+{
+    if (row->block)
+        return row->block[k];
+    const struct dom_domino *domino = &row->domino[k];
+    real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
+    real g = (real)row->g, walls = (real)row->effect[DOM_EFFECT_walls] / h,
+         box = walls != 0 ? walls_box(d, WALLS_WIDTH, walls).inertia : 1;
+    return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * box), box, m * g * h / 2};
+}
+
+/* Sets how domino k and its follower k - 1 touch. */
+static void joint_shape(const struct row_request *row, size_t k, struct geometry *geometry)
+{
+    struct block own = block_of(row, k), previous = block_of(row, k - 1);
+    real gap = (real)row->domino[k].gap;
+    geometry->r = own.height / previous.height;
+    geometry->s = gap / own.height;
+    geometry->L = geometry->s + own.d;
+    geometry->rs = gap / previous.height;
+    geometry->rL = geometry->r * geometry->L;
+    geometry->short_of = fmax((previous.height - gap) / previous.height, 0);
+    geometry->leave_at = geometry->short_of * (1 + gap / previous.height);
+    geometry->leave_by = 2 * geometry->d * geometry->L * geometry->r * geometry->r;
+    real v = geometry->leave_at / geometry->leave_by;
+    geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
+}
+
+/* Makes the joint of domino k with its follower k - 1, and finds how much of the row follows. */
+static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
+                       struct geometry *geometry)
+{
+    struct block own = block_of(row, k), previous = block_of(row, k - 1);
+    joint_shape(row, k, geometry);
+    geometry->weight = previous.mass / own.mass / geometry->r;
+    geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d) *
+                        (previous.box / own.box);
+    geometry->follower = follower;
+    if (geometry->rounded.on)
+        rounded_joint(geometry, follower);
+    /* All dominoes before, over this domino itself: a bound for what a sum that ends here leaves out. */
+    real weights =
+        geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
+    real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
+    if (geometry->lean < 0) {
+        /* While it leans backwards, the slope is more than 1: by r L |x| / Y, and Y is at least that of an
+         * upright one. */
+        real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
+        weights = by < 1 ? weights * most : (real)INFINITY;
+        moments = by < 1 ? moments * most * most : (real)INFINITY;
+    }
+    /* 1 if nothing can be left out. */
+    geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
+    geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
+}
+
+KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt)
+{
+    struct geometry next = {.d = block_of(row, k + 1).d, .lean = (real)row->domino[k + 1].lean};
+    joint_shape(row, k + 1, &next);
+    *contact = geometry_contact(&next, geometry_rest(&next));
+    *tilt = tilt_follower_back(geometry_rest(&next), *contact);
+    contact->arm /= next.r;
+    return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
+}
+
+/* Returns row_end where one of the two dominoes leans. */
+static struct tilt lean_end(const struct row_request *row, size_t k)
+{
+    const struct geometry own = {.lean = (real)row->domino[k].lean};
+    struct contact contact;
+    struct tilt tilt;
+    bool touches = lean_touch(row, k, &contact, &tilt);
+    if (touches)
+        return tilt;
+    return contact.arm > 0 ? geometry_rest(&own) : (struct tilt){1, 0, 1};
+}
+
+/* Returns the last tilt of domino k as a head: where it hits the next one, or lies on the floor. */
+static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
+{
+    if (k + 1 == row->count)
+        return (struct tilt){1, 0, 1};
+    if (geometry->rounded.on)
+        return rounded_hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
+    if (row->domino[k + 1].lean != 0 || row->domino[k].lean != 0)
+        return lean_end(row, k);
+    real sine = fmin((real)row->domino[k + 1].gap / (real)row->domino[k].height, 1);
+    return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
+}
+
+/* Returns the radius of the edges of domino k over its height; 0: they are sharp. */
+static dom_real row_radius(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *domino = &row->domino[k];
+    dom_real rho = row->effect[DOM_EFFECT_edges];
+    return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
+}
+
+/* Turns the effects on. The walls are of one thickness, so each domino has its own share of its height; the
+ * radius of the edges may be its own. */
+static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
+{
+    dom_real effect[DOM_DYNAMICS_COUNT];
+    memcpy(effect, row->effect, sizeof effect);
+    if (dynamics_on(row->effect[DOM_EFFECT_walls]))
+        effect[DOM_EFFECT_walls] /= row->domino[k].height;
+    effect[DOM_EFFECT_edges] = row_radius(row, k);
+    return dynamics_choose(effect, geometry);
+}
+
+KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, struct geometry *row)
+{
+    struct geometry *geometry = &row[k];
+    *geometry = (struct geometry){.tol = (real)asked->tol,
+                                  .flow = row[0].flow,
+                                  .interrupt = asked->interrupt,
+                                  .work = asked->work,
+                                  .d = block_of(asked, k).d,
+                                  .box = 1,
+                                  .lean = (real)asked->domino[k].lean,
+                                  .short_of = 1,
+                                  .n = k + 1};
+    geometry->reach = hypot(1, geometry->d);
+    geometry_gravity(geometry, 0, 1);
+    enum dom_status status = row_effects(asked, k, geometry);
+    geometry->c = row_end(asked, k, geometry);
+    if (k > 0)
+        joint_make(asked, k, &row[k - 1], geometry);
+    return status;
+}
+
+KERNEL enum dom_status row_make(const struct row_request *asked, struct geometry *row)
+{
+    enum dom_status status = DOM_OK;
+    for (size_t k = 0; k < asked->count && status == DOM_OK; k++) {
+        status = row_geometry(asked, k, row);
+        if (status == DOM_OK && k == 0) /* all joints share the memory of the law */
+            status = dynamics_begin(row);
+    }
+    return status;
+}
+
+KERNEL void row_gaps(const struct row_request *asked, struct geometry *row)
+{
+    for (size_t k = 0; k < asked->count; k++) {
+        row[k].c = row_end(asked, k, &row[k]);
+        if (k > 0)
+            joint_shape(asked, k, &row[k]);
+    }
+}
+
+/* Returns true if a value is positive and finite, also after rounding to the precision. */
+static bool positive(dom_real value)
+{
+    return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
+}
+
+static enum dom_status settings_check(const struct row_request *row)
+{
+    return row->count == 0     ? DOM_BAD_COUNT
+           : !positive(row->g) ? DOM_BAD_G
+           : !(row->tol >= dom_arithmetic(row->precision)->tol_floor && (double)row->tol <= 0.1) ? DOM_BAD_TOL
+           : !isnan(row->push) && !(row->push >= 0 && isfinite((real)row->push))
+               ? DOM_BAD_PUSH
+               : dynamics_check(row->effect);
+}
+
+/* Returns true if the walls have room in a domino. */
+static bool walls_room(const struct row_request *row, const struct block *own)
+{
+    return walls_fit(own->d, (real)row->effect[DOM_EFFECT_walls] / own->height);
+}
+
+/* Returns true if a domino that leans does not fall over either edge of its foot. */
+static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
+{
+    return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
+}
+
+/* Values computed from the sizes of a domino must be numbers of the precision, too. */
+KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *d = &row->domino[k];
+    const struct block own = block_of(row, k);
+    return !positive(d->height)                             ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(own.d)    ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(own.unit)      ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite((real)d->gap)      ? DOM_BAD_GAP
+           : !(d->radius >= 0 && d->radius < d->height / 2) ? DOM_BAD_RADIUS
+           : dynamics_on(row->effect[DOM_EFFECT_edges]) && 2 * row_radius(row, k) > d->thickness / d->height
+               ? DOM_NO_ROUND
+           : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &own) ? DOM_NO_ROOM
+           : d->lean != 0 && row_radius(row, k) != 0                              ? DOM_NO_LEAN
+           : d->lean != 0 && !lean_stands(row, d)                                 ? DOM_BAD_LEAN
+                                                                                  : DOM_OK;
+}
+
+KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)
+{
+    enum dom_status status = settings_check(row);
+    for (size_t k = 0; status == DOM_OK && k < row->count; k++) {
+        status = row_domino_check(row, k);
+        if (status != DOM_OK)
+            *wrong = k + 1;
+    }
+    return status;
+}

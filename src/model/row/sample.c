@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Rows with random sizes, of which the verdict alone counts. Most heads go on for certain: they have more
+ * energy than the dominoes can rise, and all contacts push by a bound. Then one pass along the chain, from
+ * where it is at first to where the head hits the next domino, gives the energy that the head hands on. The
+ * chain at first is that of the head before at its end, so the pass follows one chain and not two. Where a
+ * bound does not suffice, or a domino detaches, the head runs as in any row (row_head).
+ */
+#include "row/sample.h"
+#include "row/run.h"
+#include <stdlib.h>
+
+struct random_row {
+    struct row_request asked;
+    bool plain; /* true: sharp edges, plumb dominoes, and energy that is conserved */
+    struct block *block;
+    struct geometry *geometry;
+    struct link *link; /* of the dominoes from `deep` to `head`, where that head hits the next one */
+    size_t deep, head; /* head SIZE_MAX: of none */
+};
+
+/*
+ * The sums along a chain between two tilts of its head, in plain arithmetic: the sign of a margin needs few
+ * digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so the barrier is at most rise^2 / (2
+ * bend).
+ */
+struct glide {
+    real J, dH;
+    real rise;  /* dH/dtheta where the head begins */
+    real bend;  /* -d2H/dtheta2 is at least this, up to the tilt from which H decreases */
+    real t;     /* tan of half the turn of a domino */
+    real curve; /* -theta_i'' of a domino is at most this */
+    bool rises; /* true: a follower rises at first */
+};
+
+/* Adds one domino, which has moved from b to a. */
+static void glide_add(struct glide *g, const struct link *a, const struct link *b)
+{
+    const struct geometry *own = a->geometry;
+    const real lift = geometry_height_slope(own, b->tilt), height = geometry_height(own, a->tilt),
+               slope = height > 0 ? a->slope : b->slope,
+               fall = height > 0 ? -geometry_height_slope(own, a->tilt) : own->reach;
+    g->J += a->inertia * a->slope * a->slope;
+    g->dH += a->weight * g->t * (own->h.x * (a->tilt.y + b->tilt.y) - own->h.y * (a->tilt.x + b->tilt.x));
+    g->rise += a->weight * b->slope * lift;
+    if (a->i == 0)
+        return;
+    g->rises = g->rises || lift > 0;
+    g->bend += a->weight * (slope * slope * height - fmax(fall, 0) * g->curve);
+}
+
+/* Passes on the bound of the curve: from b to a, X and theta_1' decrease, and Y is least at one of the two.
+ */
+static void glide_next(struct glide *g, const struct link *a, const struct link *b)
+{
+    const struct contact *c = &b->contact;
+    const real Y = fmin(a->contact.Y, c->Y), y_1 = c->Y * b->tilt.y - c->X * b->tilt.x,
+               turned = fmax(y_1, 0) + fmax(b->step * a->tilt.x * c->X, 0);
+    g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
+}
+
+/* The bound of the barrier must be this much smaller than the energy, since the tail is left out. */
+#define GLIDE_ROOM ((real)1 + (real)1 / 64)
+
+/* Returns true if the kinetic energy is surely enough. */
+static bool glide_passes(const struct glide *g, const struct link *head, real kinetic)
+{
+    const struct geometry *own = head->geometry;
+    /* Without followers that rise, H decreases from theta_u of the head on. */
+    const real height = geometry_height(own, standing),
+               bend = g->bend + (g->rises ? fmin(height, geometry_height(own, head->tilt)) : height);
+    const real rise = fmax(g->rise, 0);
+    return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
+}
+
+/* Returns true when the dominoes after this one can be left out; t shrinks by `shrinks` to the next. */
+static bool glide_done(struct glide *g, const struct link *a, real shrinks, real tol)
+{
+    const struct geometry *own = a->geometry;
+    const real ratio = fmax(own->weight * shrinks, own->decay),
+               rest = a->weight * 2 * g->t * own->reach * ratio;
+    if (!(rest <= (1 - ratio) * tol * fabs(g->dH)))
+        return false;
+    const real ratio_J = fmax(own->inertia * a->step * a->step, own->decay_J);
+    if (!(a->inertia * a->slope * a->slope * ratio_J <= (1 - ratio_J) * tol * g->J))
+        return false;
+    return true;
+}
+
+/* Finds domino j as the chain is before the head moves, when it leans on `leader`. */
+static struct link link_before(const struct random_row *s, size_t j, size_t known, const struct link *leader)
+{
+    struct link k = *leader;
+    if (j < known) {
+        link_next(&k);
+        return k;
+    }
+    k = s->link[j];
+    k.slope = leader->slope * leader->step;
+    return k;
+}
+
+/*
+ * Returns true if head k of a plain row surely goes on, and sets `at` to its state at the next domino. The
+ * chain at that moment replaces that at the end of the head before.
+ */
+static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
+{
+    const struct geometry *head = &s->geometry[k];
+    const real tol = TAIL_SHARE * head->tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
+    struct link a = link_head(head, head->c), b = link_head(head, standing);
+    struct glide g = {.t = half_of_tilt(head->c)};
+    const size_t known = k > 0 && s->head == k - 1 ? s->deep : k;
+    s->head = SIZE_MAX;
+    for (;;) {
+        s->deep = k - a.i;
+        s->link[s->deep] = a;
+        glide_add(&g, &a, &b);
+        if (a.i + 1 == run->moving)
+            break;
+        if (!(a.tilt.v < a.geometry->leave.v) || !contact_pushes(&a, &b))
+            return false;
+        const real shrinks = pair_shrinks(&a, &b, g.t);
+        if (glide_done(&g, &a, shrinks, tol))
+            break;
+        g.t *= shrinks;
+        glide_next(&g, &a, &b);
+        b = link_before(s, s->deep - 1, known, &b);
+        link_next(&a);
+    }
+    s->head = k;
+    *at = (struct start){.from = head->c, .J = g.J, .omegasq = (kinetic - g.dH) / g.J};
+    return glide_passes(&g, &s->link[k], kinetic);
+}
+
+static enum dom_status sample_falls(struct random_row *s, struct run *run)
+{
+    enum dom_status status = DOM_OK;
+    row_launch(run);
+    s->head = SIZE_MAX;
+    for (size_t k = 0; k < s->asked.count && status == DOM_OK && run->verdict.end == DOM_ROW_FALLS; k++) {
+        struct start at;
+        const bool hits = k + 1 < s->asked.count;
+        s->geometry[k].n = run->moving;
+        run->verdict.domino = k + 1;
+        if (dom_raised(s->asked.interrupt))
+            return DOM_INTERRUPTED;
+        if (s->plain && run->omegasq > 0 && head_goes(s, run, k, &at)) {
+            status = hits ? row_hit(run, k, &s->geometry[k], &at) : DOM_OK;
+            continue;
+        }
+        struct descent d;
+        struct dom_fall fall;
+        status = row_head(run, k, &d, &fall);
+        if (status == DOM_OK && run->verdict.end == DOM_ROW_FALLS && hits)
+            status = row_hit(run, k, &d.st.geometry, &d.st.start);
+    }
+    return status;
+}
+
+/* Checks the row, and makes its blocks and its geometry. */
+static enum dom_status sample_make(struct random_row *s)
+{
+    size_t wrong;
+    s->asked.block = NULL;
+    enum dom_status status = row_check(&s->asked, &wrong);
+    for (size_t k = 0; k < s->asked.count && status == DOM_OK; k++)
+        s->block[k] = block_of(&s->asked, k);
+    s->asked.block = s->block;
+    for (size_t k = 0; k < s->asked.count && status == DOM_OK; k++)
+        status = row_geometry(&s->asked, k, s->geometry);
+    return status;
+}
+
+KERNEL enum dom_status row_sample(const struct row_request *asked, struct random_row **sample)
+{
+    const size_t n = asked->count;
+    size_t wrong;
+    *sample = NULL;
+    enum dom_status status = row_check(asked, &wrong);
+    if (status != DOM_OK)
+        return status;
+    struct random_row *s = calloc(1, sizeof *s);
+    if (!s)
+        return DOM_NO_MEMORY;
+    *s = (struct random_row){.asked = *asked,
+                             .block = malloc(n * sizeof *s->block),
+                             .geometry = malloc(n * sizeof *s->geometry),
+                             .link = malloc(n * sizeof *s->link)};
+    *sample = s;
+    if (s->geometry)
+        s->geometry[0] = (struct geometry){.dynamics = &energy_balance};
+    if (!s->block || !s->geometry || !s->link)
+        return DOM_NO_MEMORY;
+    status = sample_make(s);
+    if (status == DOM_OK)
+        status = dynamics_begin(s->geometry);
+    for (size_t k = 1; k < n && status == DOM_OK; k++) /* all joints share the memory of the law */
+        s->geometry[k].flow = s->geometry[0].flow;
+    s->plain = s->geometry[0].dynamics->conservative;
+    for (size_t k = 0; k < n; k++)
+        s->plain = s->plain && !s->geometry[k].rounded.on && asked->domino[k].lean == 0;
+    return status;
+}
+
+KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_domino *domino, bool gaps,
+                                   struct dom_verdict *verdict)
+{
+    struct run run = {.asked = &s->asked, .geometry = s->geometry, .verdict = {.end = DOM_ROW_FALLS}};
+    enum dom_status status = DOM_OK;
+    s->asked.domino = domino;
+    if (!gaps || !s->plain)
+        status = sample_make(s);
+    else
+        row_gaps(&s->asked, s->geometry);
+    if (status == DOM_OK)
+        status = sample_falls(s, &run);
+    *verdict = run.verdict;
+    return status;
+}
+
+KERNEL enum dom_status row_sample_end(struct random_row *s)
+{
+    if (s && s->geometry)
+        dynamics_end(&s->geometry[0]);
+    if (s) {
+        free(s->block);
+        free(s->geometry);
+        free(s->link);
+    }
+    free(s);
+    return DOM_OK;
+}

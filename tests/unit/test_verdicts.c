@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Verdicts of random rows: a study decides most heads by bounds. An engine that runs each row in full, with
+ * this library, finds the same random rows, and must find the same verdicts.
+ */
+#include "ask.h"
+#include "support.h"
+#include <string.h>
+
+enum { MOST = 16 };
+
+/* Runs a row in full, whichever engine it names. */
+static enum dom_status in_full(const struct domq_row *row, const struct domq_compute *compute, bool times,
+                               domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
+{
+    struct domq_row own = *row;
+    own.engine = NULL;
+    return domq_row_run(&own, compute, times, visit, context, verdict);
+}
+
+struct kind {
+    const char *name;
+    enum dom_precision precision;
+    size_t count, rows;
+    double s, r, q, push, sigma, heights, mu, alpha, walls, rho;
+};
+
+static const struct kind KIND[] = {
+    {.name = "few stop", .r = 1.3, .s = 0.4, .sigma = 0.004},
+    {.name = "many stop", .r = 1.7, .s = 0.5, .sigma = 0.005},
+    {.name = "pushed", .r = 1.45, .s = 0.2, .push = 4, .sigma = 0.004},
+    {.name = "heights", .r = 1.5, .s = 0.6, .sigma = 0.001, .heights = 0.1},
+    {.name = "equal", .r = 1, .s = 0.1, .push = 6, .sigma = 0.002, .count = MOST},
+    {.name = "touching", .r = 1.05, .s = 0.03, .push = 6, .sigma = 0.003},
+    {.name = "detach", .r = 1.1, .s = 0.85, .push = 6, .sigma = 0.003},
+    {.name = "solid", .r = 1.4, .s = 0.3, .q = 4, .sigma = 0.003},
+    {.name = "downhill", .r = 1.6, .s = 0.3, .alpha = 0.03, .sigma = 0.004},
+    {.name = "uphill", .r = 1.4, .s = 0.3, .alpha = -0.03, .sigma = 0.004},
+    {.name = "walls", .r = 1.3, .s = 0.4, .sigma = 0.003, .walls = 0.0005, .heights = 0.02},
+    {.name = "rounded", .r = 1.5, .s = 0.4, .sigma = 0.004, .rho = 0.01, .rows = 20},
+    {.name = "float", .r = 1.5, .s = 0.5, .sigma = 0.004, .precision = DOM_FLOAT},
+    {.name = "quad", .r = 1.5, .s = 0.5, .sigma = 0.004, .precision = DOM_QUAD, .rows = 6},
+    {.name = "friction", .r = 1.3, .s = 0.4, .sigma = 0.004, .mu = 0.2, .rows = 30},
+    {.name = "friction, many stop", .r = 1.6, .s = 0.5, .sigma = 0.004, .mu = 0.2, .rows = 30},
+    {.name = "friction, pushed", .r = 1.45, .s = 0.2, .push = 4, .sigma = 0.004, .mu = 0.2, .rows = 30},
+    {.name = "friction, heights", .r = 1.3, .s = 0.5, .mu = 0.3, .heights = 0.1, .rows = 30},
+    {.name = "friction, locks", .r = 1.2, .s = 0.75, .mu = 0.6, .push = 6, .sigma = 0.003, .rows = 30},
+    {.name = "friction, touching", .r = 1.05, .s = 0.03, .mu = 0.2, .push = 6, .sigma = 0.003, .rows = 30},
+    {.name = "friction, downhill", .r = 1.5, .s = 0.3, .mu = 0.2, .alpha = 0.03, .sigma = 0.004, .rows = 30},
+};
+
+static struct domq_row row_of(const struct kind *k, struct domq_domino *domino)
+{
+    struct domq_train train = domq_train_default();
+    struct domq_scale scale = domq_scale_default();
+    const size_t count = k->count ? k->count : MOST / 2;
+    train.r = k->r;
+    train.s = k->s;
+    train.q = k->q != 0 ? k->q : 3;
+    domq_row_of_train(&train, &scale, 0.01, domino, count);
+    return (struct domq_row){.domino = domino,
+                             .count = count,
+                             .g = scale.g,
+                             .push = k->push != 0 ? k->push : DOM_NAN,
+                             .mu = k->mu,
+                             .alpha = k->alpha,
+                             .walls = k->walls,
+                             .rho = k->rho};
+}
+
+/* Checks that each domino is the end of as many rows as when each row is run in full. */
+static void as_in_full(void **state)
+{
+    (void)state;
+    const struct domq_engine full = {.run = in_full};
+    size_t fall = 0, stop = 0;
+    for (size_t i = 0; i < sizeof KIND / sizeof *KIND; i++) {
+        const struct kind *k = &KIND[i];
+        struct domq_domino domino[MOST];
+        struct domq_row row = row_of(k, domino);
+        struct domq_compute compute = domq_compute_default();
+        struct domq_placement p = {
+            .sigma = k->sigma, .heights = k->heights, .seed = 7, .rows = k->rows ? k->rows : 100};
+        struct domq_study study, other;
+        size_t stops[MOST] = {0}, others[MOST] = {0};
+        compute.tol = 1e-5;
+        compute.precision = k->precision;
+        if (k->precision != DOM_FLOAT)
+            compute.tol = 1e-9;
+        assert_status(domq_placement_study(&row, &compute, &p, &study, stops), DOM_OK);
+        row.engine = &full;
+        assert_status(domq_placement_study(&row, &compute, &p, &other, others), DOM_OK);
+        if (study.fall != other.fall || study.unknown != other.unknown || memcmp(stops, others, sizeof stops))
+            fail_msg("%s: %zu fall, %zu are unknown; in full %zu and %zu", k->name, study.fall, study.unknown,
+                     other.fall, other.unknown);
+        fall += study.fall;
+        stop += study.rows - study.fall;
+    }
+    assert_true(fall > 200 && stop > 200); /* both verdicts are seen */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(as_in_full)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
