@@ -305,12 +305,12 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
 # Measures ratios of times in one run. Octave and SciPy take part if they are installed.
-BENCH := bench compare curve floor growth measure rows start
+BENCH := bench compare curve floor front growth lengths measure rows start
 bench: all $(B)/bench $(B)/answers
 	@$(B)/bench $(B)
 
 $(B)/obj/tests/bench/bench.o: C_FLAGS += -DBENCH_FLAGS='"$(OPTIM)"'
-$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(B)/libdomino.a
+$(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
 
@@ -355,7 +355,7 @@ lint: built_by_gcc $(HEADERS) | $(FIRST)
 	tests/comments
 	mandoc -T lint -W warning $(PAGES)
 	tests/spelling README.md src/README.md $(PAGES)
-	shellcheck tests/run tests/layers tests/comments tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
+	shellcheck tests/run tests/layers tests/comments tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/bench/shares tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
 	  src/shell/prompt/domino.bash
 
 format:

@@ -3,13 +3,15 @@
  * The answers whose instructions are counted. Each is one call of answer(), at whose ends callgrind begins
  * and ends a count. Prints their names in that order.
  *
- * usage: answers         computes all of them
- *        answers NAME    computes this one alone; prints its passes and dominoes
+ * usage: answers                 computes all of them
+ *        answers NAME            computes this one alone; prints its passes and dominoes
+ *        answers NAME SECONDS    prints its time, too, in us: the least of those that so many seconds allow
  */
 #include "domino_quad.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { ROW = 20, ROWS = 60, POINTS = 12 };
 
@@ -19,6 +21,7 @@ struct counted {
     enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute);
     double s, r, q, mu;
     bool quad, single;
+    bool apart; /* computed by its name alone */
 };
 
 static enum dom_status ask_rmax(const struct domq_train *train, const struct domq_compute *compute)
@@ -119,6 +122,23 @@ static enum dom_status ask_verdict(const struct domq_train *train, const struct 
     return domq_row_run(&row, compute, false, NULL, NULL, &verdict);
 }
 
+/*
+ * Asks for the verdict of a random row, as a study of one row. The row without its errors is made once, and
+ * the work is that of its own verdict, since a study counts none.
+ */
+static enum dom_status ask_random(const struct domq_train *train, const struct domq_compute *compute)
+{
+    static struct domq_domino domino[ROW];
+    static struct domq_row row;
+    struct domq_study study;
+    struct domq_placement placement = {.sigma = 1e-4, .seed = 1, .rows = 1};
+    if (compute->work) {
+        row = row_of(train, domino);
+        return ask_verdict(train, compute);
+    }
+    return domq_placement_study(&row, compute, &placement, &study, NULL);
+}
+
 static enum dom_status ask_row(const struct domq_train *train, const struct domq_compute *compute)
 {
     struct domq_domino domino[ROW];
@@ -165,6 +185,11 @@ static const struct counted table[] = {
     {.name = "row", .ask = ask_row, .r = 1.1},
     {.name = "row with friction", .ask = ask_row, .r = 1.1, .mu = 0.2},
     {.name = "placement", .ask = ask_study, .r = 1.1},
+    {.name = "r_max, s = 0.4", .ask = ask_rmax, .s = 0.4, .apart = true},
+    {.name = "barrier, s = 0.4", .ask = ask_barrier, .s = 0.4, .apart = true},
+    {.name = "duration, s = 0.4", .ask = ask_duration, .s = 0.4, .apart = true},
+    {.name = "verdict of a random row", .ask = ask_random, .r = 1.3, .apart = true},
+    {.name = "the same, friction 0.2", .ask = ask_random, .r = 1.3, .mu = 0.2, .apart = true},
 };
 
 /* Answers one question. Callgrind looks for this function: keep its name, and keep it a call. */
@@ -177,6 +202,28 @@ enum dom_status answer(const struct counted *counted, const struct domq_train *t
     return counted->ask(train, compute);
 }
 
+static double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Returns the least time of an answer, in batches long enough for the clock. */
+static double seconds_of(const struct counted *counted, const struct domq_train *train, double patience)
+{
+    enum { BATCH = 20 };
+    double end = seconds_now() + patience, least = patience;
+    for (double begun; (begun = seconds_now()) < end;) {
+        for (int i = 0; i < BATCH; i++)
+            (void)counted->ask(train,
+                               &(struct domq_compute){.tol = (domq_real)1e-12, .precision = DOM_DOUBLE});
+        double seconds = (seconds_now() - begun) / BATCH;
+        least = seconds < least ? seconds : least;
+    }
+    return least;
+}
+
 int main(int argc, char **argv)
 {
     struct dom_work work = {.passes = 0};
@@ -184,7 +231,7 @@ int main(int argc, char **argv)
         const struct counted *counted = &table[i];
         struct domq_train train = domq_train_default();
         struct domq_compute compute = domq_compute_default();
-        if (argc > 1 && strcmp(argv[1], counted->name) != 0)
+        if (argc > 1 ? strcmp(argv[1], counted->name) != 0 : counted->apart)
             continue;
         train.s = counted->s > 0 ? counted->s : train.s;
         train.r = counted->r > 0 ? counted->r : train.r;
@@ -193,12 +240,19 @@ int main(int argc, char **argv)
         compute.tol = domq_arithmetic(compute.precision)->tol_default;
         train.mu = counted->mu;
         compute.work = argc > 1 ? &work : NULL;
+        if (counted->apart) { /* counts the work, and does now what is done once */
+            (void)counted->ask(&train, &compute);
+            compute.work = NULL;
+        }
         enum dom_status status = answer(counted, &train, &compute);
         if (status != DOM_OK) {
             fprintf(stderr, "answers: %s: %s\n", counted->name, dom_status_text(status));
             return EXIT_FAILURE;
         }
-        if (argc > 1)
+        if (argc > 2)
+            printf("%zu %zu %.4g\n", work.passes, work.dominoes,
+                   1e6 * seconds_of(counted, &train, atof(argv[2])));
+        else if (argc > 1)
             printf("%zu %zu\n", work.passes, work.dominoes);
         else
             puts(counted->name);

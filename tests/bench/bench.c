@@ -244,14 +244,16 @@ int main(int argc, char **argv)
             row_questions(rows), 1e-10, WHO(OURS) | WHO(NEWTON) | WHO(OCTAVE) | WHO(SCIPY), 1, other);
     compare("The curve of 10,000 points to 1e-12, by 10 of them", points, SAMPLED, 1e-12,
             WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), POINTS, other);
-    contenders_end();
-
     struct curve_goals curve = curve_print(domino);
     rows_print();
     double start = start_print(domino);
     floor_print("r_max", many, MANY, all[OURS].seconds, operations(build, line, sizeof line));
     floor_print("one cycle's duration", cycles, duration_questions(cycles), cycle[OURS].seconds, NULL);
+    shares_print(build);
+    front_print();
     growth_print(build);
+    lengths_print();
+    contenders_end();
 
     const struct goal goals[] = {
         {"r_max at 1e-12, mean over s in [0.02, 0.9], both q", "us", 6, 1e6 * all[OURS].seconds, false},

@@ -84,6 +84,9 @@ domq_real ask_ours(const struct question *question, double tol, enum dom_precisi
                    struct dom_work *work);
 
 /* Writes questions for separations lo ... hi with q = 3 and, after them, q = 4; n in all, an even number. */
+/* Returns the least time in which a contender answers one question at this tolerance; NaN if it does not. */
+double contender_seconds(enum contender contender, const struct question *question, double tol);
+
 void rmax_questions(struct question *question, size_t n, double lo, double hi);
 
 /* ---- curve.c: on one core and on several ---- */
@@ -124,6 +127,19 @@ struct recurrence recurrence_measure(void);
 /* Prints operations (unless NULL), passes and the floor next to the time of one of n answers. */
 void floor_print(const char *title, const struct question *question, size_t n, double seconds,
                  const char *operations);
+
+/*
+ * Prints where the time of each main answer goes, by the script `shares`.
+ */
+void shares_print(const char *build);
+
+/* ---- front.c, lengths.c ---- */
+
+/* Prints front speeds beside those of the recipe of a published program. */
+void front_print(void);
+
+/* Prints how the time of a row grows with its dominoes, and that of a study with its rows. */
+void lengths_print(void);
 
 /* ---- growth.c ---- */
 

@@ -108,7 +108,7 @@ static bool ask_program(enum contender contender, const struct question *q, doub
 /* Asks all questions one after the other. Returns the time, and writes the values. */
 static double sweep(enum contender contender, const struct question *q, size_t n, double tol, double *value)
 {
-    static const enum dom_method method[] = {
+    static const enum dom_method method[CONTENDERS] = {
         [OURS] = DOM_METHOD_OURS, [GSL] = DOM_METHOD_GSL, [PAPER] = DOM_METHOD_PAPER};
     double begun = seconds_now(), total = 0, seconds;
     for (size_t i = 0; i < n; i++) {
@@ -219,6 +219,21 @@ void compare(const char *title, const struct question *question, size_t n, doubl
     printf("\n%s\n", title);
     table_print(result, n, scale);
     fflush(stdout);
+}
+
+double contender_seconds(enum contender contender, const struct question *question, double tol)
+{
+    enum { TIMES = 3 };
+    double value, least = NONE;
+    if ((contender == OCTAVE || contender == SCIPY) && coprocess[contender].pid <= 0)
+        return NONE;
+    for (int k = 0; k < TIMES; k++) {
+        double seconds = sweep(contender, question, 1, tol, &value);
+        if (!isfinite(seconds) || !isfinite(value))
+            return NONE;
+        least = fmin(least, seconds);
+    }
+    return least;
 }
 
 void rmax_questions(struct question *question, size_t n, double lo, double hi)

@@ -4,6 +4,7 @@
  * operations, and no pass along the train is shorter than their latency.
  */
 #include "bench.h"
+#include <stdlib.h>
 
 enum { DOMINOES = 64, TRAINS = 20000, REPEATS = 7, LANES = 4 };
 
@@ -51,6 +52,19 @@ static double lanes_measure(size_t lanes)
 struct recurrence recurrence_measure(void)
 {
     return (struct recurrence){.one = lanes_measure(1), .four = lanes_measure(LANES)};
+}
+
+void shares_print(const char *build)
+{
+    char command[4200];
+    double link = recurrence_measure().one;
+    printf("\nWhere the time of an answer goes: over a bare link of %.2f ns, (b8) and (A6) alone; "
+           "instructions by part\n",
+           link);
+    fflush(stdout);
+    snprintf(command, sizeof command, "tests/bench/shares '%s' %.9g", build, link);
+    if (system(command) != 0)
+        puts("  not known: tests/bench/shares failed");
 }
 
 /* Returns the mean number of dominoes in a pass at the growth of the answer. */

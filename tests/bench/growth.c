@@ -7,6 +7,8 @@
 
 enum { REPEATS = 5 };
 
+#define PEERS_TOL 1e-12 /* the finest that double precision gives them */
+
 /* Returns the smallest time of one answer, in batches long enough for the clock; NaN without an answer. */
 static double time_of(const struct question *q, enum dom_method method, enum dom_precision precision,
                       double tol, int repeats)
@@ -50,6 +52,11 @@ static double energy_seconds(double s, double r, struct dom_work *work)
     return least;
 }
 
+/* Other programs, in their tables, and the least separation that they are asked about: they take seconds
+ * below. */
+static const enum contender peers[] = {GSL, SCIPY, OCTAVE};
+#define PEERS_FROM 0.02
+
 /* ---- The four tables; each writes the same numbers for the picture ---- */
 
 static void with_dominoes(FILE *data)
@@ -57,8 +64,8 @@ static void with_dominoes(FILE *data)
     static const double separations[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.4, 0.9};
     puts("\nTime against the dominoes that matter, tol 1e-12");
     puts("  one pass is the fuel of equal dominoes, r = 1; thin dominoes have d = 0.005, thick ones 7/48");
-    printf("  %-8s %10s %12s %10s %16s %16s\n", "s", "dominoes", "a pass, us", "ns each", "r_max thick, us",
-           "r_max thin, us");
+    printf("  %-8s %10s %12s %10s %16s %16s %10s %10s %10s\n", "s", "dominoes", "a pass, us", "ns each",
+           "r_max thick, us", "r_max thin, us", "GSL", "SciPy", "Octave");
     for (size_t i = 0; i < sizeof separations / sizeof *separations; i++) {
         double s = separations[i], us[2];
         struct dom_work work = {.longest = 0}, of_thin = {.longest = 0};
@@ -76,7 +83,12 @@ static void with_dominoes(FILE *data)
                1e9 * seconds / (double)work.longest);
         number_print(16, 1, us[0]);
         number_print(16, 1, us[1]);
+        struct question thick = {.task = RMAX, .train = asked_default()};
+        thick.train.s = s;
+        for (size_t k = 0; k < sizeof peers / sizeof *peers; k++)
+            number_print(10, 0, s >= PEERS_FROM ? 1e6 * contender_seconds(peers[k], &thick, 1e-12) : NONE);
         putchar('\n');
+        fflush(stdout);
         fprintf(data, "%g %zu %g %zu %g\n", s, work.longest, 1e6 * seconds, of_thin.longest, us[1]);
     }
     fputs("\n\n", data);
@@ -89,8 +101,8 @@ static void with_digits(FILE *data)
     struct question q = {.task = RMAX, .train = asked_default()};
     puts("\nTime against digits: r_max at s = 0.4, massive, us; '-': no such arithmetic, or too slow to wait "
          "for");
-    printf("  %-8s %12s %12s %12s %12s %12s\n", "tol", "float", "double", "quad", "GSL, nested",
-           "paper's recipe");
+    printf("  %-8s %12s %12s %12s %12s %14s %10s %10s\n", "tol", "float", "double", "quad", "GSL, nested",
+           "paper's recipe", "SciPy", "Octave");
     for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
         static const struct {
             enum dom_method method;
@@ -107,10 +119,15 @@ static void with_digits(FILE *data)
             double us = NAN;
             if (tolerances[i] >= column[k].finest)
                 us = 1e6 * time_of(&q, column[k].method, column[k].precision, tolerances[i], REPEATS);
-            number_print(12, 1, us);
+            number_print(k + 1 < sizeof column / sizeof *column ? 12 : 14, 1, us);
             fprintf(data, " %g", us);
         }
+        for (size_t k = 1; k < sizeof peers / sizeof *peers; k++)
+            number_print(10, 0,
+                         tolerances[i] >= PEERS_TOL ? 1e6 * contender_seconds(peers[k], &q, tolerances[i])
+                                                    : NONE);
         putchar('\n');
+        fflush(stdout);
         fputc('\n', data);
     }
     fputs("\n\n", data);
