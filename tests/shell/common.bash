@@ -33,7 +33,7 @@ effect row 5; fall|domino height hit falls omega kinetic barrier margin energy
 effect row 5; effect floor 0.5; fall|domino height hit falls omega kinetic barrier margin energy floor floor_hit
 effect row 5; verdict|verdict domino short_by seconds weakest spare
 effect row 3; set mass 1; row|domino height thickness gap mass
-effect row 3; tolerance|domino place from to gap gap_low gap_high height height_low height_high lean_low lean_high friction_low friction_high first
+effect row 3; tolerance|domino place from to gap gap_low gap_high height height_low height_high lean lean_low lean_high friction_low friction_high first
 effect row 5; rowmax|s count r_max r_train
 design 1|s r steps feet length mass surface volume safety weakest train seconds
 sensitivity rmax|parameter value step less more

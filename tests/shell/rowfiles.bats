@@ -19,7 +19,7 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
 @test "unknown columns are named once and ignored; a wrong spelling is an error" {
     printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
     run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
-    same 'one note' "-e:1: effect: more.csv:1: not used: the columns 'colour', 'shop'; those that are: height, thickness, gap, and, if known, mass or density, width, radius" "$stderr"
+    same 'one note' "-e:1: effect: more.csv:1: not used: the columns 'colour', 'shop'; those that are: height, thickness, gap, and, if known, mass or density, width, radius, lean" "$stderr"
     printf 'height (mm), thickness (mm), gap (mm), mas (g)\n48, 7.5, -, 10\n' >typo.csv
     wrong 'effect row typo.csv' "typo.csv:1:40: unknown column 'mas'; did you mean 'mass'\?"
     printf 'height (mm), length (mm), thickness (mm), gap (mm)\n48, 50, 7.5, -\n' >twice.csv
@@ -66,6 +66,32 @@ END
     wrong 'effect row length.csv' "mass: this is a length; write a number in the unit of the first line, as in 'mass \(g\)'"
     printf 'height (mm), thickness (mm), gap (oz)\n48, 7.5, -\n' >gap.csv
     wrong 'effect row gap.csv' "is not a unit of gap; its units are: m, mm, cm"
+}
+
+@test "lean: how far the top of a domino is off plumb" {
+    {
+        echo 'height (mm), thickness (mm), gap (mm), plumb (mm)'
+        printf '48,7,-,0\n72,10.5,28.8,-1\n108,15.75,43.2,2\n162,23.625,64.8,0\n'
+    } >lean.csv
+    "$DOMINO" -e 'effect row lean.csv; row > again.csv; effect row again.csv; row > third.csv'
+    same_file again.csv third.csv
+    same leans '0 -0.001 0.002 0' "$(json 'effect row again.csv; row' | values lean | paste -sd ' ' -)"
+    sed 's/,-1$/,0/; s/,2$/,0/' lean.csv >plumb.csv
+    plumb=$(json 'effect row plumb.csv; verdict' | values spare)
+    # Its top is off against the fall: domino 2 has to be lifted further.
+    within spare "$plumb" "$(json 'effect row lean.csv; verdict' | values spare)" 'o > 0 && d < -0.1'
+    same 'one that leans is drawn so' 1 "$(json 'effect row lean.csv; draw' | values theta | awk '$1 < 0' | wc -l)"
+    printf 'height (mm), thickness (mm), gap (mm), lean (mm)\n48,7,-,0\n72,10.5,28.8,-12\n' >over.csv
+    wrong 'effect row over.csv' "3:14: with its top -1.2 cm off plumb this domino falls over by itself; a lean is less than 1.039 cm here"
+    all_wrong <<'END'
+effect row lean.csv; effect edges 0.01; fall|dominoes of this row lean.*enter 'effect edges off', or a row whose file has no column lean
+effect row lean.csv; set method engine; verdict|dominoes of this row lean, and a rigid-body engine runs the row, since method is engine; turn that off
+END
+    said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
+    grep -qxF 'The top of domino 2 may be off by 1.7 mm backwards to 1.03 cm forwards, the least room of all; it is off by 1 mm backwards now.' <<<"$said"
+    sed 's/,-1$/,-3/' lean.csv >stops.csv
+    said=$("$DOMINO" -e 'effect row stops.csv; tolerance')
+    grep -qxF 'With the top of domino 2 off by 1.7 mm backwards to 1.03 cm forwards all would fall; it is off by 3 mm backwards now.' <<<"$said"
 }
 
 @test "s and d as lengths are divided by h" {

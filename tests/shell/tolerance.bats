@@ -18,7 +18,7 @@ verdicts() { # COMMANDS...
 
 @test "tolerance: all fall at both ends of a window, and not beyond" {
     "$DOMINO" -e "$scene; tolerance > t.csv"
-    same head 'domino,place,from,to,gap,gap_low,gap_high,height,height_low,height_high,lean_low,lean_high,friction_low,friction_high,first' \
+    same head 'domino,place,from,to,gap,gap_low,gap_high,height,height_low,height_high,lean,lean_low,lean_high,friction_low,friction_high,first' \
         "$(head -n 1 t.csv)"
     same rows 7 "$(wc -l <t.csv)"
     while IFS=, read -r k place from to gap low high _; do
@@ -35,7 +35,7 @@ verdicts() { # COMMANDS...
         by=$(awk "BEGIN { printf \"%.9f\", $place - $from }")
         same "place $k from" yes "$(verdicts "$(moved "-0.9999*$by")")"
     done <t.csv
-    high=$(sed -n 2p t.csv | cut -d , -f 14)
+    high=$(sed -n 2p t.csv | cut -d , -f 15)
     same friction 'yes no' "$(verdicts "effect friction $high" "effect friction 1.0001*$high")"
 }
 

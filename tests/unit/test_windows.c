@@ -270,6 +270,53 @@ static void few_gaps(void **state)
     assert_int_equal(done, 4);
 }
 
+/* Checks the windows of heights: all fall at both ends, also where taller dominoes have no foot to stand on.
+ */
+static void heights_that_stand(void **state)
+{
+    (void)state;
+    static struct run run;
+    for (int i = 0; i < 6; i++) {
+        static const double rho[] = {0.05, 0.02, 0.02, 0, 0.07, 0}, alpha[] = {0, 0.03, 0, 0.02, -0.004, 0};
+        make_row(&run, 4, 0.3, 1.3, 0);
+        run.row.rho = (domq_real)rho[i];
+        run.row.alpha = (domq_real)alpha[i];
+        for (size_t k = 0; k < 4; k++) {
+            run.domino[k].radius = i == 2 ? run.domino[k].thickness / 3 : 0;
+            run.domino[k].lean = (domq_real)(i == 3 || i == 5 ? 0.05 : 0);
+        }
+        run.row.domino = run.domino;
+        assert_true(row_end(&run) == DOM_ROW_FALLS);
+        assert_status(ask_row_windows(&run.row, DOM_WINDOW_HEIGHT, NULL, NULL, windows), DOM_OK);
+        for (size_t k = 0; k < 4; k++) {
+            struct domq_window *w = &windows[k];
+            assert_true(w->low < w->now && w->now < w->high);
+            assert_true(falls_changed(&run, DOM_WINDOW_HEIGHT, w, (double)w->low));
+            assert_true(falls_changed(&run, DOM_WINDOW_HEIGHT, w, (double)w->high));
+        }
+    }
+}
+
+/* Checks that float finds the windows of double: a row may rest on the highest point but for rounding. */
+static void in_float(void **state)
+{
+    (void)state;
+    static struct run run;
+    struct domq_window exact[MOST];
+    make_row(&run, 7, 0.4, 1.5, 0);
+    run.row.domino = run.domino;
+    run.row.push = DOMQ_NAN;
+    for (int of = DOM_WINDOW_GAP; of <= DOM_WINDOW_PLUMB; of++) {
+        run.row.precision = DOM_DOUBLE;
+        assert_status(ask_row_windows(&run.row, (enum dom_window_of)of, NULL, NULL, exact), DOM_OK);
+        run.row.precision = DOM_FLOAT;
+        run.row.tol = 1e-5;
+        assert_status(ask_row_windows(&run.row, (enum dom_window_of)of, NULL, NULL, windows), DOM_OK);
+        assert_near("low", (double)windows[0].low, (double)exact[0].low, 1e-4);
+        assert_near("high", (double)windows[0].high, (double)exact[0].high, 1e-4);
+    }
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -298,6 +345,8 @@ int main(void)
         cmocka_unit_test(work_grows_with_the_row),
         cmocka_unit_test(trials_end_early),
         cmocka_unit_test(few_gaps),
+        cmocka_unit_test(heights_that_stand),
+        cmocka_unit_test(in_float),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

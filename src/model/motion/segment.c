@@ -113,6 +113,11 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
+    /* The energy reaches the highest point but for a rounding error: the row rests there. */
+    if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
+        *theta = hi;
+        return DOM_OK;
+    }
     return model_status(st->status, solver);
 }
 

@@ -18,6 +18,20 @@ struct range {
     enum dom_row_end above; /* how the row ends above the highest; DOM_ROW_FALLS: not known to end */
 };
 
+/*
+ * Returns the heights that are tried. No domino stands on a slope, or leaning, that is taller than its foot
+ * / tan |tilt|. Rounded edges make the foot shorter, each by its radius, and a domino is taller than both.
+ */
+static struct range heights_of(const struct trial *t, const struct dom_domino *d)
+{
+    dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
+    dom_real own = t->row.rho != 0 ? 2 * d->radius : 0, share = own > 0 ? 0 : 2 * t->row.rho;
+    dom_real stands = (d->thickness - own) / (tan(tilt) + share) * (1 - STANDS_SHORT);
+    dom_real lowest = fmax(HEIGHT_PART * d->height, own * (1 + STANDS_SHORT));
+    return (struct range){fmin(lowest, d->height), fmax(fmin(HEIGHT_MULTIPLE * d->height, stands), d->height),
+                          DOM_ROW_FALLS};
+}
+
 static struct range range_of(const struct trial *t)
 {
     const struct dom_domino *d = &t->domino[t->k];
@@ -29,12 +43,8 @@ static struct range range_of(const struct trial *t)
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),
                               reach <= room ? DOM_ROW_MISSES : DOM_ROW_FALLS};
     }
-    case DOM_WINDOW_HEIGHT: {
-        /* On a slope no domino stands that is taller than thickness / tan |alpha|. */
-        dom_real stands = d->thickness / fabs(tan(t->row.alpha)) * (1 - STANDS_SHORT);
-        return (struct range){HEIGHT_PART * d->height,
-                              fmax(fmin(HEIGHT_MULTIPLE * d->height, stands), d->height), DOM_ROW_FALLS};
-    }
+    case DOM_WINDOW_HEIGHT:
+        return heights_of(t, d);
     case DOM_WINDOW_FRICTION:
         return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
     case DOM_WINDOW_PLUMB: {

@@ -151,6 +151,11 @@ bool session_status(struct session *session, enum dom_status status)
         return session_no_answer(
             session, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
             domq_dynamics(t)->name, domq_dynamics(t)->name);
+    if (status == DOM_NOT_CONVERGED && session->compute.precision != DOM_QUAD)
+        return session_no_answer(session,
+                                 "%s of %.3g; 'set precision %s' has more digits, 'set tol' allows fewer",
+                                 dom_status_text(status), (double)session->compute.tol,
+                                 session->compute.precision == DOM_FLOAT ? "double" : "quad");
     if (status == DOM_NO_ROOM)
         return session_no_room(session, 0, t->d * session->scale.h);
     if (status == DOM_TOO_LONG)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/rowfile.h"
+#include "answer/measure.h"
 #include "io/io.h"
 #include "language/names.h"
 #include "language/quad.h"
@@ -12,33 +13,34 @@
 
 /* ---- Columns ---- */
 
-enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, RELATIVE, DOMINO, KINDS };
+enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, LEAN, RELATIVE, DOMINO, KINDS };
 
-#define COLUMNS "height, thickness, gap, and, if known, mass or density, width, radius"
+#define COLUMNS "height, thickness, gap, and, if known, mass or density, width, radius, lean"
 #define LENGTHS "m, mm, cm, km, in, ft, yd"
 #define LENGTH  "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
 #define WEIGHT  "write a number in the unit of the first line, as in "
 
 static const struct kind {
     const char *name, *unit;
-    bool required, zero;               /* zero: 0 is in the range */
+    bool required, zero, negative;     /* zero: 0 is in the range; negative: what is below 0, too */
     double lowest, highest;            /* for masses: the range of single precision */
     const char *range, *write, *units; /* texts for messages: the range; what a cell may be; all units */
     const char *usual;                 /* the unit that messages propose */
 } kinds[KINDS] = {
-    {"height", "m", true, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "mm"},
-    {"thickness", "m", true, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "mm"},
-    {"gap", "m", true, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "mm"},
-    {"mass", "kg", false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "'mass (g)'", "kg, g, t, lb, oz",
-     "g"},
-    {"density", "kg/m^3", false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3", WEIGHT "'density (g/cm^3)'",
-     "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3"},
-    {"width", "m", false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "mm"},
-    {"radius", "m", false, true, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "mm"},
-    {"relative", "", false, false, 1e-40, 1e38, "1e-40 .. 1e38",
+    {"height", "m", true, false, false, 1e-9, 1e9, "1e-9 .. 1e9 m", LENGTH, LENGTHS, "mm"},
+    {"thickness", "m", true, false, false, 0, 1e11, "more than 0, up to 1e11 m", LENGTH, LENGTHS, "mm"},
+    {"gap", "m", true, true, false, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "mm"},
+    {"mass", "kg", false, false, false, 1e-40, 1e38, "1e-40 .. 1e38 kg", WEIGHT "'mass (g)'",
+     "kg, g, t, lb, oz", "g"},
+    {"density", "kg/m^3", false, false, false, 0, 1e9, "more than 0, up to 1e9 kg/m^3",
+     WEIGHT "'density (g/cm^3)'", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3"},
+    {"width", "m", false, false, false, 0, 1e9, "more than 0, up to 1e9 m", LENGTH, LENGTHS, "mm"},
+    {"radius", "m", false, true, false, 0, 1e9, "0 or more, up to 1e9 m", LENGTH, LENGTHS, "mm"},
+    {"lean", "m", false, true, true, 0, 1e9, "what its top is off plumb, up to 1e9 m", LENGTH, LENGTHS, "mm"},
+    {"relative", "", false, false, false, 1e-40, 1e38, "1e-40 .. 1e38",
      "write a plain number: the mass over that of the first domino", "none", ""},
-    {"domino", "", false, false, 1, 1e6, "1 .. 1e6", "write a plain number; the program does not use it",
-     "none", ""},
+    {"domino", "", false, false, false, 1, 1e6, "1 .. 1e6",
+     "write a plain number; the program does not use it", "none", ""},
 };
 
 enum { CELLS = 64, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
@@ -67,10 +69,10 @@ static const struct synonym {
     const char *name;
     int kind;
 } synonyms[] = {
-    {"nr", DOMINO},    {"no", DOMINO},     {"no.", DOMINO},      {"number", DOMINO},   {"spacing", GAP},
-    {"distance", GAP}, {"length", HEIGHT}, {"depth", THICKNESS}, {"thick", THICKNESS}, {"weight", MASS},
-    {"note", KINDS},   {"notes", KINDS},   {"comment", KINDS},   {"comments", KINDS},  {"remark", KINDS},
-    {"", KINDS},       {NULL, KINDS},
+    {"nr", DOMINO},      {"no", DOMINO},     {"no.", DOMINO},      {"number", DOMINO},   {"spacing", GAP},
+    {"distance", GAP},   {"length", HEIGHT}, {"depth", THICKNESS}, {"thick", THICKNESS}, {"weight", MASS},
+    {"plumb", LEAN},     {"tilt", LEAN},     {"note", KINDS},      {"notes", KINDS},     {"comment", KINDS},
+    {"comments", KINDS}, {"remark", KINDS},  {"", KINDS},          {NULL, KINDS},
 };
 
 static const char *kind_names(const void *context, int k)
@@ -279,9 +281,11 @@ static bool value_check(const struct reader *r, int kind, domq_real value, const
 {
     const struct kind *k = &kinds[kind];
     double near = (double)value; /* bounds are decimals, and these in double: they are inside */
-    if (value > 0 ? near >= k->lowest && near <= k->highest : value == 0 && k->zero)
+    if (k->negative && near < 0)
+        near = -near;
+    if (near > 0 ? near >= k->lowest && near <= k->highest : near == 0 && k->zero)
         return true;
-    const char *is = value < 0 ? "negative" : near < 1 ? "too small" : "too large";
+    const char *is = near < 0 ? "negative" : near < 1 ? "too small" : "too large";
     return wrong(r, at, "%s = %s %s is %s; a %s is %s", k->name, quad_shown(value).text, k->unit, is, k->name,
                  k->range);
 }
@@ -338,6 +342,13 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
         return wrong(r, r->cell[r->column[RADIUS] - 1],
                      "radius = %s m is more than half of the thickness, %s m", quad_shown(value[RADIUS]).text,
                      quad_shown(value[THICKNESS] / 2).text);
+    /* The sine of the largest lean: tan theta_u is the ratio. */
+    domq_real off = value[LEAN] / value[HEIGHT], most = ratio / quad(sqrt)(1 + ratio * ratio);
+    if (!(quad(fabs)(off) < most))
+        return wrong(
+            r, r->cell[r->column[LEAN] - 1],
+            "with its top %s off plumb this domino falls over by itself; a lean is less than %s here",
+            measured(value[LEAN], "m", 4).text, measured(most * value[HEIGHT], "m", 4).text);
     if (!value_check(r, MASS, mass, NULL))
         return false;
     if ((rows->count & (rows->count - 1)) == 0) { /* the arrays are full at 0, 1, 2, 4, ... */
@@ -356,7 +367,8 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
                                                        .thickness = value[THICKNESS],
                                                        .gap = gap,
                                                        .mass = mass,
-                                                       .radius = value[RADIUS]};
+                                                       .radius = value[RADIUS],
+                                                       .lean = quad(asin)(off)};
     return true;
 }
 

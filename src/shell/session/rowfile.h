@@ -11,6 +11,7 @@
  * width.  Each needs a unit, in the first line or in the cell: a number without one is an error.  A solid
  * block weighs density * height * thickness * width.  The default width is half the height, the default
  * density 1; or a column gives relative masses.  A column domino, with numbers, is not used.
+ * A column lean says how far the top of a domino is off plumb when it is set up, backwards if negative.
  * Names have synonyms, such as spacing for gap and weight for mass; other columns are named in a note and
  * ignored.  Cells are
  * separated as the names are: by ',', ';' or tabs.  Decimals have a point: a comma could also separate

@@ -104,7 +104,8 @@ static void moment_rows(struct answer *a, const struct row_moment *m)
     for (size_t i = 0; i < sizeof none / sizeof *none; i++)
         answer_leave_out(a, none[i]);
     for (size_t k = 0; k < m->row.count && !answer_lost(a); k++) {
-        struct drawn d = falling_row_domino(&m->row, k, m->head > 0 ? m->tilt[k] : 0);
+        struct drawn d =
+            falling_row_domino(&m->row, k, m->head > 0 ? m->tilt[k] : falling_row_lean(&m->row, k));
         const struct point *p = d.corner;
         answer_cells(a, cell_count((domq_real)k + 1), cell_real((domq_real)d.height),
                      cell_real((domq_real)d.foot), cell_real((domq_real)d.theta),

@@ -94,6 +94,11 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
     return domq_row_watch(&row->scene.row, &row->scene.compute, times, count, visit, context, &verdict);
 }
 
+double falling_row_lean(const struct falling_row *row, size_t k)
+{
+    return (double)row->scene.domino[k].lean;
+}
+
 struct drawn falling_row_domino(const struct falling_row *row, size_t k, double tilt)
 {
     const struct domq_domino *d = &row->scene.domino[k];

@@ -34,6 +34,9 @@ double falling_row_begins(const struct falling_row *row);
 enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
                                   domq_moment_visit *visit, void *context);
 
+/* Returns the tilt of domino k, from 0, before it is hit. */
+double falling_row_lean(const struct falling_row *row, size_t k);
+
 /* Returns domino k, from 0, at this tilt: number, corners in m, no contact. */
 struct drawn falling_row_domino(const struct falling_row *row, size_t k, double tilt);
 

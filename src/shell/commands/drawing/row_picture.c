@@ -296,8 +296,8 @@ static int script_corners(FILE *script, const struct view *v, const struct falli
     int count = 0;
     fprintf(script, "$part%d << END\n", (int)part);
     for (size_t k = 0; k < row->count; k++) {
-        double lean = tilt ? tilt[k] : 0;
-        if (part_of(row, k, head, lean > 0 || k + 1 == head) != part)
+        const double own = falling_row_lean(row, k), lean = tilt ? tilt[k] : own;
+        if (part_of(row, k, head, lean > own || k + 1 == head) != part)
             continue;
         struct drawn domino = falling_row_domino(row, k, lean);
         if (domino.corner[0].x + domino.height < v->left || domino.corner[3].x > v->right)

@@ -116,7 +116,7 @@ static void canvas_domino(struct canvas *c, const struct grid *g, const struct f
                           const struct drawn *d, size_t head)
 {
     bool weakest = row_weakest_is(row, k), filled = weakest || row_ends_at(row, k),
-         moved = d->theta > 0 || k + 1 == head;
+         moved = d->theta > falling_row_lean(row, k) || k + 1 == head;
     enum ink ink = weakest         ? INK_RED
                    : filled        ? INK_TEXT
                    : k + 1 == head ? INK_BLUE
@@ -146,7 +146,7 @@ static bool braille_write(struct grid *g, const struct falling_row *row, const d
     struct canvas c;
     double top = 0;
     for (size_t k = 0; k < row->count; k++) {
-        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : 0);
+        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : falling_row_lean(row, k));
         for (int i = 0; i < CORNERS; i++)
             top = d.corner[i].y > top ? d.corner[i].y : top;
     }
@@ -156,7 +156,7 @@ static bool braille_write(struct grid *g, const struct falling_row *row, const d
         return false;
     g->left -= LEFT * g->unit; /* the canvas has the heights, too */
     for (size_t k = 0; k < row->count; k++) {
-        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : 0);
+        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : falling_row_lean(row, k));
         canvas_domino(&c, g, row, k, &d, head);
     }
     g->left += LEFT * g->unit;
@@ -192,7 +192,7 @@ bool row_text(const struct falling_row *row, const double *tilt, size_t head, do
         return false;
     memset(g.cell, ' ', cells);
     for (size_t k = row->count; k-- > 0;) {
-        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : 0);
+        struct drawn d = falling_row_domino(row, k, tilt ? tilt[k] : falling_row_lean(row, k));
         grid_fill(&g, &d, (double)row->scene.domino[k].thickness, mark_of(row, k));
     }
     int top = 0; /* rows of blanks alone are left out above */

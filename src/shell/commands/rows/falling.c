@@ -20,6 +20,16 @@ bool row_status(struct session *session, enum dom_status status)
         return session_no_answer(session,
                                  "the rigid-body engine cannot decide: the row comes to no end, or with ever "
                                  "shorter steps the verdict still changes; try a slightly different row");
+    if (status == DOM_NO_LEAN && !session_engine(session))
+        return session_no_answer(session,
+                                 "dominoes of this row lean, and a row with rounded edges cannot have "
+                                 "them; enter 'effect edges off', or a row whose file has no column "
+                                 "lean and no radius");
+    if (status == DOM_NO_LEAN)
+        return session_no_answer(session,
+                                 "dominoes of this row lean, and a rigid-body engine runs the row, since %s; "
+                                 "turn that off, or enter a row whose file has no column lean",
+                                 session_engine_why(session));
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return session_status(session, status);
     if (session_engine(session))

@@ -17,7 +17,8 @@ const struct column tolerance_columns[] = {
     {"height", "m", "its height", 8},
     {"height_low", "m", "all fall with heights from here ...", 10},
     {"height_high", "m", "... to here; its mass changes with it", 11},
-    {"lean_low", "m", "all fall if its top is off from here when it is set up ...", 8},
+    {"lean", "m", "what its top is off plumb when it is set up", 8},
+    {"lean_low", "m", "all fall if its top is off from here ...", 8},
     {"lean_high", "m", "... to here; negative is backwards", 9},
     {"friction_low", "", "all fall with a friction between dominoes from here ...", 8},
     {"friction_high", "", "... to here; 2 or more is not tried", 8},
@@ -30,9 +31,9 @@ struct windows {
     struct domq_window *place, *gap, *height; /* of domino k, from 0: [k]; place and gap from 1 */
     struct domq_window *lean;                 /* lengths, at its top */
     struct domq_window friction;
-    size_t first_place, first_height, first_lean; /* numbers of the dominoes; 0: none */
-    bool leans;                                   /* false: leans are not tried */
-    bool slope;                                   /* true: a domino that stands as it should is not plumb */
+    size_t first_place, first_height, first_lean, saving_lean; /* numbers of the dominoes; 0: none */
+    bool leans;                                                /* false: leans are not tried */
+    bool slope; /* true: a domino that stands as it should is not plumb */
     bool falls;
 };
 
@@ -53,6 +54,19 @@ static void pass_progress(size_t done, size_t of, void *context)
 static domq_real room(const struct domq_window *w)
 {
     return quad_smaller(w->now - w->low, w->high - w->now);
+}
+
+/* Finds the domino that leans and that the smallest change of its lean lets fall, in a row that does not. */
+static void saving_lean_find(struct windows *w, size_t count)
+{
+    domq_real change = DOMQ_NAN;
+    for (size_t k = 0; k < count && w->leans && !w->falls; k++) {
+        domq_real off = -room(&w->lean[k]); /* the value is outside */
+        if (w->lean[k].now != 0 && off > 0 && !(off >= change)) {
+            change = off;
+            w->saving_lean = k + 1;
+        }
+    }
 }
 
 /* Finds the dominoes whose place, height and lean have the least room: lengths, shares of the height,
@@ -123,6 +137,8 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
         w->lean[k] = w->leans && status == DOM_OK ? top_of(&w->lean[k], scene->domino[k].height) : none;
     if (status == DOM_OK)
         first_find(w, count);
+    if (status == DOM_OK)
+        saving_lean_find(w, count);
     return status;
 }
 
@@ -148,6 +164,12 @@ static struct measured length(domq_real value)
     return measured(value, "m", DIGITS);
 }
 
+/* What is measured is as exact as a tape measure. */
+static struct measured now(domq_real value)
+{
+    return measured(value, "m", 4);
+}
+
 static void friction_say(struct answer *a, const struct windows *w)
 {
     const struct domq_window f = readable(&w->friction);
@@ -167,6 +189,19 @@ static void friction_say(struct answer *a, const struct windows *w)
                    f.above == DOM_ROW_FALLS ? " (more is not tried)" : "", now);
 }
 
+/* What the top of a domino is off plumb, in words. */
+struct off {
+    char text[64];
+};
+
+static struct off off(domq_real value, struct measured (*shown)(domq_real))
+{
+    struct off o;
+    const char *way = value < 0 ? " backwards" : value > 0 ? " forwards" : "";
+    snprintf(o.text, sizeof o.text, "%.40s%s", shown(quad(fabs)(value)).text, way);
+    return o;
+}
+
 static void tolerance_say(struct answer *a, const struct windows *w, const struct scene_row *scene)
 {
     const size_t count = scene->row.count;
@@ -180,20 +215,31 @@ static void tolerance_say(struct answer *a, const struct windows *w, const struc
     if (w->first_place) {
         const struct domq_window p = readable(&w->place[w->first_place - 1]);
         answer_say(a, "Place domino %zu between %s and %s: it has the least room of all, and is at %s now.",
-                   w->first_place, length(p.low).text, length(p.high).text, length(p.now).text);
+                   w->first_place, length(p.low).text, length(p.high).text, now(p.now).text);
     }
     if (w->first_height) {
         const struct domq_window h = readable(&w->height[w->first_height - 1]);
         answer_say(a,
                    "Make domino %zu between %s and %s tall: its height has the least room%s; it is %s now.",
                    w->first_height, length(h.low).text, length(h.high).text, count > 1 ? " of all" : "",
-                   length(h.now).text);
+                   now(h.now).text);
     }
     if (w->first_lean) {
         const struct domq_window l = readable(&w->lean[w->first_lean - 1]);
-        answer_say(a, "Set domino %zu up %s: its top may be off by %s backwards or %s forwards%s.",
-                   w->first_lean, w->slope ? "square to the floor" : "plumb", length(0 - l.low).text,
-                   length(l.high).text, count > 1 ? ", the least room of all" : "");
+        const char *all = count > 1 ? ", the least room of all" : "";
+        if (l.now == 0)
+            answer_say(a, "Set domino %zu up %s: its top may be off by %s backwards or %s forwards%s.",
+                       w->first_lean, w->slope ? "square to the floor" : "plumb", length(0 - l.low).text,
+                       length(l.high).text, all);
+        else
+            answer_say(a, "The top of domino %zu may be off by %s to %s%s; it is off by %s now.",
+                       w->first_lean, off(l.low, length).text, off(l.high, length).text, all,
+                       off(l.now, now).text);
+    }
+    if (w->saving_lean) {
+        const struct domq_window l = readable(&w->lean[w->saving_lean - 1]);
+        answer_say(a, "With the top of domino %zu off by %s to %s all would fall; it is off by %s now.",
+                   w->saving_lean, off(l.low, length).text, off(l.high, length).text, off(l.now, now).text);
     }
     friction_say(a, w);
 }
@@ -205,8 +251,8 @@ static void tolerance_columns_choose(struct answer *a, const struct windows *w, 
 {
     domq_real place = 0, gap = 0, height = 0;
     if (answer_for_people(a)) {
-        static const char *const left_out[] = {"place",     "gap",          "height",       "lean_low",
-                                               "lean_high", "friction_low", "friction_high"};
+        static const char *const left_out[] = {"place",    "gap",       "height",       "lean",
+                                               "lean_low", "lean_high", "friction_low", "friction_high"};
         for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
             answer_leave_out(a, left_out[i]);
     }
@@ -243,8 +289,8 @@ static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
     } else
         answer_row(a,
                    ROW(cell_count((domq_real)k + 1), value(p.now), value(p.low), value(p.high), value(g.now),
-                       value(g.low), value(g.high), value(h.now), value(h.low), value(h.high), value(l.low),
-                       value(l.high), value(f.low), value(f.high), first),
+                       value(g.low), value(g.high), value(h.now), value(h.low), value(h.high), value(l.now),
+                       value(l.low), value(l.high), value(f.low), value(f.high), first),
                    w->falls || !isnan(p.low) || !isnan(g.low) || !isnan(h.low) || !isnan(l.low)
                        ? NULL
                        : "no change of this domino alone saves the row");
