@@ -259,13 +259,17 @@ END
     printf 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 0.1\n10, 1.2,\n' >some.csv
     printf 'gap (mm), speed (m/s)\n9, 1.3\n60, 1.2\n' >wide.csv
     printf 'gap (mm), speed (m/s)\n9, fast\n' >word.csv
-    wrong 'fit friction empty.csv' "empty.csv:0: no speeds; the first line is 'gap \(mm\), speed \(m/s\)'"
+    wrong 'fit friction empty.csv' "empty.csv: no speeds; the first line is 'gap \(mm\), speed \(m/s\)'"
     wrong 'fit friction head.csv' 'head.csv:1: no speeds'
     wrong 'fit friction one.csv' 'one.csv has one gap, .*add a second gap'
-    wrong 'fit friction bare.csv' "bare.csv:2: '9' has no unit; name it in the first line, 'gap \(mm\)'"
+    wrong 'fit friction bare.csv' "bare.csv:2: '9' has no unit: it would be 9 m; write 'gap \(mm\)'"
     wrong 'fit friction unit.csv' "unit.csv:1: 'm' is not the unit of a speed; write 'speed \(m/s\)'|unit.csv:1: 'm' is not the unit"
     wrong 'fit friction some.csv' 'some.csv:3: some speeds have an error and some have none'
     wrong 'fit friction wide.csv' 'the gap 6 cm is longer than the domino is tall, h = 4\.8 cm'
+    printf 'Spacing [mm];Velocity [cm/s]\n9;130,5\n' >commas.csv
+    wrong 'fit friction commas.csv' "commas.csv:2: '130,5' is not a speed; write decimals with a point, not with a comma"
+    sed -i 's/Velocity/front/' commas.csv
+    wrong 'fit friction commas.csv' "commas.csv:1: the column 'speed' is missing; the first line is 'gap"
     wrong 'fit friction word.csv' "word.csv:2: 'fast' is not a speed"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
     wrong 'fit slope one.csv' "friction"

@@ -34,6 +34,8 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv
     wrong 'effect row commas.csv' 'too many cells: 5, .*decimals have a point: 48\.5, not 48,5'
     printf 'height (mm);thickness (mm);gap (mm)\n48,0;7,5;-\n' >semicolons.csv
+    printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv
+    same 'empty cells at the end' 0.02 "$(json 'effect row cells.csv; row' | values gap | tail -n 1)"
     wrong 'effect row semicolons.csv' "semicolons.csv:2:3: height ends before ',0'; write decimals with a point"
 }
 
@@ -83,10 +85,8 @@ END
     same 'one that leans is drawn so' 1 "$(json 'effect row lean.csv; draw' | values theta | awk '$1 < 0' | wc -l)"
     printf 'height (mm), thickness (mm), gap (mm), lean (mm)\n48,7,-,0\n72,10.5,28.8,-12\n' >over.csv
     wrong 'effect row over.csv' "3:14: with its top -1.2 cm off plumb this domino falls over by itself; a lean is less than 1.039 cm here"
-    all_wrong <<'END'
-effect row lean.csv; effect edges 0.01; fall|dominoes of this row lean.*enter 'effect edges off', or a row whose file has no column lean
-effect row lean.csv; set method engine; verdict|dominoes of this row lean, and a rigid-body engine runs the row, since method is engine; turn that off
-END
+    wrong 'effect row lean.csv; effect edges 0.01; fall' "dominoes of this row lean.*enter 'effect edges off', or a row whose file has no column lean"
+    wrong 'effect row lean.csv; set method engine; verdict' 'dominoes of this row lean, and a rigid-body engine runs the row, since method is engine; turn that off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
     grep -qxF 'The top of domino 2 may be off by 1.7 mm backwards to 1.03 cm forwards, the least room of all; it is off by 1 mm backwards now.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv

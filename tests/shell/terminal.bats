@@ -463,6 +463,38 @@ $prompt" "$(screen | tail -n 2)"
     done
 }
 
+# The words of the typed line that have the colour of commands.
+cyan() { screen -e | sed -n 's/\x1b\[1m/\n/p' | tail -n 1 | grep -o $'\033\\[36m[^\033]*' | sed 's/^[^m]*m//' | paste -sd ' ' -; }
+cyan_is() { [ "$(cyan)" = "$1" ]; }
+commands_are() { until_true cyan_is "$1"; } # WORDS
+
+@test "the commands of a typed line have a colour, wherever it is changed, and its text stays" {
+    unset NO_COLOR
+    open_session 80 24
+    press -l 'rmax 0.3; set s 0.2; q = 3; sweep s 0.1 0.4 3 : pair'
+    commands_are 'rmax set sweep pair'
+    press C-a
+    press -l 'z'
+    commands_are 'set sweep pair'
+    see '> zrmax 0\.3; set s 0\.2; q = 3; sweep s 0\.1 0\.4 3 : pair$|❯ zrmax 0\.3; set s 0\.2; q = 3; sweep s 0\.1 0\.4 3 : pair$'
+    press Delete Delete Delete C-d C-e
+    press -l '; echo 12345678901234567890; best'
+    press C-a
+    see '^7890; best$'
+    press C-k
+    commands_are ''
+    press -l 'fuel'
+    commands_are fuel
+    press C-r # not in a search
+    press -l 'zz'
+    see 'search'
+    commands_are ''
+    press C-g C-u
+    press -l 'let fuel'
+    commands_are let
+    press C-u
+}
+
 # The text that is faint on the screen.
 faint() { terminal capture-pane -p -e | sed -n 's/.*\x1b\[2m\([^\x1b]*\).*/\1/p' | tail -n 1 | sed 's/ *$//'; }
 hint_is() { [ "$(faint)" = "$1" ]; }

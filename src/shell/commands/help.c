@@ -208,6 +208,16 @@ static void help_columns(FILE *out, const struct column *columns)
     }
 }
 
+/* Returns the first command whose answer has these columns. */
+static const struct command *first_with(const struct column *columns)
+{
+    for (const struct command_group *g = command_groups(); g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (c->columns == columns)
+                return c;
+    return NULL;
+}
+
 static void help_command(struct session *session, const struct command *c)
 {
     char usage[USAGE_SIZE];
@@ -217,9 +227,14 @@ static void help_command(struct session *session, const struct command *c)
         help_say(out, "Equation: %s", c->equation);
     if (c->help)
         help_text(out, c->help);
-    if (c->columns && c->columns->key)
+    const struct command *first = c->columns ? first_with(c->columns) : NULL;
+    if (first && first != c)
+        fprintf(out, "\nIt answers as '%s' does; 'help %s' explains each number.\n", first->name,
+                first->name);
+    else if (c->columns && c->columns->key)
         fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
-    help_columns(out, c->columns);
+    if (first == c)
+        help_columns(out, c->columns);
     int fewest;
     if (command_values(c, &fewest) >= 0)
         help_say(out, "In an expression '%s' stands for its %s.", c->name, c->principal);

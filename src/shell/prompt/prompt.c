@@ -3,6 +3,7 @@
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/text.h"
+#include "prompt/colour.h"
 #include "prompt/hint.h"
 #include "prompt/input.h"
 #include <errno.h>
@@ -213,6 +214,7 @@ void line_prompt(struct session *session)
         }
         if (suspended)
             prompt_suspend(&awake);
+        colour_show(session);
         hint_show(session);
         fd_set input;
         FD_ZERO(&input);

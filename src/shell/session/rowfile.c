@@ -377,6 +377,10 @@ static bool row_read(struct reader *r, struct listed_row *rows)
     domq_real value[KINDS] = {[DENSITY] = 1};
     if (!cells_cut(r))
         return false;
+    int filled = r->cells; /* spreadsheets write empty cells at the end */
+    while (filled > r->columns && filled <= CELLS && *r->cell[filled - 1] == '\0')
+        filled--;
+    r->cells = filled == r->columns ? filled : r->cells;
     if (r->cells != r->columns)
         return wrong(r, r->cells > r->columns ? r->cell[r->columns] : NULL,
                      "too %s cells: %d, but the first line has %d; a %s separates them%s",

@@ -19,6 +19,15 @@ static const struct kind {
                   {"speed", "a speed", "speed (m/s)", -1},
                   {"error", "a speed", "error (m/s)", -1}};
 
+/* Other names that people give to columns. */
+static const struct synonym {
+    const char *name;
+    int kind;
+} synonyms[] = {
+    {"spacing", GAP}, {"distance", GAP}, {"separation", GAP},    {"velocity", SPEED},    {"v", SPEED},
+    {"sigma", ERROR}, {"errors", ERROR}, {"uncertainty", ERROR}, {"speed error", ERROR},
+};
+
 struct reader {
     struct session *session;
     const char *path;
@@ -36,6 +45,8 @@ static bool __attribute__((format(printf, 2, 3))) wrong(const struct reader *r, 
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    if (r->line == 0) /* the file is empty */
+        return session_error(r->session, "%s: %s", names_shown(r->path, shown), message);
     return session_error(r->session, "%s:%ld: %s", names_shown(r->path, shown), r->line, message);
 }
 
@@ -61,6 +72,18 @@ static bool of_kind(struct quantity q, const struct kind *k)
     return q.length == 1 && q.time == k->time && q.angle == 0 && q.mass == 0;
 }
 
+/* Returns the kind of a column's name of this length; KINDS for one that is not used. */
+static int kind_find(const char *name, size_t length)
+{
+    for (int k = 0; k < KINDS; k++)
+        if (strlen(kinds[k].name) == length && strncasecmp(kinds[k].name, name, length) == 0)
+            return k;
+    for (size_t s = 0; s < sizeof synonyms / sizeof *synonyms; s++)
+        if (strlen(synonyms[s].name) == length && strncasecmp(synonyms[s].name, name, length) == 0)
+            return synonyms[s].kind;
+    return KINDS;
+}
+
 /* Reads a name of the first line, such as "gap (mm)". */
 static bool name_read(struct reader *r, char *name, int column)
 {
@@ -68,22 +91,19 @@ static bool name_read(struct reader *r, char *name, int column)
     size_t length = open ? (size_t)(open - name) : strlen(name);
     while (length > 0 && isspace((unsigned char)name[length - 1]))
         length--;
-    for (int k = 0; k < KINDS; k++) {
-        if (strlen(kinds[k].name) != length || strncasecmp(kinds[k].name, name, length) != 0)
-            continue;
-        if (r->column[k])
-            return wrong(r, "two columns are named %s; one is right", kinds[k].name);
-        r->column[k] = column;
-        if (close) {
-            *close = '\0';
-            struct quantity q = expression_unit(open + 1);
-            if (!of_kind(q, &kinds[k]))
-                return wrong(r, "'%.20s' is not the unit of %s; write '%s'", open + 1, kinds[k].unit,
-                             kinds[k].example);
-            r->unit[k] = q.value;
-        }
-    }
-    return true;
+    int k = kind_find(name, length);
+    if (k == KINDS)
+        return true;
+    if (r->column[k])
+        return wrong(r, "two columns are the %s; one is right", kinds[k].name);
+    r->column[k] = column;
+    if (!close)
+        return true;
+    *close = '\0';
+    struct quantity q = expression_unit(open + 1);
+    r->unit[k] = q.value;
+    return of_kind(q, &kinds[k]) ||
+           wrong(r, "'%.20s' is not the unit of %s; write '%s'", open + 1, kinds[k].unit, kinds[k].example);
 }
 
 static bool head_read(struct reader *r, char *line)
@@ -103,7 +123,9 @@ static bool head_read(struct reader *r, char *line)
     return (r->column[GAP] && r->column[SPEED]) ||
            wrong(
                r,
-               "the first line names the columns, 'gap (mm), speed (m/s)', and 'error (m/s)' if it is known");
+               "the column '%s' is missing; the first line is 'gap (mm), speed (m/s)', and 'error (m/s)' if "
+               "it is known",
+               kinds[r->column[GAP] ? SPEED : GAP].name);
 }
 
 /* Allows no names in the expressions of a file, so that the file means the same in every session. */
@@ -119,10 +141,12 @@ static bool cell_read(struct reader *r, int k, const char *cell, domq_real *valu
     struct quantity q;
     struct expression e = {.text = cell, .angle = 1, .lookup = no_name};
     if (!expression_evaluate(&e, &q) || *skip_blanks(e.end) != '\0')
-        return wrong(r, "'%.20s' is not %s; write a number, with a decimal point", cell, kinds[k].unit);
+        return wrong(r, "'%.20s' is not %s; write %s", cell, kinds[k].unit,
+                     strchr(cell, ',') ? "decimals with a point, not with a comma" : "a number");
     bool bare = quantity_bare(q);
     if (bare && r->unit[k] == 0)
-        return wrong(r, "'%.20s' has no unit; name it in the first line, '%s'", cell, kinds[k].example);
+        return wrong(r, "'%.20s' has no unit: it would be %.20s %s; write '%s' in the first line", cell, cell,
+                     k == GAP ? "m" : "m/s", kinds[k].example);
     if (!bare && !of_kind(q, &kinds[k]))
         return wrong(r, "'%.20s' is not %s", cell, kinds[k].unit);
     *value = bare ? q.value * r->unit[k] : q.value;
