@@ -68,6 +68,40 @@ static void precisions_agree(void **state)
     }
 }
 
+/* Checks that theta_1 solves the equation of the contact to rounding, for radii up to d/2, in each precision.
+ */
+static void contacts(void **state)
+{
+    (void)state;
+    uint64_t seed = 11;
+    double worst[2] = {0, 0};
+    for (int n = 0; n < 3000; n++) {
+        struct asked train = train_of(0.02 + 0.9 * random_unit(&seed), 0, 0);
+        struct domq_angles angles;
+        struct domq_contact contact;
+        train.d = random_log(&seed, 1e-3, 0.9);
+        train.rho = train.d / 2 * random_log(&seed, 1e-9, 1);
+        train.r = 1 + (1 / train.s - 1) * random_unit(&seed);
+        train.precision = n % 8 ? DOM_DOUBLE : DOM_QUAD;
+        if (ask_angles_find(&train, &angles, NULL) != DOM_OK)
+            continue;
+        domq_real theta = angles.theta_c * random_log(&seed, 1e-6, 1);
+        assert_status(ask_contact_find(&train, theta, &contact, NULL), DOM_OK);
+        if (isnan((double)contact.arm_a)) /* the follower has detached */
+            continue;
+        const long double rho = (long double)train.rho, r = (long double)train.r, d = (long double)train.d,
+                          l = 1 - 2 * rho, from = (long double)theta, to = (long double)contact.theta_1;
+        const long double along = -(long double)train.s - d + rho * (1 - 1 / r) + rho * to / r - rho * from +
+                                  l / r * sinl(to),
+                          up = rho / r - rho + l / r * cosl(to);
+        double off = (double)fabsl(along * cosl(from) - up * sinl(from) + d - rho + rho / r);
+        worst[n % 8 == 0] = fmax(worst[n % 8 == 0], off);
+    }
+    print_message("# residual of the contact %.1e, in quad %.1e\n", worst[0], worst[1]);
+    assert_true(worst[0] > 0 && worst[0] < 2e-15);
+    assert_true(worst[1] < 1e-18); /* that of long double, in which it is computed */
+}
+
 /* ---- Newton's law ---- */
 
 enum { MOST = 40 };
@@ -358,10 +392,10 @@ static void radii_that_do_not_fit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(largest_growths),       cmocka_unit_test(edges_become_sharp),
-        cmocka_unit_test(precisions_agree),      cmocka_unit_test(newtons_law),
-        cmocka_unit_test(energy_is_kept),        cmocka_unit_test(rows_are_trains),
-        cmocka_unit_test(radii_that_do_not_fit),
+        cmocka_unit_test(largest_growths), cmocka_unit_test(edges_become_sharp),
+        cmocka_unit_test(contacts),        cmocka_unit_test(precisions_agree),
+        cmocka_unit_test(newtons_law),     cmocka_unit_test(energy_is_kept),
+        cmocka_unit_test(rows_are_trains), cmocka_unit_test(radii_that_do_not_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

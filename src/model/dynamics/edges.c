@@ -23,7 +23,7 @@ const struct dom_effect dom_effect_edges = {
             "theta_c = r s. No error bounds are known, and growths are sampled, as with friction. 'fuel "
             "paper' cannot be combined with rounded edges: there is no closed form of the fuel.",
     .source = "rigid bodies that roll and slide, after J. M. J. van Leeuwen, Domino Magnification",
-    .plan = "contacts by Halley's method, inertia i(theta)",
+    .plan = "contacts by Newton's method, inertia i(theta)",
     .argument = {{.name = "RADIUS",
                   .unit = "h",
                   .meaning = "radius of the edges over the height",

@@ -287,7 +287,7 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 {
     (void)J;
     struct equation_of_motion at_hit;
-    struct link rest = link_begin(next, geometry_rest(next));
+    struct link rest = roller_begin(next, geometry_rest(next)).link;
     real a = link_arm_a(&rest);
     *inertia_ratio = 0;
     if (!(a > 0))

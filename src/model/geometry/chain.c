@@ -51,24 +51,25 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     *leaves = false;
     if (!geometry->detaches)
         return DOM_OK;
-    struct link b = link_begin(geometry, standing);
+    struct roller walk = roller_begin(geometry, standing);
+    const struct link *b = &walk.link;
     real passed = 1; /* part of a torque that reaches the head: with friction not the slope */
-    while (b.leads) {
-        enum dom_status status = chain_watch(geometry, b.i);
+    while (b->leads) {
+        enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
             return status;
         /* A domino that carries less than rounding errors changes nothing when it detaches. */
-        if (b.i + 1 >= geometry->n || b.weight * fmax(b.slope, passed) < REAL_EPSILON * REAL_EPSILON)
+        if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        passed *= fabs(link_arm_a(&b) / link_arm_b(&b));
-        link_follow(&b);
+        passed *= fabs(link_arm_a(b) / link_arm_b(b));
+        roller_follow(&walk);
     }
     /* Domino b.i has no follower at 0: it detaches when domino b.i - 1 reaches theta_leave. */
     *head = geometry->leave;
-    for (size_t i = b.i; i > 1; i--)
+    for (size_t i = b->i; i > 1; i--)
         *head = geometry_leader(geometry, *head);
     if (domino)
-        *domino = b.i;
+        *domino = b->i;
     *leaves = true;
     return DOM_OK;
 }
@@ -140,20 +141,21 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         status = chain_sum(&geometry, head, &sums);
     if (status != DOM_OK)
         return status;
-    struct link k = link_begin(&geometry, head);
-    struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
+    struct roller walk = roller_begin(&geometry, head);
+    const struct link *k = &walk.link;
+    struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     for (;;) {
         if (dom_raised(geometry.interrupt)) /* writing a row may take longer than computing it */
             return DOM_INTERRUPTED;
-        struct dom_link link = link_public(&geometry, &k, &e);
+        struct dom_link link = link_public(&geometry, k, &e);
         if (!train->errors)
             no_bounds(&link.error, sizeof link.error);
-        if (!visit(&link, context) || !k.leads || k.i + 1 >= sums.n)
+        if (!visit(&link, context) || !k->leads || k->i + 1 >= sums.n)
             return DOM_OK;
-        struct link leader = k;
-        link_follow(&k);
+        const struct link leader = *k;
+        roller_follow(&walk);
         if (train->errors)
-            bound_next(&geometry, &leader, &k, &e);
+            bound_next(&geometry, &leader, k, &e);
     }
 }
 
@@ -164,14 +166,15 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
-    struct link k = link_begin(&geometry, head), leader = k;
-    struct bound e = bound_head(&geometry, &k, geometry_error_head(head));
-    struct dom_link link = link_public(&geometry, &k, &e), follower = {.theta = tilt_angle(geometry.f)};
+    struct roller walk = roller_begin(&geometry, head);
+    const struct link *k = &walk.link, leader = *k;
+    struct bound e = bound_head(&geometry, k, geometry_error_head(head));
+    struct dom_link link = link_public(&geometry, k, &e), follower = {.theta = tilt_angle(geometry.f)};
     follower.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
-    if (k.leads) {
-        link_follow(&k);
-        bound_next(&geometry, &leader, &k, &e);
-        follower = link_public(&geometry, &k, &e);
+    if (k->leads) {
+        roller_follow(&walk);
+        bound_next(&geometry, &leader, k, &e);
+        follower = link_public(&geometry, k, &e);
     }
     *contact = (struct dom_contact){
         .theta_1 = follower.theta,

@@ -349,8 +349,8 @@ KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry,
 KERNEL enum dom_status chain_pushes(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     struct sums *sums)
 {
-    if (geometry->rounded.on) /* contact_pushes knows sharp edges alone */
-        return chain_energy_change_from(geometry, from, head, sums);
+    if (geometry->rounded.on)
+        return rolling_closed(geometry, from, head, 2 * atan(half_turn(from, head)), sums);
     return energy_change_between(geometry, from, head, half_turn(from, head), PASS_PUSHES, sums, NULL);
 }
 

@@ -44,7 +44,8 @@ KERNEL enum dom_status rolling_sum(const struct geometry *geometry, struct tilt 
         enum dom_status status = chain_watch(geometry, k.link.i);
         if (status != DOM_OK)
             return status;
-        roller_add_J(&a, &k.link);
+        if (!sign)
+            roller_add_J(&a, &k.link);
         roller_add_H1(&a, &k.link);
         if (k.link.i + 1 >= geometry->n || !k.link.leads ||
             ((sign || done_J(&a, &k.link)) && rolling_done_H1(&a, &k.link, tol)))
@@ -86,16 +87,26 @@ static real half_of_turn(struct tilt a, struct tilt b, real by)
     return (a.x * b.y - a.y * b.x) / (1 + a.y * b.y + a.x * b.x);
 }
 
-/* Returns h(A) - h(B) of one domino, as energy_change in energy_change.c. */
-static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, real by)
+/* How far the tilts of two chains are apart at one domino: as an angle, and as the tangent of half of it. */
+struct apart {
+    real by, t;
+};
+
+static struct apart apart_of(struct tilt a, struct tilt b, real by)
 {
-    return half_of_turn(a, b, by) * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
-           geometry->rounded.roll * by;
+    return (struct apart){by, half_of_turn(a, b, by)};
+}
+
+/* Returns h(A) - h(B) of one domino, as energy_change in energy_change.c. */
+static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, struct apart apart)
+{
+    return apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
+           geometry->rounded.roll * apart.by;
 }
 
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 {
-    return -rolling_rise(geometry, t, standing, tilt_angle(t));
+    return -rolling_rise(geometry, t, standing, apart_of(t, standing, tilt_angle(t)));
 }
 
 /*
@@ -106,25 +117,95 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
  *
  * where every term of R has the small factor `by`. The first estimate of D fixes only tan(D/2) / D.
  */
-static real difference_next(const struct roller *a, const struct roller *b, real by)
+static struct apart apart_next(const struct roller *a, const struct roller *b, struct apart apart)
 {
     const struct geometry *geometry = a->link.geometry;
     const struct rounded *of = &geometry->rounded;
     struct tilt A = a->link.tilt, B = b->link.tilt;
-    real t = half_of_turn(A, B, by), sines = t * (A.x + B.x), cosines = t * (A.y + B.y);
+    real by = apart.by, t = apart.t, sines = t * (A.x + B.x), cosines = t * (A.y + B.y);
     real more = of->rho - of->rho_1, rough = a->rolling.turn - b->rolling.turn;
     real R = more * (sines - cosines + by * A.y - b->theta * sines) +
              sines * (of->rho_1 * b->rolling.turn - geometry->L);
     real half = rough == 0 ? (real)0.5 : tan(rough / 2) / rough;
-    real D = R / (of->tall_1 * (a->link.contact.Y + b->link.contact.Y) * half + of->rho_1 * A.y);
-    return by + D;
+    real D = R / (of->tall_1 * (a->link.contact.Y + b->link.contact.Y) * half + of->rho_1 * A.y),
+         t_D = half * D;
+    return (struct apart){by + D, (t + t_D) / (1 - t * t_D)};
 }
 
-KERNEL enum dom_status rolling_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real by, struct sums *sums)
+/* Returns the least a b for a b in [lo, hi]. */
+static real least_product(real a, real lo, real hi)
+{
+    return fmin(a * lo, a * hi);
+}
+
+/*
+ * contact_pushes of energy_change.c for rounded edges: returns true if one contact surely does its part to
+ * keep all contacts closed while its leader moves from b to a. The inertia of a domino now changes with its
+ * tilt, so that c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k, and a_k has i_k in its denominator.
+ *
+ * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. With p = 1 - step, Q = L - rho_1 turn
+ * and more = rho - rho_1, the contact equation makes of the left side
+ *
+ *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - more [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x],
+ *
+ * where the square bracket is between -2 and 1.16. The first two terms are a mean of y Q and d. Where y Q <
+ * d/2, x and p >= x (M - rho_1 turn)/b are large. The same terms with p for p^2 are a part of that by which
+ * the arm of the leader decreases, so slope and turn decrease, too, and the ends of the way bound all terms.
+ * a is as with sharp edges, with R i/i_1 for R, and with the part of a foot that rolls down a slope.
+ */
+static bool rolling_pushes_between(const struct roller *a, const struct roller *b)
+{
+    const struct geometry *own = a->link.geometry, *next = own->follower ? own->follower : own;
+    const struct rounded *of = &own->rounded, *by = &next->rounded;
+    const struct tilt A = a->link.tilt, B = b->link.tilt, A_1 = tilt_follower(A, a->link.contact),
+                      B_1 = tilt_follower(B, b->link.contact);
+    const real X = a->link.contact.X, less = fmin(X, 0), Y = fmin(a->link.contact.Y, b->link.contact.Y),
+               Y_most = X < 0 ? 1 : a->link.contact.Y, step = a->link.step, step_most = b->link.step,
+               arm_most = of->tall_1 + of->rho_1, more = of->rho - of->rho_1;
+    const real Q = own->L - of->rho_1 * fmax(b->rolling.turn, 0), M = Q - fmax(more, 0), low = own->d / 2,
+               far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
+               mean = fmax(fmin(own->d, A.y * Q), fmin(low, own->d * far * far)),
+               bends = mean - fmax((real)1.16 * more, -2 * more);
+    /* i is concave up to pi/2, and i' decreases. */
+    const real i = fmin(geometry_inertia(own, A), geometry_inertia(own, B)),
+               i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
+               i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,
+               rolls = step_most * fmax(geometry_inertia_slope(next, B_1), 0) / i_1 +
+                       fmax(-geometry_inertia_slope(own, A), 0) / i;
+    const real R = own->weight / own->inertia * i / i_1_most,
+               R_most = own->weight / own->inertia * i_most / i_1;
+    const real of_x = least_product(next->h.y * Y + fmin(next->h.x * X, next->h.x * b->link.contact.X), R,
+                                    R_most) -
+                      step_most * own->h.y,
+               of_y = least_product(next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most), R, R_most) +
+                      least_product(own->h.x, step, step_most),
+               rest = least_product(-by->roll, R, R_most) + least_product(of->roll, step, step_most);
+    return B.x >= 0 && A.y >= 0 && A_1.y >= 0 && B_1.x >= 0 && Y + own->mu * less > 0 && M > 0 && i > 0 &&
+           i_1 > 0 && link_arm_a(&a->link) >= 0 && bends >= rolls * step_most * arm_most / 2 &&
+           own->h.y > 0 && next->h.y > 0 &&
+           least_product(of_x, B.x, A.x) + least_product(of_y, A.y, B.y) + rest >= 0;
+}
+
+enum { ROLLING_HALVINGS = 4 };
+
+/* Returns the same, from bounds over halves of the way, halves of those, and so on. */
+static bool rolling_pushes(const struct roller *a, const struct roller *b, int halvings)
+{
+    if (rolling_pushes_between(a, b))
+        return true;
+    if (halvings == 0)
+        return false;
+    const struct roller middle = roller_between(a, b);
+    return rolling_pushes(&middle, b, halvings - 1) && rolling_pushes(a, &middle, halvings - 1);
+}
+
+/* rolling_change, and whether all contacts push if `pushes` asks for it. */
+static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    real by, bool pushes, struct sums *sums)
 {
     struct sum_state state = {0};
     struct roller a = roller_head(geometry, head), b = roller_head(geometry, from);
+    struct apart apart = apart_of(head, from, by);
     real H2 = 0;
     for (;;) {
         const struct link *link = &a.link;
@@ -133,7 +214,7 @@ KERNEL enum dom_status rolling_change(const struct geometry *geometry, struct ti
             return status;
         roller_add_J(&state, link);
         roller_add_H1(&state, link);
-        series_add(&state.dH, link->weight * rolling_rise(link->geometry, link->tilt, b.link.tilt, by));
+        series_add(&state.dH, link->weight * rolling_rise(link->geometry, link->tilt, b.link.tilt, apart));
         H2 += link->weight * (a.second_derivative * geometry_lift(link->geometry, link->tilt) -
                               link->slope * link->slope * geometry_height(link->geometry, link->tilt));
         if (link->i + 1 >= geometry->n || !b.link.leads)
@@ -141,19 +222,37 @@ KERNEL enum dom_status rolling_change(const struct geometry *geometry, struct ti
         if (!link->leads) { /* The follower has detached during this cycle: it keeps the energy of theta_f. */
             roller_next(&b);
             state.left = b.link.weight *
-                         rolling_rise(geometry, geometry->f, b.link.tilt, tilt_angle(geometry->f) - b.theta);
+                         rolling_rise(geometry, geometry->f, b.link.tilt,
+                                      apart_of(geometry->f, b.link.tilt, tilt_angle(geometry->f) - b.theta));
             series_add(&state.dH, state.left);
             break;
         }
-        real next = difference_next(&a, &b, by), shrinks = by == 0 ? 1 : fabs(next / by);
+        pushes = pushes && rolling_pushes(&a, &b, ROLLING_HALVINGS);
+        struct apart next = apart_next(&a, &b, apart);
+        real shrinks = apart.by == 0 ? 1 : fabs(next.by / apart.by);
         const struct geometry *own = link->geometry;
-        bool done = series_done(&state.dH, link->weight * fabs(by) * (own->reach + fabs(own->rounded.roll)),
-                                fmax(own->weight * shrinks, own->decay), geometry->tol);
+        bool done =
+            series_done(&state.dH, link->weight * fabs(apart.by) * (own->reach + fabs(own->rounded.roll)),
+                        fmax(own->weight * shrinks, own->decay), geometry->tol);
         if (done && done_J(&state, link) && rolling_done_H1(&state, link, geometry->tol))
             break;
-        by = next;
+        apart = next;
         roller_next(&a);
         roller_next(&b);
     }
-    return rolling_result(geometry, &state, H2, a.link.i + 1, sums);
+    enum dom_status status = rolling_result(geometry, &state, H2, a.link.i + 1, sums);
+    sums->pushes = pushes;
+    return status;
+}
+
+KERNEL enum dom_status rolling_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                      real by, struct sums *sums)
+{
+    return rolling_pass(geometry, from, head, by, false, sums);
+}
+
+KERNEL enum dom_status rolling_closed(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                      real by, struct sums *sums)
+{
+    return rolling_pass(geometry, from, head, by, true, sums);
 }

@@ -21,22 +21,18 @@ KERNEL enum dom_status rounded_edges(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The most steps of an iteration that needs three or four, and more only where it has no solution. */
+/* The most steps of an iteration that needs one to four, and more only where it has no solution. */
 enum { TURN_STEPS = 40 };
 
-/*
- * Returns the solution in [-pi/2, pi/2] of l sin u + c u = G, l and c >= 0, with its sine and cosine; NaN
- * where there is none. Halley's method, from the first two terms of the series in G. The step that ends it
- * is so short that the last sine and cosine need its square alone.
- */
-static real turn_solve(real l, real c, real G, real *sine, real *cosine)
+/* Returns turn_solve by Halley's method, from an estimate. The step that ends it is so short that the last
+ * sine and cosine need its square alone, and so does the step itself where the left side bends. */
+static real turn_iterate(real l, real c, real G, real turn, real *sine, real *cosine)
 {
-    real part = G / (l + c), turn = part * (1 + l / (l + c) * part * part / 6);
     for (int i = 0; i < TURN_STEPS; i++) {
         turn = fmin(fmax(turn, -PI / 2), PI / 2);
         real x = sin(turn), y = cos(turn), off = l * x + c * turn - G, slope = l * y + c;
-        real by = -off / (slope + off * l * x / (2 * slope));
-        if (fabs(by * by * by) <= REAL_EPSILON * fabs(turn)) {
+        real bend = l * x / slope, by = -off / (slope + off * bend / 2);
+        if (fabs(by * by * by) * (1 + bend * bend) <= REAL_EPSILON * fabs(turn)) {
             *sine = x + by * (y - by * x / 2);
             *cosine = y - by * (x + by * y / 2);
             return turn + by;
@@ -46,13 +42,52 @@ static real turn_solve(real l, real c, real G, real *sine, real *cosine)
     return *sine = *cosine = REAL_NAN;
 }
 
+/*
+ * Returns the solution in [-pi/2, pi/2] of l sin u + c u = G, l and c >= 0, with its sine and cosine; NaN
+ * where there is none. For edges that are nearly sharp u is nearly U, sin U = X = G / (l + c): with the
+ * cosine Y of U, and S = l Y + c, the rest delta = u - U obeys
+ *
+ *     delta = -c (U - X) / S + k delta^2 + m delta^3 - k/12 delta^4 - m/20 delta^5 + k/360 delta^6 + ...,
+ *     k = l X / 2 S, m = l Y / 6 S.
+ */
+KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
+{
+    real X = G / (l + c), left = (1 - X) * (1 + X);
+    if (!(left > 0))
+        return turn_iterate(l, c, G, X * (1 + l / (l + c) * X * X / 6), sine, cosine);
+    real U = asin(X), Y = sqrt(left), of_S = 1 / (l * Y + c), first = c * (X - U) * of_S;
+    real k = l * X * of_S / 2, m = l * Y * of_S / 6, delta = first * (1 + k * first);
+    real square = delta * delta;
+    real off =
+        first - delta + square * (k * (1 - square / 12 * (1 - square / 30)) + delta * m * (1 - square / 20));
+    real step = off / (1 - delta * (2 * k + 3 * m * delta));
+    delta += step;
+    square = delta * delta;
+    /* The terms left out, and what a third step would add, are below a quarter of a rounding error. */
+    if (!(fabs(square * square * square * delta) <= 600 * REAL_EPSILON * fabs(X) &&
+          fabs(k) * step * step <= REAL_EPSILON / 8 * fabs(X)))
+        return turn_iterate(l, c, G,
+                            fabs(k * delta) < (real)0.02 ? U + delta : X * (1 + l / (l + c) * X * X / 6),
+                            sine, cosine);
+    real less = square / 2 * (1 - square / 12 * (1 - square / 30)),
+         by = delta * (1 - square / 6 * (1 - square / 20));
+    *sine = X + (Y * by - X * less);
+    *cosine = Y - (X * by + Y * less);
+    return U + delta;
+}
+
 /* Returns theta cos theta - sin theta + 1 - cos theta: the part of the contact that unequal radii have. */
 static real unequal(struct tilt t, real theta)
 {
     return t.v - t.x + theta * t.y;
 }
 
-static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
+static struct tilt tilt_of(real theta)
+{
+    return tilt_make(sin(theta), cos(theta));
+}
+
+KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct tilt leader, real theta)
 {
     const struct rounded *of = &geometry->rounded;
     real more = of->rho - of->rho_1, c = of->rho_1 * leader.y, x = 0, y = 1;
@@ -72,14 +107,21 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
     };
 }
 
+/* Returns the same, outside of the loops. */
+static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
+{
+    return rolling_here(geometry, leader, theta);
+}
+
 /* ---- The chain ---- */
 
 static void roller_contact(struct roller *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    k->link.leads = !geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0;
+    k->link.leads =
+        geometry->n > 1 && (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);
     if (k->link.leads) {
-        k->rolling = rolling_of(geometry, k->link.tilt, k->theta);
+        k->rolling = rolling_here(geometry, k->link.tilt, k->theta);
         k->link.contact = k->rolling.contact;
         k->link.step = k->link.contact.step;
     }
@@ -88,9 +130,18 @@ static void roller_contact(struct roller *k)
 KERNEL struct roller roller_head(const struct geometry *geometry, struct tilt head)
 {
     struct roller k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
-                       .theta = tilt_angle(head)};
+                       .theta = head.v < (real)0.5 ? asin(head.x) : tilt_angle(head)};
     roller_contact(&k);
     return k;
+}
+
+KERNEL struct roller roller_between(const struct roller *a, const struct roller *b)
+{
+    struct roller middle = *a;
+    middle.theta = (a->theta + b->theta) / 2;
+    middle.link.tilt = tilt_of(middle.theta);
+    roller_contact(&middle);
+    return middle;
 }
 
 KERNEL void roller_next(struct roller *k)
@@ -109,36 +160,27 @@ KERNEL void roller_next(struct roller *k)
     roller_contact(k);
 }
 
-KERNEL struct link link_begin(const struct geometry *geometry, struct tilt head)
+KERNEL struct roller roller_begin(const struct geometry *geometry, struct tilt head)
 {
-    return geometry->rounded.on ? roller_head(geometry, head).link : link_head(geometry, head);
+    return geometry->rounded.on ? roller_head(geometry, head)
+                                : (struct roller){.link = link_head(geometry, head)};
 }
 
-KERNEL void link_follow(struct link *k)
+KERNEL void roller_follow(struct roller *k)
 {
-    if (!k->geometry->rounded.on) {
-        link_next(k);
-        return;
-    }
-    struct roller roller = {.link = *k, .theta = tilt_angle(k->tilt)};
-    roller.rolling = rolling_of(k->geometry, k->tilt, roller.theta);
-    roller_next(&roller);
-    *k = roller.link;
+    if (k->link.geometry->rounded.on)
+        roller_next(k);
+    else
+        link_next(&k->link);
 }
 
-KERNEL real link_curve(const struct link *leader, real second_derivative, const struct link *follower)
+KERNEL void roller_touch(struct roller *k)
 {
-    if (!leader->geometry->rounded.on)
-        return link_second_derivative(leader, second_derivative, follower);
-    struct rolling rolling = rolling_of(leader->geometry, leader->tilt, tilt_angle(leader->tilt));
-    return leader->step * second_derivative + rolling.curve * leader->slope * leader->slope;
-}
-
-KERNEL void link_touch(struct link *k)
-{
-    k->contact = k->geometry->rounded.on ? rolling_of(k->geometry, k->tilt, tilt_angle(k->tilt)).contact
-                                         : geometry_contact(k->geometry, k->tilt);
-    k->step = 0;
+    const struct geometry *geometry = k->link.geometry;
+    if (geometry->rounded.on)
+        k->rolling = rolling_of(geometry, k->link.tilt, k->theta);
+    k->link.contact = geometry->rounded.on ? k->rolling.contact : geometry_contact(geometry, k->link.tilt);
+    k->link.step = 0;
 }
 
 KERNEL real link_arm_a(const struct link *k)
@@ -175,11 +217,6 @@ static real leader_arm(real theta, void *context)
     const struct geometry *geometry = context;
     struct rolling rolling = rolling_of(geometry, tilt_make(sin(theta), cos(theta)), theta);
     return isfinite(rolling.contact.arm) ? rolling.contact.arm : -1;
-}
-
-static struct tilt tilt_of(real theta)
-{
-    return tilt_make(sin(theta), cos(theta));
 }
 
 /* Finds the first tilt up to hi at which a follower detaches; returns false if it never does. */

@@ -49,14 +49,15 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
 KERNEL struct roller roller_head(const struct geometry *geometry, struct tilt head);
 KERNEL void roller_next(struct roller *k);
+/* Returns one domino half way between two tilts. */
+KERNEL struct roller roller_between(const struct roller *a, const struct roller *b);
 
-/* Follow a chain outside of the loops, with edges of either kind. */
-KERNEL struct link link_begin(const struct geometry *geometry, struct tilt head);
-KERNEL void link_follow(struct link *k);
-/* Returns theta'' of the follower. */
-KERNEL real link_curve(const struct link *leader, real second_derivative, const struct link *follower);
+/* Follow a chain outside of the loops, with edges of either kind. With sharp edges only
+ * `link` has values. */
+KERNEL struct roller roller_begin(const struct geometry *geometry, struct tilt head);
+KERNEL void roller_follow(struct roller *k);
 /* Makes the contact of a domino that rounding has detached. */
-KERNEL void link_touch(struct link *k);
+KERNEL void roller_touch(struct roller *k);
 
 /* Return the arms of the contact of a domino with its follower, with friction, times r: contact_arm_a and
  * contact_arm_b for edges of either kind. */
@@ -70,6 +71,9 @@ KERNEL void rounded_count(const struct geometry *geometry);
 KERNEL enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums);
 KERNEL enum dom_status rolling_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                      real by, struct sums *sums);
+/* Finds the same sums as rolling_change, and whether all contacts surely push (chain_pushes). */
+KERNEL enum dom_status rolling_closed(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real by, struct sums *sums);
 /* Finds J, H1 and half of dJ/dtheta. */
 KERNEL enum dom_status rolling_rates(const struct geometry *geometry, struct tilt head, struct sums *sums,

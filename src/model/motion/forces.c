@@ -21,11 +21,15 @@ struct moving {
 static size_t moving_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
 {
     size_t n = 1;
-    k[0] = (struct moving){.link = link_begin(geometry, head), .second_derivative = 0, .size = 1};
+    struct roller walk = roller_begin(geometry, head);
+    k[0] = (struct moving){.link = walk.link, .second_derivative = 0, .size = 1};
     for (; n < room && n < geometry->n && k[n - 1].link.leads; n++) {
-        k[n].link = k[n - 1].link;
-        link_follow(&k[n].link);
-        k[n].second_derivative = link_curve(&k[n - 1].link, k[n - 1].second_derivative, &k[n].link);
+        roller_follow(&walk);
+        k[n].link = walk.link;
+        k[n].second_derivative =
+            geometry->rounded.on
+                ? walk.second_derivative
+                : link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative, &walk.link);
         k[n].size = k[n - 1].size / k[n - 1].link.geometry->r;
     }
     return n;

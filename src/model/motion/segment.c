@@ -13,22 +13,24 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         enum dom_status status = geometry_tilt(geometry, st->hi, &head);
         if (status != DOM_OK)
             return status;
-        struct link k = link_begin(geometry, head);
+        struct roller k = roller_begin(geometry, head);
+        const struct link *link = &k.link;
         /* A domino that moves less than rounding errors does not detach now; after one that detaches, nothing
          * moves at that moment. */
         bool last = false, all = *stay < geometry->n;
-        while (!last &&
-               ((*stay < geometry->n && k.i < *stay) || k.tilt.x < 0 || k.tilt.v < k.geometry->leave.v)) {
-            last = k.i + 1 >= geometry->n || (!all && k.slope < REAL_EPSILON * REAL_EPSILON);
+        while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
+                         link->tilt.v < link->geometry->leave.v)) {
+            last = link->i + 1 >= geometry->n || (!all && link->slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
-                link_follow(&k);
+                roller_follow(&k);
         }
-        if (last || k.i + 1 >= geometry->n)
+        if (last || link->i + 1 >= geometry->n)
             return DOM_OK;
-        struct tilt leave = k.geometry->leave;
-        *stay = k.i + 1;
-        for (const struct geometry *leader = k.geometry + 1; k.i > 0; k.i--, leader++)
-            leave = geometry_leader(leader, leave);
+        struct tilt leave = link->geometry->leave;
+        *stay = link->i + 1;
+        const struct geometry *leader = link->geometry + 1;
+        for (size_t i = link->i; i > 0; i--)
+            leave = geometry_leader(leader++, leave);
         st->hi = fmin(fmax(tilt_angle(leave), st->lo), st->hi);
     }
 }

@@ -25,6 +25,7 @@
     X(sin)                                                                                                   \
     X(cos)                                                                                                   \
     X(tan)                                                                                                   \
+    X(asin)                                                                                                  \
     X(atan)                                                                                                  \
     X(exp)                                                                                                   \
     X(expm1)                                                                                                 \
@@ -83,6 +84,7 @@ typedef domq_real real;
 #define fabs(x)      MATH(fabs)(x)
 #define sin(x)       MATH(sin)(x)
 #define cos(x)       MATH(cos)(x)
+#define asin(x)      MATH(asin)(x)
 #define atan(x)      MATH(atan)(x)
 #define exp(x)       MATH(exp)(x)
 #define expm1(x)     MATH(expm1)(x)

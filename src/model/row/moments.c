@@ -32,17 +32,17 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
     enum dom_status status = geometry_tilt(&st->geometry, theta, &tilt);
     if (status != DOM_OK)
         return status;
-    struct link k = link_begin(&st->geometry, tilt);
+    struct roller k = roller_begin(&st->geometry, tilt);
     w->moving = st->geometry.n;
     for (;;) {
-        w->tilt[head - k.i] = k.i == 0 ? theta : tilt_angle(k.tilt);
-        w->omega[head - k.i] = k.slope * omega;
-        if (k.i + 1 >= st->geometry.n)
+        w->tilt[head - k.link.i] = k.link.i == 0 ? theta : tilt_angle(k.link.tilt);
+        w->omega[head - k.link.i] = k.link.slope * omega;
+        if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        if (!k.leads) { /* by rounding: it detaches just here */
-            link_touch(&k);
+        if (!k.link.leads) { /* by rounding: it detaches just here */
+            roller_touch(&k);
         }
-        link_follow(&k);
+        roller_follow(&k);
     }
 }
 
