@@ -28,6 +28,7 @@ struct root_search {
     real lo, hi;
     struct root_point at[3];
     int known;
+    real slope; /* -d margin / d ln r, about; 0: unknown */
 };
 
 static void root_add(struct root_search *s, struct root_point point)
@@ -56,12 +57,20 @@ static real root_line(const struct root_point *a, const struct root_point *b)
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
+/* Returns a growth, or the middle of the bracket if it is outside. */
+static real root_inside(const struct root_search *s, real r)
+{
+    return r >= s->lo && r <= s->hi ? r : s->lo + (s->hi - s->lo) / 2;
+}
+
 /* Returns the next growth to try: by inverse interpolation through the last points, or the middle of the
  * bracket. */
 static real root_next(const struct root_search *s, const struct margin_context *c)
 {
     const struct root_point *at = s->at;
     real r = at[2].r, f = at[2].share, next = s->lo;
+    if (s->known == 1 && s->slope > 0)
+        return root_inside(s, r * exp(at[2].value / s->slope));
     bool high = f<-1 + ROOT_FLAT, low = f> 1 - ROOT_FLAT;
     if (s->known == 1 && !high && !low)
         next = r * exp((f > 0 ? log1p(2 * f / (1 - f)) : -log1p(-2 * f / (1 + f))) / 2 /
@@ -74,7 +83,7 @@ static real root_next(const struct root_search *s, const struct margin_context *
         real step = exp((high ? -1 : 1) * ROOT_STEP * log(r));
         next = s->known == 1 ? r * step : high ? fmin(next, r * step) : fmax(next, r * step);
     }
-    return next >= s->lo && next <= s->hi ? next : s->lo + (s->hi - s->lo) / 2;
+    return root_inside(s, next);
 }
 
 #define ROOT_STEPS 40
@@ -153,30 +162,102 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/*
- * Returns a growth near the root, right to a tenth of its logarithm or so for the trains that people build.
- * Without fuel, at s = 2 d^3 / (1 - d^2) or less, there is none.
- */
-static real root_guess(const struct margin_context *c)
+/* Room for the difference between the barrier that was followed last and that at the root. */
+#define DOWN_SLACK ((real)8e-3)
+
+/* Returns the separation over the thickness, less the ratio at which a train of equal dominoes has no fuel,
+ * 2 d^2 / (1 - d^2). */
+static real root_room(const struct margin_context *c)
 {
-    real d = c->geometry.d, u = fmax(c->s - 2 * d * d * d / (1 - d * d), 0) / d;
-    return exp((real)2.4 / (c->geometry.q - (real)0.6) * (1 - 1 / (5 + 30 * u)) * log1p((real)0.4 * u));
+    const real d = c->geometry.d;
+    return fmax(c->s / d - 2 * d * d / (1 - d * d), 0);
 }
 
-/* Finds the growth `from` which the margin decreases up to the root; *from = root if no strip shows that. */
-static enum dom_status falls_from(struct margin_context *c, real root, real *from)
+/* Returns a growth near the root, right to some percent of its logarithm for the trains that people build.
+ * The numbers are fitted to roots. */
+static real root_guess(const struct margin_context *c)
 {
-    const real whole = log(root);
+    const real d = fmin(c->geometry.d, (real)0.35), q = c->geometry.q, u = root_room(c),
+               x = fmin(log(u + (real)0.1), 2);
+    const real share = (real)1.132 - (real)0.886 * d +
+                       x * ((real)0.072 - (real)0.043 * d - (real)0.0244 * (q - (real)3.5) -
+                            x * ((real)0.0701 + (real)0.0195 * x));
+    return exp((real)2.4 / (q - (real)0.6) * share * log1p((real)0.4 * u));
+}
+
+/* Returns -d margin / d ln r at the root, about. */
+static real root_slope(const struct margin_context *c)
+{
+    const real u = fmax(root_room(c), (real)0.1);
+    return barrier_most(&c->geometry) * fmax(c->geometry.q - (real)1.2, (real)0.5) * (1 + 1 / (u * u));
+}
+
+/* The part of the reach from which a guess is replaced by root_near_reach. */
+#define REACH_NEAR ((real)0.96)
+
+/*
+ * Moves the start of a search near the root, from the kinetic energy at the reach; to the reach if there is
+ * no root for sure near it. Where r s is nearly 1, all followers have detached at the top, at theta_u; on the
+ * way only domino 1 has moved, from theta_c to theta_f. To the first order in sqrt(1 - r s) the barrier lacks
+ * what it lost:
+ *
+ *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
+ */
+static void root_near_reach(struct margin_context *c, real reach, real *start, real *slope)
+{
+    const real d = c->geometry.d, most = barrier_most(&c->geometry);
+    const struct margin at = margin_sign(c, reach);
+    const real lacks = sqrt((real)2) * (1 - sqrt(d / (c->s + d))) / pow(reach, c->geometry.q);
+    const real root = fmin(fmax(most - at.kinetic, 0) / lacks, (real)0.3);
+    *start = c->status == DOM_OK && margin_value(&at) < 0 ? reach * (1 - root * root) : reach;
+    *slope = lacks / (2 * root);
+}
+
+enum { DOWN_STRIPS = 16, DOWN_FAILS = 5 };
+
+/* Returns the width of the first strip below the root, over ln r. */
+static real down_first(real whole)
+{
     real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
-    width = whole < (real)0.03 ? whole : fmin(width, whole / 2);
-    for (int k = 0; k < 3; k++, width /= 2) {
+    return whole < (real)0.03 ? whole : fmin(width, whole / 2);
+}
+
+/*
+ * Finds the growth *down, between `from` and the root, from which the margin is positive up to the root;
+ * *down = root if no strip shows that. Goes down strip by strip, and computes no margin: over the first strip
+ * the margin decreases, and for the others its least value and the largest barrier at their upper ends are
+ * known from the strips before.
+ */
+static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
+{
+    const real most = barrier_most(&c->geometry);
+    real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0,
+         width = fmin(down_first(log(root / from)), 2 * log(1 / (c->s * root)));
+    *down = root;
+    for (int k = 0, fails = 0; k < DOWN_STRIPS && fails<DOWN_FAILS && * down> from; k++) {
         struct strip strip;
-        *from = width == whole ? 1 : root * exp(-width);
-        enum dom_status status = scan_bounds(c, *from, root, &strip);
-        if (status != DOM_OK || strip.margin_slope < 0)
+        const real whole = log(*down / from);
+        const bool last = width >= whole * (real)0.75;
+        const real lo = last ? from : *down * exp(-width);
+        width = last ? whole : width;
+        enum dom_status status = scan_bounds(c, lo, *down, &strip);
+        if (status != DOM_OK)
             return status;
+        const real highest = strip.clear ? most : strip_barrier_most(&strip, barrier, most, width);
+        const real over = strip.kinetic_least - highest,
+                   left = strip.clear ? 0 : margin - strip.margin_slope * width;
+        const bool falls = !strip.clear && (strip.root_slope < 0 || (margin > 0 && left > 0));
+        if (!falls && (*down == root || !(over > 0))) {
+            width /= 2;
+            fails++;
+            continue;
+        }
+        margin = fmax(fmax(over, left), 0);
+        barrier = highest;
+        *down = lo;
+        width *= 2;
+        fails = 0;
     }
-    *from = root;
     return DOM_OK;
 }
 
@@ -215,11 +296,14 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
 
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found)
 {
-    const real reach = 1 / c->s, start = root_guess(c);
-    struct root_search s = {.lo = from->r, .hi = reach};
+    const real reach = 1 / c->s;
+    real start = root_guess(c);
+    struct root_search s = {.lo = from->r, .hi = reach, .slope = root_slope(c)};
     *found = false;
+    if (start > REACH_NEAR * reach)
+        root_near_reach(c, reach, &start, &s.slope);
     if (!(start > from->r && start < reach))
-        return DOM_OK;
+        return c->status;
     margin_follow_begin(c);
     enum dom_status status = root_search(c, &s, start, 0, root);
     bool root_found = status == DOM_OK && *root < reach && margin_highest(c, *root);
@@ -229,7 +313,7 @@ KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from,
     c->status = DOM_OK;
     if (!root_found)
         return DOM_OK;
-    status = falls_from(c, *root, &falls);
+    status = positive_below(c, *root, from->r, &falls);
     if (status == DOM_OK && falls < *root && falls > from->r)
         status = positive_to(c, from, falls);
     *found = status == DOM_OK && falls < *root && from->r >= falls;

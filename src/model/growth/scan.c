@@ -56,6 +56,7 @@ static void pair_strip(const struct geometry *lo, const struct geometry *hi, str
     s->margin_slope = s->drops + net * (net > 0 ? s->kinetic_most : s->kinetic_least);
     if (!(sine > 0) || !isfinite(s->margin_slope))
         s->margin_slope = (real)INFINITY;
+    s->root_slope = s->margin_slope;
 }
 
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip)
@@ -97,7 +98,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     if (c->status != DOM_OK)
         return c->status;
     bool above = margin_value(&hi->margin) >= 0;
-    if (strip.margin_slope < 0) {
+    if (strip.root_slope < 0) {
         *known = above ? KNOWN_POSITIVE : KNOWN_TO_FALL;
         return DOM_OK;
     }
@@ -187,7 +188,7 @@ static enum dom_status scan_below(struct margin_context *c, const struct edge *l
     if (status != DOM_OK)
         return status;
     real barrier = lo->margin.barrier, ln_r = log1p((hi - lo->r) / lo->r),
-         rises = fmax(strip.margin_slope, 0) * ln_r;
+         rises = fmax(strip.root_slope, 0) * ln_r;
     *below = strip.kinetic_most == 0 || margin_value(&lo->margin) + rises < 0 ||
              strip.kinetic_most < strip_barrier_least(&strip, barrier, barrier_most(&c->geometry), ln_r);
     return DOM_OK;

@@ -5,6 +5,8 @@
 /* Relative room for the rounding errors of sums over a chain, whose terms have a few units each. */
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
+#define LEAST_TOP_STEPS 4
+
 /* Returns h(0) - h(theta). */
 static real strip_fall(const struct geometry *geometry, struct tilt t)
 {
@@ -123,18 +125,38 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 }
 
 /*
+ * Finds a lower bound of the head's tilt at the tops that count, those of a barrier of at least `kinetic`.
+ * There the head has risen by the barrier, and by what the first follower has lost: more, the more the head
+ * leans, and at least 1 / grows of the loss at hi.
+ */
+static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
+                                   real grows)
+{
+    const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
+    real p = 0, loss = 0;
+    for (int k = 0; k < LEAST_TOP_STEPS; k++) {
+        const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0); /* below theta_u */
+        const real before = sqrt(spare / (2 * lo->reach - spare));
+        const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
+        const bool leads = !hi->detaches || head.v < hi->leave.v;
+        const struct tilt first = leads ? tilt_follower(head, geometry_contact(hi, head)) : hi->f;
+        loss = hi->weight * fmax(strip_fall(hi, first) - upright, 0) / grows;
+    }
+    return tilt_half(p);
+}
+
+/*
  * Returns the terms of the first follower in another form, since its angle may change without bound at the
- * reach. A head that leans less than K / h.x has not risen by K. At the tops that count the head leans more,
- * and there the change of the angle is smaller than upright; that difference lowers the margin by less than
- * it raises it.
+ * reach. At the tops that count the head leans at least at `least`, and there the change of the angle is
+ * smaller than upright; that difference lowers the margin by less than it raises it.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
-                        real tilt, real least_tilt, real c)
+                        real tilt, struct tilt least, real c)
 {
     real g_lo = strip_sink(lo, at->lo), g_hi = strip_sink(lo, at->hi), h = lo->h.y - strip_fall(lo, at->lo);
-    if (g_lo < 0 || !(least_tilt > 0))
+    if (g_lo < 0 || !(least.x > 0))
         return (real)INFINITY;
-    real u = strip_advance(lo, hi, tilt_make(sin(least_tilt), cos(least_tilt)));
+    real u = strip_advance(lo, hi, least);
     real more = u - (1 - c) * lo->c.x / lo->c.y;
     return lo->weight * tilt * fmax(h * u - lo->q * g_lo, 0) +
            (more > 0 ? lo->weight * g_hi : hi->weight * g_lo) * more;
@@ -149,6 +171,13 @@ static void strip_tail(const struct geometry *lo, const struct geometry *hi, con
     real h = fmax(lo->h.y - strip_fall(lo, at->lo), 0), far = strip_sink(lo, hi->f);
     s->drops += slope == 0 ? 0 : weight * s->tilt * slope * h * u / (1 - lo->weight * step);
     s->far_rests = weight * far * u;
+}
+
+/* Returns an upper bound of rises - falls; infinite if it is unknown. */
+static real slope_safe(real rises, real falls)
+{
+    const real slope = rises + fabs(rises) * STRIP_SLACK - falls;
+    return isfinite(slope) ? slope : (real)INFINITY;
 }
 
 static void strip_finish(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
@@ -175,12 +204,9 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
         rests = c * sums->rests + inertia_ratio_most * sums->far_rests - q * sums->ages / D_most;
         head = sums->first_drops + c * sums->first_rests;
     }
-    real by_tilt = strip_first(lo, hi, first, sums->tilt, kinetic / lo->h.x, c);
-    head = isfinite(head) ? fmin(head, by_tilt) : by_tilt;
-    s->margin_slope = sums->drops + head + rests;
-    s->margin_slope += fabs(s->margin_slope) * STRIP_SLACK - kinetic * ages;
-    if (!isfinite(s->margin_slope))
-        s->margin_slope = (real)INFINITY;
+    real by_tilt = strip_first(lo, hi, first, sums->tilt, strip_least_top(lo, hi, kinetic, s->grows), c);
+    s->margin_slope = slope_safe(sums->drops + head + rests, kinetic * ages);
+    s->root_slope = fmin(s->margin_slope, slope_safe(sums->drops + by_tilt + rests, kinetic * ages));
 }
 
 /*
@@ -232,7 +258,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,
                                 .grows = (real)INFINITY,
                                 .drops = (real)INFINITY,
-                                .margin_slope = (real)INFINITY};
+                                .margin_slope = (real)INFINITY,
+                                .root_slope = (real)INFINITY};
         return DOM_OK;
     }
     struct tilt highest = tilt_make(sin(sums.tilt), cos(sums.tilt));

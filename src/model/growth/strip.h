@@ -23,9 +23,11 @@ struct strip {
      * infinite if a follower is before theta_u.
      */
     real grows;
-    real cut;          /* the most that the followers beyond those of `grows` can still lose */
-    real drops;        /* upper bound of -d barrier / d ln r, or of -d barrier / ds, over the strip, >= 0 */
-    real margin_slope; /* upper bound of d margin / d ln r over a strip in r */
+    real cut;   /* the most that the followers beyond those of `grows` can still lose */
+    real drops; /* upper bound of -d barrier / d ln r, or of -d barrier / ds, over the strip, >= 0 */
+    /* Upper bounds of d margin / d ln r over a strip in r: everywhere, and where the barrier is kinetic_least
+     * or more, as at every root. */
+    real margin_slope, root_slope;
     /* true: K exceeds `enough` over the strip; the walk ended there, and only kinetic_least is set */
     bool clear;
 };
