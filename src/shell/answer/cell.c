@@ -2,6 +2,7 @@
 #include "answer/cell.h"
 #include "language/quad.h"
 #include <stdio.h>
+#include <stdlib.h>
 
 struct cell cell_real(domq_real value)
 {
@@ -122,6 +123,14 @@ static domq_real rounded(const struct output_style *style, domq_real value)
                                             : value;
 }
 
+/* Reads a number as a program with the session's precision does. */
+static domq_real read_back(const struct output_style *style, const char *text)
+{
+    return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)
+           : style->precision == DOM_DOUBLE ? (domq_real)strtod(text, NULL)
+                                            : quad_read(text, NULL);
+}
+
 /* What is brief is known in double at best, and a count is more than a float holds. */
 static const struct output_style *style_of(const struct output_style *style, struct cell cell)
 {
@@ -150,9 +159,11 @@ const char *cell_plain(const struct output_style *style, struct cell cell, char 
     cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(style, cell.number) : cell.number;
     const char *said = cell_text(cell, few, false, text);
-    for (int n = all - 2; cell.kind == CELL_REAL && n <= all; n++)
-        if (rounded(style, quad_read(text, NULL)) != cell.number)
-            said = cell_text(cell, n, false, text);
+    bool same = cell.kind != CELL_REAL || read_back(style, text) == cell.number;
+    for (int n = all - 2 > few ? all - 2 : few + 1; !same && n <= all; n++) {
+        said = cell_text(cell, n, false, text);
+        same = n == all || read_back(style, text) == cell.number;
+    }
     return said;
 }
 

@@ -8,6 +8,21 @@
 /* glibc has these whatever the compiler; its header shows them to gcc alone. */
 extern int strfromf128(char *restrict text, size_t size, const char *restrict format, domq_real value);
 extern domq_real strtof128(const char *restrict text, char **restrict end);
+extern int strfromd(char *restrict text, size_t size, const char *restrict format, double value);
+
+/* Writes "%.17g" for 17. */
+static const char *format_write(int digits, char format[8])
+{
+    char *to = format;
+    *to++ = '%';
+    *to++ = '.';
+    if (digits > 9)
+        *to++ = (char)('0' + digits / 10);
+    *to++ = (char)('0' + digits % 10);
+    *to++ = 'g';
+    *to = '\0';
+    return format;
+}
 #endif
 
 /* Writes a whole number of so few digits, as many are; returns false for any other number. */
@@ -55,12 +70,12 @@ const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
     if ((domq_real)(double)value == value && whole_text((double)value, digits, text))
         return text;
 #if defined DOMQ_REAL_FLOAT128
-    if ((domq_real)(double)value != value) {
-        char format[16];
-        snprintf(format, sizeof format, "%%.%dg", digits);
+    char format[8];
+    format_write(digits > 0 ? digits : 1, format);
+    if ((domq_real)(double)value != value)
         strfromf128(text, WIDE_TEXT, format, value);
-    } else /* the same digits, sooner */
-        snprintf(text, WIDE_TEXT, "%.*g", digits, (double)value);
+    else /* the same digits, sooner */
+        strfromd(text, WIDE_TEXT, format, (double)value);
 #else
     snprintf(text, WIDE_TEXT, "%.*Lg", digits, value);
 #endif
