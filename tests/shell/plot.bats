@@ -188,6 +188,7 @@ END
     "$DOMINO" -e 'plot sweep fuel exact, paper s 0.2 0.6 5 : rmax' >picture
     for words in 'fuel = exact' 'fuel = paper'; do grep -q "$words" picture; done
     "$DOMINO" -e 'plot sweep r 1.2 3.2 5 : duration' | grep -q '4 of 5 points have no answer\|[1-4] of 5 points have no answer'
+    "$DOMINO" -e 'plot sweep tol 1e-12, 1e-6, 1e-3 : rmax' | grep -q '^ *tol, relative tolerance'
     "$DOMINO" -e 'plot sweep d 0.001 1 7 log : rmax' | grep -q '^ *0.001 .*0.01 .*0.1 .*1$'
 }
 

@@ -3,35 +3,7 @@
 #ifndef SHELL_ARGUMENTS_H
 #define SHELL_ARGUMENTS_H
 
-#include "interpreter/command.h"
-#include "language/text.h"
-
-/* The place of reading in a line that is being run. */
-struct reader {
-    struct session *session;
-    const struct text *text;
-    const char *at;
-    const char *stops; /* in a grid: characters that also end a word or value; else NULL */
-    bool last;         /* the argument that is read is the command's last */
-};
-
-int reader_column(const struct reader *reader, const char *place);
-
-/* Returns true if the command ends here. Comments begin at a blank. */
-bool command_ends(const char *c);
-
-/*
- * Reads a run of characters without blanks, or the text between "...", where '""' is one '"'. NULL: a '"' is
- * never closed, or there is no memory.
- */
-char *read_word(struct reader *reader, bool quotes);
-extern const char unclosed[];
-
-/* Reads a word that keeps its bytes: Greek letters in it are not replaced, as they are in commands. */
-char *read_text(struct reader *reader);
-
-/* Reads such a word as a file name; '~' is the home folder. */
-char *read_file(struct reader *reader);
+#include "interpreter/words.h"
 
 /* Reads the i-th value of a parameter: one of its words, or an expression. name: the source for messages. */
 bool read_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,

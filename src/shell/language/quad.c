@@ -94,7 +94,7 @@ domq_real quad_read(const char *text, char **end)
     domq_real value;
     const char *stop = short_read(text, &value);
     if (stop && end)
-        *end = (char *)(size_t)stop;
+        *end = (char *)stop;
     if (stop)
         return value;
 #if defined DOMQ_REAL_FLOAT128

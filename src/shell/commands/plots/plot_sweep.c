@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * plot sweep: one number of any answer over one or two parameters.  One parameter gives a curve, a second one
- * of few values a curve each, and of many a map.  The numbers are those of 'sweep', which writes them as csv.
+ * of few values a curve each, and of many a map.  The numbers are those that 'sweep' would write.
  */
 #include "answer/format.h"
 #include "commands/plots/plots.h"
@@ -23,31 +23,43 @@ struct points {
 
 /* ---- The rows of the sweep ---- */
 
-/* Cuts a line of csv into its cells; quotes go. */
-static int cells_cut(char *line, char *cell[CELLS])
+/* The names of the columns, and a row of numbers: which a sweep hands over without their text. */
+struct head {
+    char key[CELLS][64]; /* ends with an empty one */
+};
+
+struct row {
+    double number[CELLS]; /* NaN where the cell is none */
+    char word[32];        /* the value of the first parameter, as it is written */
+};
+
+static void handed_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
-    int n = 0;
-    for (char *at = line; at && n < CELLS; n++) {
-        bool quoted = *at == '"';
-        cell[n] = at + quoted;
-        char *end = quoted ? strchr(at + 1, '"') : at + strcspn(at, ",\n");
-        at = end && (quoted ? end[1] : *end) == ',' ? end + 1 + quoted : NULL;
-        if (end)
-            *end = '\0';
-    }
-    return n;
+    (void)cells, (void)reason;
+    struct head head = {{""}};
+    for (int i = 0; a->columns[i].key; i++)
+        snprintf(head.key[i], sizeof head.key[i], "%s", a->columns[i].key);
+    fwrite(&head, sizeof head, 1, a->out);
 }
 
-/* Returns the number that a cell is; NaN if it is none. */
-static double number_of(const char *text)
+static void handed_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    char *end;
-    double value = strtod(text, &end);
-    return *text && *end == '\0' ? value : (double)NAN;
+    (void)reason;
+    struct row row = {.word = ""};
+    char text[CELL_TEXT];
+    for (int i = 0; a->columns[i].key; i++) {
+        bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
+        row.number[i] = number ? (double)cells[i].number : (double)NAN;
+    }
+    if (cells[0].kind != CELL_NONE)
+        snprintf(row.word, sizeof row.word, "%s", cell_plain(&a->style, cells[0], text));
+    fwrite(&row, sizeof row, 1, a->out);
 }
+
+static const struct format handed = {.begin = handed_begin, .row = handed_row};
 
 /* Finds the column that is shown: what the command stands for in an expression, or its first. */
-static int column_find(struct points *p, char *const *head, int columns)
+static int column_find(struct points *p, const struct head *head)
 {
     const struct command *c = p->shape.command;
     char renamed[64];
@@ -55,47 +67,50 @@ static int column_find(struct points *p, char *const *head, int columns)
     int from = p->shape.axes;
     snprintf(p->key, sizeof p->key, "%s", key);
     snprintf(renamed, sizeof renamed, "%s.%s", c->name, key);
-    for (int i = from; i < columns; i++)
-        if (strcmp(head[i], key) == 0 || strcmp(head[i], renamed) == 0)
+    for (int i = from; *head->key[i]; i++)
+        if (strcmp(head->key[i], key) == 0 || strcmp(head->key[i], renamed) == 0)
             return i;
     return from;
 }
 
+/* Makes room for one more point. */
+static bool points_grow(struct points *p, size_t *room)
+{
+    bool good = true;
+    if (p->count < *room)
+        return true;
+    *room = 2 * *room + 64;
+    for (int i = 0; i < SWEEP_AXES; i++) {
+        double *more = realloc(p->at[i], *room * sizeof *more);
+        p->at[i] = more ? more : p->at[i];
+        good = good && more;
+    }
+    double *value = realloc(p->value, *room * sizeof *value);
+    p->value = value ? value : p->value;
+    void *word = realloc(p->word, *room * sizeof *p->word);
+    p->word = word ? word : p->word;
+    return good && value && word;
+}
+
 static bool points_read(FILE *rows, struct points *p)
 {
-    char *line = NULL, *cell[CELLS] = {NULL};
-    size_t size = 0, room = 0;
-    int column = -1;
+    struct head head;
+    struct row row;
+    size_t room = 0;
     bool good = true;
-    while (good && getline(&line, &size, rows) != -1) {
-        int n = cells_cut(line, cell);
-        if (column < 0) {
-            column = column_find(p, cell, n);
-            continue;
-        }
-        if (p->count == room) {
-            room = 2 * room + 64;
-            for (int i = 0; i < SWEEP_AXES; i++) {
-                double *more = realloc(p->at[i], room * sizeof *more);
-                p->at[i] = more ? more : p->at[i];
-                good = good && more;
-            }
-            double *value = realloc(p->value, room * sizeof *value);
-            p->value = value ? value : p->value;
-            void *word = realloc(p->word, room * sizeof *p->word);
-            p->word = word ? word : p->word;
-            good = good && value && word;
-        }
-        for (int i = 0; good && i < SWEEP_AXES; i++)
-            p->at[i][p->count] = i < p->shape.axes && i < n ? number_of(cell[i]) : (double)NAN;
-        if (good) {
-            snprintf(p->word[p->count], sizeof *p->word, "%s", cell[0]);
-            p->value[p->count] = column < n ? number_of(cell[column]) : (double)NAN;
-            p->none += isnan(p->value[p->count]) != 0;
-            p->count++;
-        }
+    if (fread(&head, sizeof head, 1, rows) != 1)
+        return true;
+    int column = column_find(p, &head);
+    while (good && fread(&row, sizeof row, 1, rows) == 1) {
+        if (!(good = points_grow(p, &room)))
+            break;
+        for (int i = 0; i < SWEEP_AXES; i++)
+            p->at[i][p->count] = i < p->shape.axes ? row.number[i] : (double)NAN;
+        memcpy(p->word[p->count], row.word, sizeof row.word);
+        p->value[p->count] = row.number[column];
+        p->none += isnan(row.number[column]) != 0;
+        p->count++;
     }
-    free(line);
     return good;
 }
 
@@ -108,7 +123,7 @@ static bool points_find(struct session *session, const struct call *call, struct
     }
     struct answer answer = {.out = rows, .style = call->answer->style, .rows = true};
     struct call asked = *call;
-    answer.style.format = &format_csv;
+    answer.style.format = &handed;
     answer.style.errors = false;
     asked.answer = &answer;
     bool done = run_sweep(session, &asked);

@@ -181,9 +181,10 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     swept_begin(&w->swept);
     w->swept.to = to;
     if (w->styled) {
-        domq_real digits = a.style.digits; /* columns have one width in all rows */
-        a.style = session_style(&w->point);
-        a.style.digits = digits;
+        struct output_style style = session_style(&w->point);
+        style.digits = a.style.digits; /* columns have one width in all rows */
+        style.format = a.style.format; /* which a picture has chosen for itself */
+        a.style = style;
     }
     if (to)
         to->style = a.style;

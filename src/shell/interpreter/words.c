@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/words.h"
+#include <stdlib.h>
+#include <string.h>
+
+#include <readline/tilde.h>
+
+int reader_column(const struct reader *r, const char *place)
+{
+    return text_column(r->text, place);
+}
+
+bool command_ends(const char *c)
+{
+    return *c == '\0' || *c == ';' || *c == '#';
+}
+
+const char unclosed[] = "this '\"' is never closed";
+
+/* The place of a word in the line, without its quotes. */
+struct place {
+    const char *begin, *end;
+    bool quoted;
+};
+
+/* Passes a word.  Returns false if a '"' is never closed. */
+static bool pass_word(struct reader *r, bool quotes, struct place *word)
+{
+    char ends[16];
+    snprintf(ends, sizeof ends, " \t\r\f\v;%s", r->stops ? r->stops : "");
+    *word = (struct place){.begin = r->at, .quoted = quotes && *r->at == '"'};
+    if (!word->quoted) {
+        r->at = word->end = word->begin + strcspn(word->begin, ends);
+        return true;
+    }
+    const char *behind = text_quote(r->at);
+    if (!behind)
+        return false;
+    word->begin++;
+    word->end = behind - 1;
+    r->at = behind;
+    return true;
+}
+
+/* Returns a copy of the text; between quotes '""' is one '"'. */
+static char *copy_word(const char *begin, const char *end, bool quoted)
+{
+    char *copy = strndup(begin, (size_t)(end - begin)), *to = copy;
+    for (const char *c = copy; c && *c; c++) {
+        *to++ = *c;
+        c += quoted && *c == '"' && c[1] == '"';
+    }
+    if (copy)
+        *to = '\0';
+    return copy;
+}
+
+char *read_word(struct reader *r, bool quotes)
+{
+    struct place word;
+    return pass_word(r, quotes, &word) ? copy_word(word.begin, word.end, word.quoted) : NULL;
+}
+
+char *read_text(struct reader *r)
+{
+    struct place word;
+    if (!pass_word(r, true, &word))
+        return NULL;
+    return copy_word(text_typed(r->text, word.begin), text_typed(r->text, word.end), word.quoted);
+}
+
+char *read_file(struct reader *r)
+{
+    char *name = read_text(r);
+    if (!name || *name != '~')
+        return name;
+    char *path = tilde_expand_word(name);
+    free(name);
+    return path;
+}
