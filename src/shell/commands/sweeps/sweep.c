@@ -225,19 +225,6 @@ static void sweep_gather(void *own, const void *worker)
 
 /* ---- All of them ---- */
 
-/* Room for the new name of a column that has the name of a parameter: 'rmax.s' for 's'. */
-enum { RENAMED = 40 };
-
-static bool column_add(struct swept *s, int *n, struct column column, const char *key)
-{
-    if (*n + 1 >= ANSWER_COLUMNS)
-        return false;
-    s->column[*n] = column;
-    s->key[(*n)++] = key;
-    s->column[*n].key = NULL;
-    return true;
-}
-
 /* Returns true if an argument replaces the parameter that a column of the command repeats. */
 static bool echo_called(const struct session *session, const struct sweep *sweep)
 {
@@ -253,36 +240,6 @@ static bool echo_called(const struct session *session, const struct sweep *sweep
         if (c->argument[i].of && strcmp(c->argument[i].of, c->echo) == 0)
             return true;
     return false;
-}
-
-/* Makes the columns: parameters, then those of the command, without one that only repeats a parameter. */
-static bool sweep_columns(const struct session *session, const struct sweep *sweep, struct swept *s,
-                          char renamed[AXES_MAX][RENAMED])
-{
-    const struct command *c = sweep->command;
-    const struct grid *grid = &sweep->grid;
-    bool room = true;
-    int n = 0, twice = 0;
-    for (int i = 0; i < grid->axes; i++) {
-        const struct parameter *p = grid->axis[i].parameter;
-        struct column column = {p->name, p->value->unit, "", 0};
-        room = room && column_add(s, &n, column, NULL);
-    }
-    s->values = n;
-    for (const struct column *from = c->columns; from->key; from++) {
-        struct column column = *from;
-        bool same = false;
-        for (int i = 0; i < grid->axes; i++)
-            same = same || strcmp(from->key, s->column[i].key) == 0;
-        if (same && c->echo && strcmp(c->echo, from->key) == 0 && !echo_called(session, sweep))
-            continue;
-        if (same) {
-            snprintf(renamed[twice], RENAMED, "%s.%s", c->name, from->key);
-            column.key = renamed[twice++];
-        }
-        room = room && column_add(s, &n, column, from->key);
-    }
-    return room;
 }
 
 /* Writes the values of point k: "s = 0.7, d = 0.1". */
@@ -314,8 +271,7 @@ static bool sweep_error(struct session *session, const struct sweeper *w)
     return false;
 }
 
-static struct sweeper *sweeper_make(struct session *session, const struct sweep *s, const struct answer *a,
-                                    char renamed[AXES_MAX][RENAMED])
+static struct sweeper *sweeper_make(struct session *session, const struct sweep *s, const struct answer *a)
 {
     struct sweeper *w = calloc(1, sizeof *w);
     if (!w)
@@ -328,7 +284,8 @@ static struct sweeper *sweeper_make(struct session *session, const struct sweep 
         w->index[i] = SIZE_MAX; /* no value yet */
         w->styled = w->styled || p->fallback_of || p->moves;
     }
-    if (!sweep_columns(session, s, &w->swept, renamed)) {
+    bool echoed = s->command->echo && echo_called(session, s);
+    if (!swept_columns(&w->swept, &s->grid, s->command, echoed)) {
         session_error(session, "a row of this sweep would have more than %d columns; sweep fewer parameters",
                       ANSWER_COLUMNS - 1);
         free(w);
@@ -383,10 +340,10 @@ static bool sweep_rows(struct session *session, struct answer *a, struct sweeper
 
 bool run_sweep(struct session *session, const struct call *call)
 {
-    char renamed[AXES_MAX][RENAMED], where[256];
+    char where[256];
     long errors = session->errors;
     struct answer *a = call->answer;
-    struct sweeper *w = sweeper_make(session, call->own, a, renamed);
+    struct sweeper *w = sweeper_make(session, call->own, a);
     if (!w)
         return session->errors == errors ? session_status(session, DOM_NO_MEMORY) : false;
     bool done = sweep_rows(session, a, w);

@@ -3,6 +3,42 @@
 #include "answer/format.h"
 #include <string.h>
 
+static bool column_add(struct swept *s, int *n, struct column column, const char *key)
+{
+    if (*n + 1 >= ANSWER_COLUMNS)
+        return false;
+    s->column[*n] = column;
+    s->key[(*n)++] = key;
+    s->column[*n].key = NULL;
+    return true;
+}
+
+bool swept_columns(struct swept *s, const struct grid *grid, const struct command *c, bool echoed)
+{
+    bool room = true;
+    int n = 0, twice = 0;
+    for (int i = 0; i < grid->axes; i++) {
+        const struct parameter *p = grid->axis[i].parameter;
+        struct column column = {p->name, p->value->unit, "", 0};
+        room = room && column_add(s, &n, column, NULL);
+    }
+    s->values = n;
+    for (const struct column *from = c->columns; from->key; from++) {
+        struct column column = *from;
+        bool same = false;
+        for (int i = 0; i < grid->axes; i++)
+            same = same || strcmp(from->key, s->column[i].key) == 0;
+        if (same && c->echo && strcmp(c->echo, from->key) == 0 && !echoed)
+            continue;
+        if (same) {
+            snprintf(s->renamed[twice], sizeof *s->renamed, "%s.%s", c->name, from->key);
+            column.key = s->renamed[twice++];
+        }
+        room = room && column_add(s, &n, column, from->key);
+    }
+    return room;
+}
+
 void swept_begin(struct swept *s)
 {
     s->answered = s->reasoned = false;
