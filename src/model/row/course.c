@@ -220,7 +220,7 @@ KERNEL enum dom_status row_course(const struct row_request *asked, struct course
     if (c->geometry)
         c->geometry[0] = (struct geometry){.dynamics = &energy_balance};
     if (status == DOM_OK)
-        status = row_make(asked, c->geometry);
+        status = row_make(asked, asked->count, c->geometry);
     if (status == DOM_OK)
         status = course_run(c, 0, 0, &c->verdict);
     c->made = asked->count;

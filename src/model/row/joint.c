@@ -141,10 +141,10 @@ KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, s
     return status;
 }
 
-KERNEL enum dom_status row_make(const struct row_request *asked, struct geometry *row)
+KERNEL enum dom_status row_make(const struct row_request *asked, size_t count, struct geometry *row)
 {
     enum dom_status status = DOM_OK;
-    for (size_t k = 0; k < asked->count && status == DOM_OK; k++) {
+    for (size_t k = 0; k < count && status == DOM_OK; k++) {
         status = row_geometry(asked, k, row);
         if (status == DOM_OK && k == 0) /* all joints share the memory of the law */
             status = dynamics_begin(row);

@@ -7,7 +7,7 @@
  * the present head is the unit: its height, m g h / 2, tau.
  */
 #include "growth/margin.h"
-#include "row/run.h"
+#include "row/steady.h"
 #include <stdlib.h>
 
 /* Finds where the motion ends in this segment. */
@@ -280,25 +280,53 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
 static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *context)
 {
     bool more = true;
+    struct steady steady = {.found = false};
     struct dom_work *work = run->asked->work;
-    if (work)
-        work->entered[DOM_EFFECT_row]++;
-    if (work && !isnan(run->asked->push))
+    work->entered[DOM_EFFECT_row]++;
+    if (!isnan(run->asked->push))
         work->entered[DOM_EFFECT_push]++;
     row_launch(run);
     for (size_t k = 0; k < run->asked->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
         struct dom_fall fall;
-        enum dom_status status = row_head(run, k, &d, &fall);
+        const real before = run->omegasq;
+        const bool last = k + 1 == run->asked->count;
+        enum dom_status status = DOM_OK;
+        if (steady_repeats(&steady, run, k, &fall)) {
+            more = !visit || visit(&fall, context);
+            if (dom_raised(run->asked->interrupt))
+                return DOM_INTERRUPTED;
+            continue;
+        }
+        if (!(last && steady.found && run->made < k && steady_last(&steady, run, k, &d, &fall, &status))) {
+            if (status == DOM_OK)
+                status = row_ready(run, last ? k : k + 1);
+            if (status == DOM_OK)
+                status = row_head(run, k, &d, &fall);
+        }
         if (status != DOM_OK)
             return status;
         more = (!visit || visit(&fall, context)) && !(run->watch && run->watch->ended);
-        if (more && run->verdict.end == DOM_ROW_FALLS && k + 1 < run->asked->count)
+        if (more && run->verdict.end == DOM_ROW_FALLS && !last) {
             status = row_hit(run, k, &d.st.geometry, &d.st.start);
+            steady_find(&steady, run, k, before, &d, &fall);
+        }
         if (status != DOM_OK)
             return status;
     }
     return DOM_OK;
+}
+
+/* Adds the work of a row to that of the caller. */
+static void work_add(struct dom_work *sum, const struct dom_work *own)
+{
+    if (!sum)
+        return;
+    sum->passes += own->passes;
+    sum->dominoes += own->dominoes;
+    sum->longest = own->longest > sum->longest ? own->longest : sum->longest;
+    for (int i = 0; i < DOM_EFFECT_COUNT; i++)
+        sum->entered[i] += own->entered[i];
 }
 
 /* ---- Public ---- */
@@ -307,6 +335,7 @@ static enum dom_status row_answer(const struct row_request *given, bool times, d
                                   void *context, struct watch *watch, struct dom_verdict *verdict)
 {
     struct row_request row = *given, *const asked = &row;
+    struct dom_work work = {0};
     enum dom_status status = row_check(asked, &verdict->domino);
     if (status != DOM_OK)
         return status;
@@ -324,17 +353,20 @@ static enum dom_status row_answer(const struct row_request *given, bool times, d
     for (size_t k = 0; k < asked->count; k++)
         block[k] = block_of(asked, k);
     row.block = block;
+    row.work = &work;
+    run.made = steady_made(asked);
     run.geometry[0] = (struct geometry){.dynamics = &energy_balance};
     status = watch ? watch_begin(watch, asked->count) : DOM_OK;
     for (size_t k = 0; watch && status == DOM_OK && k < asked->count; k++)
         watch->tilt[k] = asked->domino[k].lean;
     if (status == DOM_OK)
-        status = row_make(asked, run.geometry);
+        status = row_make(asked, run.made, run.geometry);
     if (status == DOM_OK)
         status = row_falls(&run, visit, context);
     if (status == DOM_OK && watch)
         status = watch_rest(watch);
     dynamics_end(&run.geometry[0]);
+    work_add(given->work, &work);
     run.verdict.seconds = times ? run.time : REAL_NAN;
     if (status == DOM_OK)
         *verdict = run.verdict;

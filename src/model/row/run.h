@@ -10,6 +10,7 @@
 struct run {
     const struct row_request *asked;
     struct geometry *geometry; /* geometry[k]: of domino k as a head, and as a follower of k + 1 */
+    size_t made;               /* so many of them are made, if not all are (steady.h) */
     bool times;
     bool forces;         /* true: find the smallest contact force, not only its sign */
     size_t moving;       /* number of moving dominoes, including the head */

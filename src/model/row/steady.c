@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "row/steady.h"
+
+/* Dominoes beyond the longest pass that must be equal, too. */
+enum { STEADY_MORE = 2 };
+
+/* The fewest dominoes whose geometry is made first. */
+enum { STEADY_FIRST = 256 };
+
+/* omegasq may still change by this part of the tolerance, in all heads to come. */
+#define STEADY_SHARE ((real)1 / 64)
+
+/* Returns true if domino k is like the one before it. */
+static bool equal(const struct row_request *row, size_t k)
+{
+    const struct dom_domino *a = &row->domino[k], *b = a - 1;
+    return a->height == b->height && a->thickness == b->thickness && a->gap == b->gap && a->mass == b->mass &&
+           a->radius == b->radius && a->lean == b->lean;
+}
+
+KERNEL enum dom_status row_ready(struct run *run, size_t k)
+{
+    enum dom_status status = DOM_OK;
+    for (; run->made <= k && status == DOM_OK; run->made++)
+        status = row_geometry(run->asked, run->made, run->geometry);
+    return status;
+}
+
+KERNEL size_t steady_made(const struct row_request *asked)
+{
+    size_t k = asked->count;
+    while (k > 1 && equal(asked, k - 1))
+        k--;
+    return k + STEADY_FIRST < asked->count ? k + STEADY_FIRST : asked->count;
+}
+
+KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall)
+{
+    s->alike = k > 0 && equal(run->asked, k) ? s->alike + 1 : 1;
+    if (!s->found || s->alike == 1 || k + 1 == run->asked->count || !equal(run->asked, k + 1))
+        return false;
+    struct dom_fall *own = &s->fall;
+    own->domino++;
+    own->moving += s->more;
+    own->floor_domino += own->floor_domino > 0;
+    own->floor_hit_domino += own->floor_hit_domino > 0;
+    own->time = run->time;
+    run->time += (real)own->duration;
+    run->moving += s->more;
+    run->verdict.domino = own->domino;
+    *fall = *own;
+    return true;
+}
+
+KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real before,
+                        const struct descent *d, const struct dom_fall *fall)
+{
+    const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
+               left = fabs(after - before) * lambda / (1 - lambda);
+    const size_t more = run->moving - fall->moving;
+    s->found = !run->watch && k > 0 && run->asked->work->longest + STEADY_MORE <= s->alike && more <= 1 &&
+               more == s->more && lambda < 1 && left <= STEADY_SHARE * (real)run->asked->tol * after;
+    s->more = more;
+    s->fall = *fall;
+}
+
+KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
+                        struct dom_fall *fall, enum dom_status *status)
+{
+    const size_t last = run->made - 1, shift = k - last;
+    struct run shorter = *run;
+    shorter.moving = run->moving - (s->more > 0 ? shift : 0);
+    run->geometry[last].c = (struct tilt){1, 0, 1};
+    *status = row_head(&shorter, last, d, fall);
+    if (run->asked->work->longest + STEADY_MORE + shift > s->alike) {
+        *status = row_geometry(run->asked, last, run->geometry);
+        return false;
+    }
+    fall->domino += shift;
+    fall->moving = run->moving;
+    fall->floor_domino += fall->floor_domino > 0 ? shift : 0;
+    fall->floor_hit_domino += fall->floor_hit_domino > 0 ? shift : 0;
+    shorter.verdict.domino += shift;
+    shorter.verdict.weakest += shorter.verdict.weakest == last + 1 ? shift : 0;
+    *run = shorter;
+    return true;
+}
