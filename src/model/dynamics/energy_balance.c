@@ -248,39 +248,20 @@ static real energy_gain(const struct geometry *geometry, const struct start *sta
     return gain * start->J / J_at;
 }
 
-static const struct dynamics energy_balance = {
-    .text = &dom_energy_balance,
-    .conservative = true,
-    .bounded = true,
-    .collide = energy_collide,
-    .inertia_ratio = energy_inertia_ratio,
-    .slope = energy_slope,
-    .required_energy = energy_required,
-    .speed = energy_speed,
-    .before_rest = energy_before_rest,
-    .acceleration = energy_acceleration,
-    .gain = energy_gain,
-};
-
-/* ---- The same law for dominoes with rounded edges ---- */
-
 static struct arms rounded_arms(const struct link *link)
 {
     real b = link_arm_b(link);
     return (struct arms){.ratio = link_arm_a(link) / b, .b = b};
 }
 
-static const struct dynamics rounded_balance = {
-    .text = &dom_energy_balance,
-    .conservative = true,
-    .bounded = false,
-    .collide = energy_collide,
-    .inertia_ratio = energy_inertia_ratio,
-    .slope = energy_slope,
-    .required_energy = energy_required,
-    .speed = energy_speed,
-    .before_rest = energy_before_rest,
-    .acceleration = energy_acceleration,
-    .gain = energy_gain,
-    .arms = rounded_arms,
-};
+/* The law. Of dominoes with rounded edges no error bounds are known, and their contacts have other arms. */
+#define ENERGY_BALANCE(bounds, contact_arms)                                                                 \
+    {                                                                                                        \
+        .text = &dom_energy_balance, .conservative = true, .bounded = (bounds), .collide = energy_collide,   \
+        .inertia_ratio = energy_inertia_ratio, .slope = energy_slope, .required_energy = energy_required,    \
+        .speed = energy_speed, .before_rest = energy_before_rest, .acceleration = energy_acceleration,       \
+        .gain = energy_gain, .arms = (contact_arms),                                                         \
+    }
+
+static const struct dynamics energy_balance = ENERGY_BALANCE(true, NULL),
+                             rounded_balance = ENERGY_BALANCE(false, rounded_arms);
