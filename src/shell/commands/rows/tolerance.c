@@ -202,6 +202,20 @@ static struct off off(domq_real value, struct measured (*shown)(domq_real))
     return o;
 }
 
+/* Says where the model ends a window of heights and not the row: where it does not know the contact. */
+static void passes_say(struct answer *a, const struct windows *w, const struct scene_row *scene)
+{
+    size_t passes = 0;
+    for (size_t k = 0; k < scene->row.count && !scene->row.engine; k++)
+        passes += w->height[k].below == DOM_ROW_PASSES || w->height[k].above == DOM_ROW_PASSES;
+    if (passes > 0)
+        answer_say(a,
+                   "%zu window%s of heights end%s where the upper edge of a domino would pass above the next "
+                   "one and its face strike that one: a contact that the model does not include, so the row "
+                   "may fall beyond; 'set method engine' includes it.",
+                   passes, passes == 1 ? "" : "s", passes == 1 ? "s" : "");
+}
+
 static void tolerance_say(struct answer *a, const struct windows *w, const struct scene_row *scene)
 {
     const size_t count = scene->row.count;
@@ -224,6 +238,7 @@ static void tolerance_say(struct answer *a, const struct windows *w, const struc
                    w->first_height, length(h.low).text, length(h.high).text, count > 1 ? " of all" : "",
                    now(h.now).text);
     }
+    passes_say(a, w, scene);
     if (w->first_lean) {
         const struct domq_window l = readable(&w->lean[w->first_lean - 1]);
         const char *all = count > 1 ? ", the least room of all" : "";
