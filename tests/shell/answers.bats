@@ -363,6 +363,9 @@ END
 @test "what completion offers after a word is no error there" {
     local line word refused=''
     same 'draw' 'at forces train' "$("$DOMINO" -e 'complete draw ' | paste -sd ' ' -)"
+    same 'a lone answer is not written for s' '(nothing)' "$("$DOMINO" -e 'complete set s ')"
+    same 'but for a beginning' best "$("$DOMINO" -e 'complete set s b')"
+    same 'after a plain number' rate "$("$DOMINO" -e 'complete animate a.gif speed 2 r')"
     same 'plot cost' 'fuel launch barrier duration rmax pair' "$("$DOMINO" -e 'complete plot cost ' | paste -sd ' ' -)"
     same 'an abbreviation' 'rmax' "$("$DOMINO" -e 'complete plot co r')"
     for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \

@@ -546,6 +546,17 @@ END
 7|reset timng|^reset: unknown parameter 'timng'; did you mean 'timing'\?$
 6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
 6|help digist|^help: unknown topic 'digist'; did you mean 'digits'\?$
+1|mu 0.2|^unknown command 'mu'; did you mean 'effect friction MU'\?$
+1|separation 0.3|^unknown command 'separation'; did you mean 's'\? 's = VALUE' gives it a value$
+1|height|^unknown command 'height'; did you mean 'h'\?
+5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
+6|help thickness|^help: unknown topic 'thickness'; did you mean 'd'\?$
+8|effect mu 0.2|^effect: unknown effect 'mu'; did you mean 'friction'\?$
+7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
+7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
+1|mu = 0.2|^'mu' is no parameter; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
+7|print gravity|'gravity' has no value; did you mean 'g'\?$
+36|set output csv; animate a.gif speed 2 rad|animate: the speed is a plain number
 12|set output jsno|^set: .*'jsno'; did you mean 'json'\?
 10|set fuel ecaxt|^set: .*'ecaxt'; did you mean 'exact'\?
 11|set angle degs|^set: .*'degs'; did you mean 'deg'\?

@@ -10,7 +10,7 @@
 #ifdef KERNEL_TEXTS
 const struct dom_effect dom_effect_edges = {
     .name = "edges",
-    .synonyms = "rounded round radius corner bevel rolling foot",
+    .synonyms = "rho rounded round radius corner bevel rolling foot",
     .adds = "edges rounded with a radius, which roll on the floor",
     .help = "The radius of the edges is RADIUS times the height, the same share for each domino of a train; "
             "a file of a row may give each domino a radius of its own. It is at most half of the thickness. "

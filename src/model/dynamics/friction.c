@@ -21,7 +21,7 @@
 #ifdef KERNEL_TEXTS
 const struct dom_effect dom_effect_friction = {
     .name = "friction",
-    .synonyms = "rub rough sandpaper slippery coefficient",
+    .synonyms = "mu rub rough sandpaper slippery coefficient",
     .adds = "Coulomb friction between dominoes, also in the collision",
     .help = "Wood on wood has 0.2 to 0.5; 0 is the paper's model. The tip of each follower slides down the "
             "face of its leader; there the force mu N acts along the face, where N is the contact force. The "

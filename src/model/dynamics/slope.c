@@ -15,7 +15,7 @@
 #ifdef KERNEL_TEXTS
 const struct dom_effect dom_effect_slope = {
     .name = "slope",
-    .synonyms = "hill incline ramp tilt downhill uphill",
+    .synonyms = "alpha hill incline ramp tilt downhill uphill",
     .adds = "a floor that slopes, downhill where ALPHA > 0",
     .help = "An upright domino stands only where |ALPHA| is below theta_u, the angle at which it tips over, "
             "tan theta_u = d. One degree changes r_max by 5 to 8 %. Tilts are measured from the normal of "

@@ -34,6 +34,11 @@ bool run_set(struct session *session, const struct call *call)
     /* A file that is sourced may set the other one next. */
     if (moved && parameter_get(session, moved) != was && session->depth == 0)
         answer_say(call->answer, "%s is now %g", moved->name, (double)parameter_get(session, moved));
+    int all = session_style(session).all_digits;
+    if (p == parameter_find("digits") && session->style.digits > all && session->depth == 0)
+        answer_say(call->answer, "%s precision has %d digits at most%s",
+                   domq_arithmetic(session->compute.precision)->name, all,
+                   session->compute.precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
     if (p->effect && call->count > 1 && call->number[1] == EFFECT_ON)
         effect_say(session, call->answer, p, before != EFFECT_OFF);
     return true;
@@ -155,6 +160,7 @@ const struct command session_commands[] = {
     {.name = "diff",
      .synonyms = "changes changed compare default settings",
      .summary = "the parameters and effects that differ from their defaults",
+     .help = "What 'let' has defined is listed, too.",
      .example = "set s 0.3; effect friction 0.2; diff",
      .see = "show reset undo",
      .rows = true,

@@ -147,7 +147,7 @@ static bool show(struct session *session, const struct call *call, bool differin
             answer_row(call->answer, shown.cell, NULL);
         }
     }
-    for (size_t i = 0; !call->parameter && !differing && i < session->variables.count; i++)
+    for (size_t i = 0; !call->parameter && i < session->variables.count; i++)
         variable_row(call->answer, &session->variables.list[i], left_out);
     return true;
 }
@@ -180,7 +180,7 @@ bool run_diff(struct session *session, const struct call *call)
     size_t gaps = session->listed.changes;
     while (p->name && !differs(session, p))
         p++;
-    if (!p->name)
+    if (!p->name && session->variables.count == 0)
         answer_say(call->answer, "All parameters have their defaults, and no effect is on.");
     else if (!show(session, call, true))
         return false;

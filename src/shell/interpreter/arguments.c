@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/arguments.h"
 #include "language/quad.h"
+#include "session/meant.h"
 #include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -149,6 +150,12 @@ bool read_choice(struct reader *r, const struct argument *a, char **word, domq_r
     if (*word && !a->of)
         return session_error(r->session, "'%s' has no value; %s is an angle in [0, theta_c], or one of: %s",
                              names_shown(*word, shown), a->name, all);
+    bool usual;
+    const struct parameter *meant =
+        *word && a->kind == ARGUMENT_EFFECT ? parameter_meant(*word, &usual) : NULL;
+    if (meant && meant->effect && k != NAMES_CLOSE)
+        return session_error(r->session, "unknown %s '%s'; did you mean '%s'?", a->of,
+                             names_shown(*word, shown), meant->name);
     if (*word && k != NAMES_CLOSE)
         return session_error(r->session, "unknown %s '%s'; use one of: %s", a->of, names_shown(*word, shown),
                              all);
@@ -255,6 +262,10 @@ static bool read_topic(struct reader *r, const struct argument *a, struct call *
         k = names_exact(a->choices, NULL, "print");
     call->number[i] = k;
     call->parameter = k >= 0 && !topic ? &session_parameters[k] : NULL;
+    bool usual;
+    const struct parameter *meant = k < 0 && word ? parameter_meant(word, &usual) : NULL;
+    if (meant && (usual || k == NAMES_UNKNOWN))
+        return session_error(r->session, "unknown %s '%s'; did you mean '%s'?", a->of, word, meant->name);
     return k >= 0 || session_error(r->session, "%s", message);
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/forms.h"
+#include "session/meant.h"
 #include <ctype.h>
 #include <string.h>
 
@@ -93,6 +94,7 @@ static bool is_history(const struct session *session, const char *c, size_t n)
 static const struct command *assignment(struct session *session, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
+    bool usual;
     const struct parameter *p = parameter_find(v->name);
     if (p && v->count == 0)
         return command_find("set");
@@ -101,6 +103,9 @@ static const struct command *assignment(struct session *session, const struct va
     int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
     if (k == NAMES_CLOSE)
         session_error(session, "%s 'let %s = VALUE' defines a variable", message, v->name);
+    else if (v->count == 0 && (p = parameter_meant(v->name, &usual)) != NULL)
+        session_error(session, "'%s' is no parameter; did you mean '%s'? 'let %s = VALUE' defines a variable",
+                      v->name, p->name, v->name);
     else
         session_error(session, "'%s' is no parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
                       v->count ? "(...)" : "", v->count ? "function" : "variable");

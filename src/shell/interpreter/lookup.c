@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The names of a session in expressions. */
 #include "interpreter/command.h"
+#include "session/meant.h"
 #include <string.h>
 
 static bool cell_quantity(struct expression *e, const char *name, const struct command *c, int i,
@@ -141,7 +142,11 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
                                count > 0 ? "'%s' has no value; the command is entered without parentheses"
                                          : "'%s' has no value: its command answers in words or rows",
                                name);
+    bool usual;
+    const struct parameter *meant = parameter_meant(name, &usual);
     const char *close = names_closest(value_names, session, name);
+    if (meant && (usual || !close) && names_exact(value_names, session, meant->name) >= 0)
+        close = meant->name;
     return expression_fail(
         e, close && strcmp(close, name) != 0 ? "'%s' has no value; did you mean '%s'?" : "'%s' has no value",
         name, close);

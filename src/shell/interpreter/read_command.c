@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The name at the beginning of a command: beginnings of names, synonyms, and what was meant. */
 #include "interpreter/arguments.h"
+#include "session/meant.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,9 +37,16 @@ static const char *synonym_command(const char *word)
 static void command_unknown(struct session *session, const char *name, int k, char message[NAMES_MESSAGE])
 {
     const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
+    bool usual;
+    const struct parameter *p = parameter_meant(name, &usual);
+    char plain[2 * NAMES_MESSAGE], shown[NAMES_SHOWN];
+    snprintf(plain, sizeof plain, "unknown command '%s'", names_shown(name, shown));
     if (variable_find(&session->variables, name))
         session_error(session, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
+    else if (p && (usual || (!meant && k == NAMES_UNKNOWN)) && !effect_hint(name, message) &&
+             parameter_hint(name, plain, sizeof plain))
+        session_error(session, "%s", plain);
     else if (effect_hint(name, message) || (!meant && k != NAMES_UNKNOWN))
         session_error(session, "%s", message);
     else if (meant)

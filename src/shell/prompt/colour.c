@@ -14,7 +14,8 @@ enum { LINE_LONGEST = 2000 };
 /* True once a part of the line on the screen has a colour. */
 static bool coloured;
 
-/* Marks the word at this place as a command, if it is the name of one, and of no parameter or variable. */
+/* Marks the word at this place as a command: the name of one, or its beginning, if nothing else is named so.
+ */
 static void mark_command(const struct session *session, const char *line, const char *at, bool *mark)
 {
     char word[TYPED_WORD], message[NAMES_MESSAGE];
@@ -22,9 +23,10 @@ static void mark_command(const struct session *session, const char *line, const 
     snprintf(word, sizeof word, "%.*s", (int)length, at);
     bool alone = at[length] == '\0' || strchr(" \t;:", at[length]);
     const char *rest = skip_blanks(at + length);
-    if (length == 0 || length >= sizeof word || !alone || *rest == '=' || parameter_find(word) ||
-        variable_find(&session->variables, word) ||
-        names_find(command_names, NULL, "command", word, message) < 0)
+    bool other = parameter_find(word) || variable_find(&session->variables, word);
+    if (length == 0 || length >= sizeof word || !alone || *rest == '=' ||
+        (names_exact(command_names, NULL, word) < 0 &&
+         (other || names_find(command_names, NULL, "command", word, message) < 0)))
         return;
     memset(mark + (at - line), true, length * sizeof *mark);
 }

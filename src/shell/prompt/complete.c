@@ -239,8 +239,23 @@ static void emit_variables(const struct completion *c, const struct argument *a,
     }
 }
 
+enum { LONE = 64 };
+
+/* The number of candidates, and the last one. */
+struct lone {
+    int count;
+    char *name;
+};
+
+static void lone_keep(const char *candidate, void *context)
+{
+    struct lone *lone = context;
+    lone->count++;
+    snprintf(lone->name, LONE, "%s", candidate);
+}
+
 /* Emits what has a value: parameters, answers, functions. */
-static void emit_values(const struct completion *c, const struct argument *a)
+static void values_list(const struct completion *c, const struct argument *a)
 {
     bool any = !c->alone || (a->kind == ARGUMENT_ANY && !a->of);
     bool row = c->session->effect[DOM_EFFECT_row].on;
@@ -264,6 +279,21 @@ static void emit_values(const struct completion *c, const struct argument *a)
     for (int i = 0;
          (any || (*c->name && a->kind != ARGUMENT_COUNT)) && (name = expression_names(NULL, i)) != NULL; i++)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !any);
+}
+
+/* Emits values; where nothing is typed, not a single answer, which the key would write unasked: best for s.
+ */
+static void emit_values(const struct completion *c, const struct argument *a)
+{
+    char only[LONE] = "";
+    struct lone lone = {.count = 0, .name = only};
+    struct completion counted = *c;
+    counted.emit = lone_keep;
+    counted.context = &lone;
+    if (!*c->name && c->alone)
+        values_list(&counted, a);
+    if (lone.count != 1 || !command_find(only))
+        values_list(c, a);
 }
 
 /* Returns the argument before the last word, if that is a number that may have a unit; or NULL. */

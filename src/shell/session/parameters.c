@@ -93,16 +93,17 @@ static void precision_put(struct session *session, domq_real precision)
 }
 
 /* Adds members to the row of a number of the library's lists; each number has one. */
-#define MORE_s .synonyms = "spacing distance apart gap",
+#define MORE_s .synonyms = "separation spacing distance apart gap",
 #define MORE_r .synonyms = "growth factor ratio size larger",
-#define MORE_d .synonyms = "width thin thick depth",
+#define MORE_d .synonyms = "thickness thin thick depth width",
 #define MORE_q                                                                                               \
-    .synonyms = "wood block box weight material",                                                            \
+    .synonyms = "exponent wood block box weight material",                                                   \
     .words = (const struct word[]){{"hollow", 3}, {"solid", 4}, {"massive", 4}, {NULL, 0}},
 #define MORE_tol                                                                                             \
-    .synonyms = "accuracy precision", .help = tol_help, .fallback_of = tol_default, .lowest_of = tol_floor,
-#define MORE_h .synonyms = "size tall scale",
-#define MORE_g .synonyms = "weight moon planet",
+    .synonyms = "tolerance accuracy precision", .help = tol_help, .fallback_of = tol_default,                \
+    .lowest_of = tol_floor,
+#define MORE_h .synonyms = "height size tall scale",
+#define MORE_g .synonyms = "gravity acceleration weight moon planet",
 
 /* Formats by number, in the order of their list. */
 #define FORMAT_NUMBER(name) FORMAT_##name,
@@ -164,7 +165,7 @@ const struct parameter session_parameters[] = {
      .words = SWITCH, .words_only = true, .setting = true},
     {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
          .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
-     .synonyms = "accuracy decimals", .setting = true},
+     .synonyms = "decimals accuracy", .setting = true},
     {ROW("angle", style.angle, "", "unit of angles, in input and answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},

@@ -191,7 +191,7 @@ bool film_read(struct reader *r, struct call *call)
                 return false;
             domq_real got = speed ? what->speed : what->rate;
             /* A rate may be said as 20/s. */
-            if (!quantity_plain(q) && !(rate && quantity_alike(q, (struct quantity){.time = -1})))
+            if (!quantity_bare(q) && !(rate && quantity_alike(q, (struct quantity){.time = -1})))
                 return session_error(session, "%s is a plain number", speed ? "the speed" : "the rate");
             if (!(speed ? got >= (domq_real)0.001 && got <= 1000 : got >= 1 && got <= 50))
                 return session_error(

@@ -3,6 +3,7 @@
 #include "commands/planning/planning.h"
 #include "commands/planning/scan.h"
 #include "language/quad.h"
+#include "session/meant.h"
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,7 +64,11 @@ bool solve_read_parameter(struct reader *r, struct call *call)
     size_t length = strcspn(r->at, " \t:;>");
     char *word = strndup(r->at, length);
     int k = word ? names_find(solve_names, NULL, "parameter", word, message) : -1;
+    bool usual;
+    const struct parameter *meant = word && k == NAMES_UNKNOWN ? parameter_meant(word, &usual) : NULL;
     free(word);
+    if (meant)
+        return session_error(session, "%s; did you mean '%s'?", message, meant->name);
     if (k < 0)
         return session_error(session, "%s; the form is %s", message, form_of(session));
     r->at = skip_blanks(r->at + length);

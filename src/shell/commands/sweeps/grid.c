@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/sweeps/grid.h"
 #include "language/quad.h"
+#include "session/meant.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,8 +43,12 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
         return session_status(session, DOM_NO_MEMORY);
     const struct parameter *setting = parameter_find(word);
     int k = names_find(grid_names, NULL, "parameter", word, message);
+    bool usual;
+    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_meant(word, &usual) : NULL;
     names_shown(word, shown);
     free(word);
+    if (meant)
+        return session_error(session, "unknown parameter '%s'; did you mean '%s'?", shown, meant->name);
     if (setting && setting->setting)
         return session_error(
             session, "'%s' is a setting of the calculator; sweep a parameter of the model or an effect",
