@@ -5,6 +5,7 @@
 #include "answer/output.h"
 #include "commands/tables.h"
 #include "io/escape.h"
+#include "language/fewest.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include <stdlib.h>
@@ -58,6 +59,45 @@ static void whole_numbers_are_written_as_by_the_c_library(void **state)
     assert_string_equal(quad_text((domq_real)-0.0, 6, text), "-0");
 }
 
+/* Random bits of a double, and decimals of few digits, which end in halves of the last digit. */
+static void doubles_are_written_in_the_fewest_digits_of_the_c_library(void **state)
+{
+    char text[FEWEST_TEXT], plain[FEWEST_TEXT];
+    (void)state;
+    int length[18] = {0};
+    for (int k = 0; k < 300000; k++) {
+        double value = ldexp((double)bits(1u << 24) / (1 << 24) + (double)bits(1u << 24) / (1ull << 48),
+                             (int)bits(60) - 30);
+        if (k % 3 == 1)
+            value = (double)bits(1u << 24) / pow(10, (double)bits(24));
+        if (k % 3 == 2) {
+            uint64_t of = (uint64_t)bits(1u << 24) << 40 | (uint64_t)bits(1u << 24) << 16 | bits(1u << 16);
+            memcpy(&value, &of, sizeof value);
+        }
+        if (!isfinite(value))
+            continue;
+        value = k % 2 ? -value : value;
+        int n = 15;
+        snprintf(plain, sizeof plain, "%.*g", n, value);
+        while (n < 17 && strtod(plain, NULL) != value)
+            snprintf(plain, sizeof plain, "%.*g", ++n, value);
+        assert_string_equal(fewest_text(value, text), plain);
+        length[n]++;
+    }
+    for (int power = -1074; power < 1024; power++) { /* their neighbours are not equally far */
+        double value = ldexp(1, power);
+        int n = 15;
+        snprintf(plain, sizeof plain, "%.*g", n, value);
+        while (n < 17 && strtod(plain, NULL) != value)
+            snprintf(plain, sizeof plain, "%.*g", ++n, value);
+        assert_string_equal(fewest_text(value, text), plain);
+    }
+    assert_true(length[15] > 1000 && length[16] > 1000 && length[17] > 1000);
+    assert_string_equal(fewest_text(-0.0, text), "-0");
+    assert_string_equal(fewest_text(999999999999999.9, text), "999999999999999.9");
+    assert_string_equal(fewest_text(0.5 + 1e16, text), "1e+16");
+}
+
 static void an_index_finds_what_the_list_has(void **state)
 {
     char name[64];
@@ -90,7 +130,8 @@ static void a_line_in_ascii_has_the_columns_of_its_letters(void **state)
         char greek[sizeof typed + 2];
         struct text text, wide;
         int length = snprintf(greek, sizeof greek, "π%.*s", (int)n, typed);
-        assert_true(text_make(&text, typed, n) && text_make(&wide, greek, (size_t)length));
+        assert_true(text_make(&text, typed, n));
+        assert_true(text_make(&wide, greek, (size_t)length));
         assert_string_equal(text.line, wide.line + 2);
         for (size_t k = 0; k <= n; k++) {
             assert_int_equal(text_column(&text, text.line + k) + 1, text_column(&wide, wide.line + 2 + k));
@@ -143,6 +184,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_read_as_by_the_c_library),
         cmocka_unit_test(whole_numbers_are_written_as_by_the_c_library),
+        cmocka_unit_test(doubles_are_written_in_the_fewest_digits_of_the_c_library),
         cmocka_unit_test(an_index_finds_what_the_list_has),
         cmocka_unit_test(a_line_in_ascii_has_the_columns_of_its_letters),
         cmocka_unit_test(a_text_without_a_right_end_is_one_line),
