@@ -5,37 +5,42 @@
 
 load common
 
-# The bad command is line 2 of a script whose other lines show all parameters; it must not change a byte of
-# what they say, and its message must match and point at the column (0: the error is about the whole).
-bad() { # COMMAND COLUMN MESSAGE
-    local script=$BATS_TEST_TMPDIR/bad.dom shown way place
-    printf 'set s 0.3; set output json; show\n%s\nshow; fuel\n' "$1" >"$script"
-    shown=$(sed 2d "$script" | "$DOMINO" 2>&1 | bare)
-    [ "$(wc -l <<<"$shown")" -gt 20 ] || same "$1: what is shown" 'all parameters' "$shown"
+# Checks rows of COMMAND|COLUMN|MESSAGE on stdin (column 0: the error is about the whole; MESSAGE is a regular
+# expression). Before and after each command one session shows all parameters: a bad command may not change a byte of
+# what it says, and its message must match and point at the column.
+all_bad() {
+    local rows row rest i way line place script=$BATS_TEST_TMPDIR/bad.dom first='set s 0.3; set output json' all='show; fuel'
+    local shown=$BATS_TEST_TMPDIR/shown expected=$BATS_TEST_TMPDIR/expected each=()
+    mapfile -t rows
+    "$DOMINO" -e "$first; $all" >"$shown"
+    [ "$(wc -l <"$shown")" -gt 20 ] || same 'what is shown' 'all parameters' "$(cat "$shown")"
+    { echo "$first" && echo "$all"; } >"$script"
+    cp "$shown" "$expected"
+    for row in "${rows[@]}"; do
+        printf '%s\n%s\n' "${row%%|*}" "$all" >>"$script"
+        { echo 'an error' && cat "$shown"; } >>"$expected"
+        each+=(-e "${row%%|*}" -e "$all")
+    done
     for way in -e stdin "$script"; do
-        place=$way:2:
         case $way in
-        -e)
-            run -1 --separate-stderr "$DOMINO" --keep-going -e "$(head -n 1 "$script")" -e "$1" -e "$(tail -n 1 "$script")"
-            place=-e:1:
-            ;;
+        -e) run -1 --separate-stderr "$DOMINO" --keep-going -e "$first" -e "$all" "${each[@]}" ;;
         stdin) run -1 --separate-stderr "$DOMINO" <"$script" ;;
         *) run -1 --separate-stderr "$DOMINO" --keep-going -f "$script" ;;
         esac
-        if [ "$2" -gt 0 ]; then place=$place$2:; fi
-        same "$1 ($way): stdout" "$shown" "$(bare <<<"$output")"
-        same "$1 ($way): an object" 1 "$(grep -c '^{"command":[^,]*,"error":".*"source":".*","line":[12],"column":.*}$' <<<"$output")"
-        same "$1 ($way): lines on stderr" 1 "$(wc -l <<<"$stderr")"
-        same "$1 ($way): place" "$place" "${stderr%% *}"
-        expects "$1" "$3"
-        [[ ${stderr#* } =~ $3 ]] || same "$1 ($way)" "$3" "$stderr"
+        sed -E 's/^\{"command":[^,]*,"error":".*"source":".*","line":[0-9]+,"column":.*\}$/an error/' <<<"$output" |
+            same_file "$expected" - || same "${rows[0]} and more ($way)" 'what is shown does not change' 'it does'
+        mapfile -t lines <<<"$stderr"
+        same "${rows[0]} and more ($way): lines on stderr" "${#rows[@]}" "${#lines[@]}"
+        for i in "${!rows[@]}"; do
+            row=${rows[i]} rest=${rows[i]#*|} line=$((2 * i + 3))
+            if [ "$way" = -e ]; then line=1; fi
+            place=$way:$line:
+            if [ "${rest%%|*}" -gt 0 ]; then place=$place${rest%%|*}:; fi
+            same "${row%%|*} ($way): place" "$place" "${lines[i]%% *}"
+            expects "${row%%|*}" "${rest#*|}"
+            [[ ${lines[i]#* } =~ ${rest#*|} ]] || same "${row%%|*} ($way)" "${rest#*|}" "${lines[i]}"
+        done
     done
-}
-
-# Rows of COMMAND|COLUMN|MESSAGE, a regular expression, on stdin.
-all_bad() {
-    local command column message
-    while IFS='|' read -r command column message; do bad "$command" "$column" "$message"; done
 }
 
 @test "unknown commands and parameters: named, with where to find the right ones" {
@@ -93,9 +98,7 @@ END
 }
 
 @test "a value other than a number: where and what" {
-    while read -r column text; do
-        bad "set s $text" "$column" "^set: s"
-    done <<'END'
+    sed -E 's/^([0-9]+) (.*)/set s \2|\1|^set: s/' <<'END' | all_bad
 7 nan
 7 NaN
 8 -nan
@@ -151,9 +154,9 @@ END
 @test "a value out of its range: the value and the range" {
     while read -r name below above range; do
         for text in $below $above; do
-            bad "set $name $text" "$((${#name} + 6))" "^set: $name = .* is out of range; $name is .* $range"
+            echo "set $name $text|$((${#name} + 6))|^set: $name = .* is out of range; $name is .* $range"
         done
-    done <<'END'
+    done <<'END' | all_bad
 s 0 1.0001 1e-06 \.\. 1( |$)
 s -0.4 1e300 1e-06 \.\. 1( |$)
 s 9e-7 1+1e-9 1e-06 \.\. 1( |$)
@@ -190,9 +193,8 @@ END
     theta_c=$(json 'set s 0.3; thetac' | values theta_c)
     for command in theta1 chain energy omega; do
         while read -r theta shown; do
-            bad "$command $theta" "$((${#command} + 2))" \
-                "^$command: T = ${shown/+/\\+} rad .*\\[0, theta_c\\] = \\[0, $theta_c\\]"
-        done <<'END'
+            echo "$command $theta|$((${#command} + 2))|^$command: T = ${shown/+/\\+} rad .*\\[0, theta_c\\] = \\[0, $theta_c\\]"
+        done <<'END' | all_bad
 -0.1 -0.1
 -1e-300 -1e-300
 0.5 0.5
