@@ -29,7 +29,9 @@ LDFLAGS ?= -Wl,-z,relro,-z,now
 # Every digit must be equal on every machine: no contraction, never -ffast-math. The code never reads errno after a
 # square root, which is one instruction without errno.
 INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
-C_FLAGS := -std=c17 $(WARN) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
+# Stacks may be small: large data is on the heap. 'make WERROR=1' makes no object that any warning is about.
+STRICT  := $(if $(WERROR),-Werror -Wframe-larger-than=16384)
+C_FLAGS := -std=c17 $(WARN) $(STRICT) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 GSL     := -lgsl -lgslcblas -lm -pthread
 # The program takes what it uses of GSL and Readline from their archives, where they are installed: to load the shared
@@ -52,7 +54,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run quick test unit hard sessions atlas faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint built_by_gcc format \
+.PHONY: all run quick test unit hard sessions atlas faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
@@ -121,11 +123,11 @@ $(B)/domq_names.h: include/domino.h $(QUAD_AWK)
 MODEL_OBJ  := $(call OBJ,$(TYPED))
 MODEL_OBJQ := $(TYPED:%.c=$(B)/objq/%.o)
 COMMON_OBJ := $(call OBJ,$(COMMON))
-$(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += -fPIC
+$(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += -fPIC $(COVER)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$< (quad))
-	$(Q)$(CC) $(C_FLAGS) -fPIC -DDOMQ -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) -fPIC $(COVER) -DDOMQ -MMD -MP -c $< -o $@
 
 # The library exports only dom_* and domq_*. A program that uses one of the two headers links one of two objects.
 $(B)/lib/domino.o: $(MODEL_OBJ)
@@ -260,22 +262,14 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
 
-# Runs the tests, but for those of texts and packages, and the examples, which run under valgrind. A leak is a failure.
-TEXTS := $(addprefix tests/shell/,examples.bats header.bats package.bats plain.bats)
+# Runs the tests, but for those of texts, packages and pictures, whose work other programs do, and the examples, which run
+# under valgrind. A leak is a failure. Counts the lines of the model that the tests run.
+TEXTS := $(patsubst %,tests/shell/%.bats,examples header package plain pictures plot screens)
 sanitize: | $(FIRST)
-	@$(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(filter-out $(TEXTS),$(BATS))' \
-	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
-
-# Counts the lines of the model that run in the unit tests and in the sessions that use the model most. Threads that
-# count in one place wait for each other, so all have one processor.
-COVERED  := $(patsubst %,tests/shell/%.bats,examples precision scenes values prove tolerance pictures)
-ONE_CORE  = taskset -c $$(taskset -cp $$$$ | sed 's/.*: \([0-9]*\).*/\1/')
-coverage: | $(FIRST)
-	@find $(B)/coverage -name '*.gcda' -delete 2>/dev/null || :
-	@$(MAKE) --no-print-directory B=$(B)/coverage CC=gcc CFLAGS='-O1 -g --coverage' covered
-covered: all $(UNIT_BIN)
-	@$(ONE_CORE) tests/run $(B) $(UNIT_BIN) $(COVERED)
-	@tests/coverage $(B) 95
+	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
+	@$(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(filter-out $(TEXTS),$(BATS))' COVER=--coverage LDFLAGS=--coverage \
+	  CC=gcc CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
+	@tests/coverage $(B)/sanitize 95
 
 valgrind: all
 	@tests/valgrind $(B)
@@ -319,9 +313,9 @@ $(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
 
 # Compares instructions of answers with tests/bench/instructions.csv; 'make guard KEEP=1' writes that file again.
-guard: built_by_gcc
-	@echo '$(GCC_FLAGS)' > $(B)/gcc/flags
-	@KEEP=$(KEEP) tests/bench/guard $(B)/gcc
+guard: all $(B)/answers
+	@echo '$(CFLAGS)' > $(B)/flags
+	@KEEP=$(KEEP) tests/bench/guard $(B)
 
 # ---- Checks ----
 
@@ -331,26 +325,24 @@ H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h tests/*/*.
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 
-# Stacks may be small: large data is on the heap.
-STACK := -Wframe-larger-than=16384
-
-# Builds everything with gcc, warnings as errors: for 'lint', and for 'guard', which counts in it.
-GCC_FLAGS := -O2 -g
-built_by_gcc: | $(FIRST)
-	@LDFLAGS= $(MAKE) --no-print-directory B=$(B)/gcc CC=gcc CFLAGS='$(GCC_FLAGS) -Werror $(STACK)' all $(patsubst $(B)/%,$(B)/gcc/%,$(LINT_BIN))
-
-# Clang reports the exact widening to the widest type, by which answers leave a kernel, as a promotion; gcc checks
-# promotions from float to double.
-lint: built_by_gcc $(HEADERS) | $(FIRST)
+# Compiles everything with gcc, warnings as errors: in a folder of its own, since make does not know which objects here
+# were made with warnings; 'make WERROR=1' has none. Clang then only reads the sources. It reports the exact widening to
+# the widest type, by which answers leave a kernel, as a promotion; gcc checks promotions from float to double.
+STRICT_B   := $(B)$(if $(WERROR),,/strict)
+CLANG_READ := clang -fsyntax-only -std=c17 $(WARN) -Werror -Wno-double-promotion -D_GNU_SOURCE $(INCLUDES)
+lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
-	$(MAKE) --no-print-directory B=$(B)/clang CC=clang CFLAGS='-O0 -Werror -Wno-double-promotion' all $(patsubst $(B)/%,$(B)/clang/%,$(LINT_BIN))
+	$(MAKE) --no-print-directory B=$(STRICT_B) WERROR=1 all $(patsubst $(B)/%,$(STRICT_B)/%,$(LINT_BIN))
+	printf '%s\n' $(MODEL) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
+	printf '%s\n' $(TYPED) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
+	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
 	printf '%s\n' $(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
 	  'clang-tidy --quiet "$$@" -- -std=c17 -D_GNU_SOURCE -DDOMQ $(INCLUDES)' clang-tidy
 	@# cppcheck takes the order of the series in one precision for that in another.
-	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+	cppcheck --quiet -j $$(nproc) --std=c11 -D_GNU_SOURCE --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
-	tests/layers $(B)/gcc
+	tests/layers $(STRICT_B)
 	tests/equations
 	tests/comments
 	mandoc -T lint -W warning $(PAGES)
