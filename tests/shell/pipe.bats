@@ -10,14 +10,29 @@ reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; 
 
 # ---- Every command, in each of the ways ----
 
+# Prints the commands, each as if alone, in each format, behind its number.
+in_one_session() {
+    local call number
+    for format in table csv json; do
+        echo "set output $format"
+        number=0
+        while IFS='|' read -r call _; do
+            number=$((number + 1))
+            printf 'reset; goto launch; echo %s %s\n%s\necho end\n' "$format" "$number" "$call"
+        done <<<"$commands"
+    done
+}
+
 answers_in() { # WAY
-    local call expected format
+    local call expected number=0
+    session "$1" "$(in_one_session)" >"$BATS_TEST_TMPDIR/answers"
+    [ "$1" = -e ] || session -e "$(in_one_session)" >"$BATS_TEST_TMPDIR/like"
+    [ "$1" = -e ] || same_file "$BATS_TEST_TMPDIR/like" "$BATS_TEST_TMPDIR/answers"
     while IFS='|' read -r call expected; do
-        same "keys of $call" "$expected" "$(session "$1" "set output json; $call" | keys)"
-        for format in table csv json; do
-            same "$call in $format: like -e" "$("$DOMINO" -e "set output $format; $call")" \
-                "$(session "$1" "set output $format"$'\n'"$call")"
-        done
+        number=$((number + 1))
+        answer=$(sed -n "/\"json $number\"/,/\"end\"/p" "$BATS_TEST_TMPDIR/answers" | grep -v '^{"command":"\(echo\|reset\)"' || :)
+        same "keys of $call" "$expected" "$(keys <<<"$answer")"
+        [ "$1" != -e ] || same "$call: like alone" "$(json "$call")" "$(bare <<<"$answer")"
     done <<<"$commands"
 }
 
@@ -152,25 +167,32 @@ END
 }
 
 @test "reference/rmax.csv: rmax with both fuels" {
+    # Once as the parameter, once as the argument.
+    mapfile -t answers < <(reference rmax | while IFS=, read -r s q d fuel _; do
+        echo "set output json; set q $q; set d $d; set fuel $fuel; set s $s; rmax; reset s; rmax $s"
+    done | "$DOMINO" | grep -F r_max)
+    same answers 84 "${#answers[@]}"
     rows=0
     while IFS=, read -r s q d fuel r_max ends_by; do
         what="s $s, q $q, d $d, $fuel"
-        # Once as the parameter, once as the argument.
-        for call in "set s $s; rmax" "rmax $s"; do
-            answer=$(json "set q $q; set d $d; set fuel $fuel; $call")
+        for answer in "${answers[@]:rows:2}"; do
+            close "$what: s" "$s" "$(values s <<<"$answer")"
             close "$what" "${r_max:-(nothing)}" "$(values r_max <<<"$answer")"
             close "$what" "${r_max:-(nothing)}" "$(values "r_max_$fuel" <<<"$answer")"
             same "$what" "$ends_by" "$(values ends_by <<<"$answer")"
         done
-        rows=$((rows + 1))
+        rows=$((rows + 2))
     done < <(reference rmax)
-    same rows 42 "$rows"
+    same rows 84 "$rows"
 }
 
 @test "reference/pair.csv: pair" {
+    mapfile -t answers < <(reference pair | while IFS=, read -r s q _; do echo "set output json; set q $q; pair $s"; done |
+        "$DOMINO" | grep -F r_max)
     rows=0
     while IFS=, read -r s q r_max ends_by; do
-        answer=$(json "set q $q; pair $s")
+        answer=${answers[rows]}
+        close "s $s, q $q: s" "$s" "$(values s <<<"$answer")"
         close "s $s, q $q" "${r_max:-(nothing)}" "$(values r_max <<<"$answer")"
         same "s $s, q $q" "$ends_by" "$(values ends_by <<<"$answer")"
         rows=$((rows + 1))
