@@ -10,7 +10,7 @@ reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; 
 
 # ---- Every command, in each of the ways ----
 
-# Prints the commands, each as if alone and behind its number, in each format.
+# Prints the commands, each as if alone, in each format, with a line of its number before it.
 in_one_session() {
     local call number
     for format in table csv json; do
