@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Largest growths of rows of 12 hollow dominoes on real floors: feet that slip, slope, rounded edges, bounce.
- * They are from an earlier computation by other code in the same engine, or from the library's equations.
+ * Largest growths of rows of 12 hollow dominoes on real floors, in the engine, against known ones. Feet that
+ * slip and bounce: from an earlier computation by other code in the same engine. Slope and rounded edges: of
+ * the endless train, by the library's equations; that earlier computation has 1.877, 1.939 and 2.098 for the
+ * three radii at s = 0.3, up to 0.006 above both the equations and this engine, where rounded feet roll.
  */
 #include "known.h"
 #include "../hard/workers.h"
@@ -147,15 +149,19 @@ static void print_others(const struct job *jobs)
 int known_compare(void)
 {
     struct job *jobs = workers_share(JOBS * sizeof *jobs);
-    int unlike = 0;
+    int unlike = 0, compared = 0;
 
     if (workers_run(JOBS, solve, jobs) != 0)
         return JOBS;
     print_feet(jobs);
     print_others(jobs + ROWS * FLOORS);
-    for (int k = 0; k < JOBS; k++)
+    for (int k = 0; k < JOBS; k++) {
+        compared += jobs[k].known > 0;
         unlike += !agrees(&jobs[k]);
-    printf("\nknown: %d growths on real floors, %d differ\n", JOBS, unlike);
+    }
+    printf("\nknown: %d growths on real floors compared, %d differ; %d are not compared, since they depend on "
+           "the push\n",
+           compared, unlike, JOBS - compared);
     workers_unshare(jobs, JOBS * sizeof *jobs);
     return unlike;
 }

@@ -11,7 +11,7 @@ const struct dom_effect dom_energy_balance = {
             "angular momentum (22; c4), so a train that repeats itself has its kinetic energy in closed form "
             "(24; c6).",
     .source = "J. M. J. van Leeuwen, Domino Magnification",
-    .plan = "(21; c3) (22; c4) (24; c6) in closed form, not integrated",
+    .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
 #endif
 

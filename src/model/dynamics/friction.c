@@ -34,7 +34,7 @@ const struct dom_effect dom_effect_friction = {
             "the struck domino passes on the wrong side of its hinge and cannot turn it. 'fuel paper' cannot "
             "be combined with friction: there is no closed form of the fuel.",
     .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
-    .plan = "the motion, linear in omega^2: Chebyshev series",
+    .plan = "equation of motion, linear in omega^2: Chebyshev series",
     .dissipates = true,
     .argument = {{.name = "MU",
                   .unit = "",

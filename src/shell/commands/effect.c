@@ -110,6 +110,7 @@ static double price_with(const struct session *session, int name, bool on)
 static const struct column effects_columns[] = {
     {"effect", "", "name of the effect", 9},
     {"state", "", "off, or its values", 12},
+    {"method", "", "the quickest method that includes it: balance, motion or engine", 8},
     {"without", "us", "time of an answer of this scene without the effect", 9},
     {"with", "us", "time of an answer with the effect", 9},
     {"times", "", "with / without", 8},
@@ -119,16 +120,29 @@ static const struct column effects_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+/* Returns the quickest of the three methods that includes an effect. */
+static const char *quickest_method(int k)
+{
+    return k >= DOM_EFFECT_COUNT ? "engine" : effect_at(k)->dissipates ? "motion" : "balance";
+}
+
 static void effects_say(const struct session *session, struct answer *a)
 {
     bool row = session->effect[DOM_EFFECT_row].on;
     answer_say(
         a,
         "Times are those of one answer: %s. An effect that is off is not computed: its code is entered "
-        "0 times. placement is timed for one random row, which may stop early; feet and bounce for one run "
-        "of "
-        "the rigid-body engine, of which an answer needs two or more.\n",
+        "0 times. placement is timed for one random row, which may stop early; feet and bounce for one "
+        "run of the rigid-body engine, of which an answer needs two or more.",
         row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
+    answer_say(
+        a,
+        "Methods, the quickest first: balance, the energy balance; motion, the equation of motion; "
+        "engine, the rigid-body engine, for rows alone. The scene gets the first that includes all its "
+        "effects, now %s.\n",
+        session_engine(session)                 ? "engine"
+        : domq_law(&session->train)->dissipates ? "motion"
+                                                : "balance");
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
@@ -155,7 +169,8 @@ static bool run_effects(struct session *session, const struct call *call)
         if (dom_raised(session->compute.interrupt))
             return session_status(session, DOM_INTERRUPTED);
         answer_cells(a, cell_word(e->name), cell_word(effect_setting(session, k, setting)),
-                     cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
+                     cell_word(quickest_method(k)), cell_brief(1e6 * without), cell_brief(1e6 * with),
+                     cell_brief(with / without),
                      cell_count((domq_real)(session_engine(session) ? session->effect[k].on
                                             : k < DOM_EFFECT_COUNT  ? work.entered[k]
                                                                     : 0)),
