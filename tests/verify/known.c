@@ -159,9 +159,10 @@ int known_compare(void)
         compared += jobs[k].known > 0;
         unlike += !agrees(&jobs[k]);
     }
-    printf("\nknown: %d growths on real floors compared, %d differ; %d are not compared, since they depend on "
-           "the push\n",
-           compared, unlike, JOBS - compared);
+    printf(
+        "\nknown: %d growths on real floors compared, %d differ; %d are not compared, since they depend on "
+        "the push\n",
+        compared, unlike, JOBS - compared);
     workers_unshare(jobs, JOBS * sizeof *jobs);
     return unlike;
 }
