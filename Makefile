@@ -7,9 +7,9 @@
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
 #   make faults       failing memory, full disks, FIFOs, signals, closed streams: make deps faults
-#   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan;
-#                     make race: what runs on threads under ThreadSanitizer
-#   make coverage     lines of src/model that tests run; make valgrind: sessions under memcheck, helgrind and drd
+#   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan, and the lines of
+#                     src/model that they run; make race: what runs on threads under ThreadSanitizer
+#   make valgrind     sessions under memcheck, helgrind and drd
 #   make deps bench   times compared with other programs; make guard: fails if an answer takes more instructions
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
@@ -54,7 +54,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run quick test unit hard sessions atlas faults sanitize race coverage covered valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run quick test unit hard sessions atlas faults sanitize race valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
@@ -69,7 +69,6 @@ DEPS_sessions := $(DEPS_test)
 DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_sanitize := $(DEPS_test)
 DEPS_race     := $(DEPS_test)
-DEPS_coverage := $(DEPS_test)
 DEPS_valgrind := valgrind libc6-dbg
 DEPS_fuzz     := clang libclang-rt-dev
 DEPS_bench    := bc octave python3-scipy gnuplot-nox valgrind binutils
@@ -263,12 +262,13 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
 
 # Runs the tests, but for those of texts, packages and pictures, whose work other programs do, and the examples, which run
-# under valgrind. A leak is a failure. Counts the lines of the model that the tests run.
+# under valgrind. A leak is a failure. Counts the lines of the model that the tests run. With -g1, which is lines alone, gcc
+# takes half as long.
 TEXTS := $(patsubst %,tests/shell/%.bats,examples header package plain pictures plot screens)
 sanitize: | $(FIRST)
 	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
 	@$(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(filter-out $(TEXTS),$(BATS))' COVER=--coverage LDFLAGS=--coverage \
-	  CC=gcc CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
+	  CC=gcc CFLAGS='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 	@tests/coverage $(B)/sanitize 95
 
 valgrind: all
@@ -286,7 +286,7 @@ FUZZ_SECONDS ?= 600
 FUZZ         := fuzz_line fuzz_grammar
 FUZZ_RUN     := -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
                 -print_final_stats=1
-FUZZ_FLAGS   := -O1 -g -Wno-double-promotion -fsanitize=address,undefined -fno-sanitize-recover=all
+FUZZ_FLAGS   := -O1 -g1 -Wno-double-promotion -fsanitize=address,undefined -fno-sanitize-recover=all
 fuzz: | $(FIRST)
 	$(Q)$(MAKE) --no-print-directory B=$(B)/fuzz CC=clang CFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' \
 	  $(FUZZ:%=$(B)/fuzz/%)
