@@ -63,6 +63,20 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     [[ $output == *'after the push'* ]]
 }
 
+@test "rounded edges in the engine: times, a rough floor, bounce, growth and poses are those of the model" {
+    edges="$scene; effect edges 0.02"
+    model=$(json "$edges; verdict" | values seconds)
+    for more in 'set method engine' 'effect feet 2' 'effect feet 2; effect bounce 0.01' 'effect bounce 0.01'; do
+        close "$more" "$model" "$(json "$edges; $more; verdict" | values seconds)" 0.005
+    done
+    differ 'a slippery floor' "$model" "$(json "$edges; effect feet 0.2; verdict" | values seconds)"
+    differ 'much bounce' "$(json "$edges; effect feet 0.5; verdict" | values seconds)" "$(json "$edges; effect feet 0.5; effect bounce 0.5; verdict" | values seconds)"
+    close 'a rough floor' "$(json "$edges; rowmax" | values r_max)" "$(json "$edges; effect feet 2; rowmax" | values r_max)" 0.01
+    paste <(json "$edges; animate x.gif" | values theta) <(json "$edges; set method engine; animate x.gif" | values theta) |
+        head -n 12 | awk '{ off = $2 - $1; if (off > 0.02 || off < -0.02) { print; bad = 1 } } END { exit bad || NR != 12 }'
+    differ 'drawn with edges' "$("$DOMINO" -n -e "$edges; set method engine; draw at 0.2 s")" "$("$DOMINO" -n -e "$scene; set method engine; draw at 0.2 s")"
+}
+
 @test "tolerance: windows of the engine are those of the model, to 2 %" {
     two="$scene; effect row 2"
     model=$(json "$two; tolerance") engine=$(json "$two; set method engine; tolerance")

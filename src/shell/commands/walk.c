@@ -176,6 +176,14 @@ static void say_top(const struct session *session, const struct walk *w, const s
         (double)(s->climbed * u.energy), u.energy_unit, (double)(s->kinetic * u.energy), u.energy_unit);
 }
 
+/* Returns the energy of position of a domino, h(theta), in m g h / 2 above the floor at its foot. */
+static domq_real height_of(const struct domq_train *train, domq_real theta)
+{
+    const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;
+    return 2 * rho * (quad(cos)(alpha) - theta * quad(sin)(alpha)) + (1 - 2 * rho) * quad(cos)(from_plumb) +
+           (train->d - 2 * rho) * quad(sin)(from_plumb);
+}
+
 static void say_fall(const struct session *session, const struct walk *w, const struct domq_state *s,
                      struct answer *a)
 {
@@ -184,18 +192,17 @@ static void say_fall(const struct session *session, const struct walk *w, const 
     size_t domino = w->events[w->event].domino;
     if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
-    double cosine = (double)quad(cos)(angles.theta_f), sine = (double)quad(sin)(angles.theta_f);
-    double velocity_ratio = (double)(quad(pow)(w->train.r, -w->train.q * (domq_real)domino) * u.energy) *
-                            (cosine + (double)w->train.d * sine);
+    const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
     answer_say(
         a,
         "Domino %zu detaches from domino %zu, which has come to theta_leave = %.6g %s: the arm of its "
         "force is 0. It comes to rest at theta_f = %.6g %s with all that follow it, and pushes no more "
-        "(41; A17), (42; A18). Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
+        "(%s41; A17%s42; A18). Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
         domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
         style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
-        style_angle_unit(&session->style), (double)((0 - s->fallen) * u.energy), u.energy_unit,
-        velocity_ratio);
+        style_angle_unit(&session->style), w->train.rho != 0 ? "as in " : "",
+        w->train.rho != 0 ? " and " : "), (", (double)((0 - s->fallen) * u.energy), u.energy_unit,
+        (double)(weight * height_of(&w->train, angles.theta_f) * u.energy));
 }
 
 static void say_stop(const struct session *session, const struct walk *w, const struct domq_state *s,
