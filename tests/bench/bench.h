@@ -108,9 +108,21 @@ enum dom_status threads_tasks(size_t count, dom_task *task, void *context, void 
 
 void threads_measure(size_t points, const unsigned *threads, struct threaded *threaded, unsigned n);
 
-/* ---- rows.c, start.c ---- */
+/* ---- rows.c, start.c, lines.c ---- */
 
-void rows_print(void);
+/* Prints rows per second. Returns the seconds of a row with r = 1.3 on one core, and of one with friction. */
+struct rows_goals {
+    double plain, friction;
+};
+
+struct rows_goals rows_print(void);
+
+/* Prints times of many lines. Returns ours over those of bc, and over those of the library alone. */
+struct lines_goals {
+    double print, rmax;
+};
+
+struct lines_goals lines_print(const char *build, const char *domino);
 
 /* Prints start-up times. Returns ours over that of bc; NaN without bc. */
 double start_print(const char *domino);
@@ -138,8 +150,11 @@ void shares_print(const char *build);
 /* Prints front speeds beside those of the recipe of a published program. */
 void front_print(void);
 
-/* Prints how the time of a row grows with its dominoes, and that of a study with its rows. */
-void lengths_print(void);
+/*
+ * Prints how the time of a row grows with its dominoes, and that of a study with its rows. Returns the
+ * seconds of a row of 10,000.
+ */
+double lengths_print(void);
 
 /* ---- growth.c ---- */
 

@@ -28,8 +28,9 @@ static double rows_a_second(double growth, double mu, unsigned threads)
     return ROWS / (seconds_now() - begun);
 }
 
-void rows_print(void)
+struct rows_goals rows_print(void)
 {
+    struct rows_goals goals = {NONE, NONE};
     static const struct {
         const char *name;
         double growth, mu;
@@ -47,6 +48,9 @@ void rows_print(void)
             all = fmax(all, rows_a_second(kinds[i].growth, kinds[i].mu, cores()));
         }
         printf("  %-22s %16.0f %9.2f x\n", kinds[i].name, one, all / one);
+        if (kinds[i].growth > 1)
+            *(kinds[i].mu > 0 ? &goals.friction : &goals.plain) = one > 0 ? 1 / one : NONE;
     }
     fflush(stdout);
+    return goals;
 }
