@@ -26,6 +26,7 @@ void number_print(int width, int digits, double value);
 struct process {
     bool done; /* the process ran and ended with status 0 */
     double seconds;
+    double work;      /* the processor's seconds */
     double megabytes; /* the most memory that the process held */
 };
 

@@ -7,6 +7,7 @@
 enum { QUESTIONS_MAX = 256, DOMINOES_MAX = 64, ROUNDS = 9 };
 
 #define SECONDS_EACH 1.5 /* seconds for the rounds of one contender in one table */
+#define PATIENCE     0.3 /* seconds for the repeats of one question */
 
 const char *const contender_name[CONTENDERS] = {
     [OURS] = "ours",     [GSL] = "GSL, nested", [PAPER] = "paper's recipe", [NEWTON] = "GSL, Newton's laws",
@@ -224,11 +225,12 @@ void compare(const char *title, const struct question *question, size_t n, doubl
 double contender_seconds(enum contender contender, const struct question *question, double tol)
 {
     enum { TIMES = 3 };
-    double value, least = NONE;
+    double value, least = NONE, spent = 0;
     if ((contender == OCTAVE || contender == SCIPY) && coprocess[contender].pid <= 0)
         return NONE;
-    for (int k = 0; k < TIMES; k++) {
+    for (int k = 0; k < TIMES && spent < PATIENCE; k++) {
         double seconds = sweep(contender, question, 1, tol, &value);
+        spent += seconds;
         if (!isfinite(seconds) || !isfinite(value))
             return NONE;
         least = fmin(least, seconds);

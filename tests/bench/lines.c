@@ -2,23 +2,18 @@
 /* Many commands on standard input: whole processes that read them from a file. */
 #include "bench.h"
 #include <stdio.h>
+#include <time.h>
 
-enum { MANY = 100000, SOME = 10000, RUNS = 7, TIMED = 300 };
+enum { MANY = 100000, SOME = 10000, RUNS = 5 };
 
-/* Returns the least time of a program that reads the file; NaN if it does not run. */
+/* Returns the processor's seconds of a program that reads the file; NaN if it does not run. */
 static double reading_seconds(const char *program, const char *path)
 {
-    char command[9000];
-    double least = NONE;
+    char command[20000];
     snprintf(command, sizeof command, "exec %s < '%s'", program, path);
     const char *const argv[] = {"sh", "-c", command, NULL};
-    for (int k = 0; k < RUNS; k++) {
-        struct process now = process_run(argv, "");
-        if (!now.done)
-            return NONE;
-        least = fmin(least, now.seconds);
-    }
-    return least;
+    struct process now = process_run(argv, "");
+    return now.done ? now.work : NONE;
 }
 
 static bool lines_write(const char *path, const char *line, int count)
@@ -29,53 +24,55 @@ static bool lines_write(const char *path, const char *line, int count)
     return file && fclose(file) == 0;
 }
 
-/* Returns the seconds that the library takes for r_max with both fuels. */
-static double both_seconds(void)
+/* Returns the processor's seconds in which the library finds r_max with both fuels as often as the lines ask.
+ */
+static double library_seconds(void)
 {
     struct asked train = asked_default();
     struct domq_limit limit;
-    double least = INFINITY;
+    struct timespec from, to;
     train.s = (domq_real)4 / 10;
-    for (int k = 0; k < RUNS; k++) {
-        double begun = seconds_now();
-        for (int i = 0; i < TIMED; i++) {
-            train.fuel = i % 2 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
-            if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK)
-                return NONE;
-        }
-        least = fmin(least, (seconds_now() - begun) / (TIMED / 2.0));
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &from);
+    for (int i = 0; i < 2 * SOME; i++) {
+        train.fuel = i % 2 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+        if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK)
+            return NONE;
     }
-    return least;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &to);
+    return (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
 }
 
 struct lines_goals lines_print(const char *build, const char *domino)
 {
-    char path[4200], program[4200];
-    struct lines_goals goals = {NONE, NONE};
-    snprintf(path, sizeof path, "%s/lines", build);
+    char path[3][4200], program[4200];
+    static const struct {
+        const char *line;
+        int count;
+    } files[] = {{"print 2+2", MANY}, {"2+2", MANY}, {"rmax 0.4", SOME}};
+    enum { PRINTS, SUMS, GROWTHS };
+    double least[] = {NONE, NONE, NONE}, library = NONE;
     snprintf(program, sizeof program, "'%s' -n", domino);
-    if (!lines_write(path, "print 2+2", MANY)) {
-        perror(path);
-        return goals;
+    for (int i = PRINTS; i <= GROWTHS; i++) {
+        snprintf(path[i], sizeof path[i], "%s/lines%d", build, i);
+        if (!lines_write(path[i], files[i].line, files[i].count))
+            perror(path[i]);
     }
-    double print = reading_seconds(program, path);
-    if (!lines_write(path, "2+2", MANY))
-        return goals;
-    double bc = reading_seconds("bc", path);
-    if (!lines_write(path, "rmax 0.4", SOME))
-        return goals;
-    double rmax = reading_seconds(program, path), library = SOME * both_seconds();
-    remove(path);
-    goals = (struct lines_goals){.print = print / bc, .rmax = rmax / library};
-    printf("\nLines on standard input, ms\n  %-46s", "100,000 times 'print 2+2'");
-    number_print(10, 1, 1e3 * print);
-    printf("\n  %-46s", "  '2+2' in bc");
-    number_print(10, 1, 1e3 * bc);
-    printf("\n  %-46s", "10,000 times 'rmax 0.4'");
-    number_print(10, 1, 1e3 * rmax);
-    printf("\n  %-46s", "  the same r_max with both fuels, by the library");
-    number_print(10, 1, 1e3 * library);
-    putchar('\n');
+    for (int k = 0; k < RUNS; k++) { /* in turns */
+        for (int i = PRINTS; i <= GROWTHS; i++)
+            least[i] = fmin(least[i], reading_seconds(i == SUMS ? "bc" : program, path[i]));
+        library = fmin(library, library_seconds());
+    }
+    for (int i = PRINTS; i <= GROWTHS; i++)
+        remove(path[i]);
+    puts("\nLines on standard input, ms of a processor");
+    const char *const names[] = {"100,000 times 'print 2+2'", "  '2+2' in bc", "10,000 times 'rmax 0.4'",
+                                 "  the same r_max with both fuels, by the library"};
+    const double seconds[] = {least[PRINTS], least[SUMS], least[GROWTHS], library};
+    for (size_t i = 0; i < sizeof seconds / sizeof *seconds; i++) {
+        printf("  %-50s", names[i]);
+        number_print(10, 1, 1e3 * seconds[i]);
+        putchar('\n');
+    }
     fflush(stdout);
-    return goals;
+    return (struct lines_goals){least[PRINTS] / least[SUMS], least[GROWTHS] / library};
 }

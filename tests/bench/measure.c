@@ -63,6 +63,8 @@ struct process process_run(const char *const *argv, const char *input)
     pid_t child = start(argv, ends[0], -1);
     if (child > 0 && wait4(child, &status, 0, &used) == child) {
         process.seconds = seconds_now() - begun;
+        process.work = (double)(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+                       1e-6 * (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
         process.done = status == 0;
         process.megabytes = (double)used.ru_maxrss / 1024;
     }
