@@ -5,20 +5,20 @@
 enum { N = LINEAR_ORDER };
 
 /* Finds the Chebyshev nodes of the first kind. Sums over them use the recurrence of T_k(node j). */
-static void nodes_make(real *node)
+static void nodes_make(real *node, int n)
 {
-    for (int j = 0; j < N; j++)
-        node[j] = cos(PI * ((real)j + (real)0.5) / N);
+    for (int j = 0; j < n; j++)
+        node[j] = cos(PI * ((real)j + (real)0.5) / (real)n);
 }
 
-static void series_of(const real *node, const real *value, real *series)
+static void series_of(const real *node, const real *value, int n, real *series)
 {
-    for (int k = 0; k < N; k++)
+    for (int k = 0; k < n; k++)
         series[k] = 0;
-    for (int j = 0; j < N; j++) {
-        real x = node[j], T = 1, before = x; /* T_-1 = T_1 = x */
-        for (int k = 0; k < N; k++) {
-            series[k] += value[j] * T * 2 / N;
+    for (int j = 0; j < n; j++) {
+        real x = node[j], T = 1, before = x, part = value[j] * 2 / (real)n; /* T_-1 = T_1 = x */
+        for (int k = 0; k < n; k++) {
+            series[k] += part * T;
             real next = 2 * x * T - before;
             before = T;
             T = next;
@@ -71,7 +71,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         *status = NUM_NOT_FINITE;
         return false;
     }
-    series_of(node, at.p, series);
+    series_of(node, at.p, N, series);
     /* ln G is an exponent: its absolute error counts. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
@@ -83,7 +83,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         at.c[j] *= by;
         shrunk = fmax(shrunk, by);
     }
-    series_of(node, at.c, series);
+    series_of(node, at.c, N, series);
     if (!series_died(series, tol, at.c_noise * shrunk))
         return false;
     series_integral(series, N, half, v, panel->v);
@@ -103,7 +103,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     enum num_status status = NUM_OK;
     if (!s->panel && !(s->panel = malloc(LINEAR_PANELS * sizeof *s->panel)))
         return NUM_NO_MEMORY;
-    nodes_make(node);
+    nodes_make(node, N);
     if (s->panels > 0)
         num_linear_at(s, lo, &ln_G, &v);
     while (lo < hi) {
@@ -125,6 +125,51 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
         }
     }
     return NUM_OK;
+}
+
+/* Returns more than the terms that a series leaves out, if they go on to shrink. */
+static real rough_rest(const real *series)
+{
+    return fabs(series[ROUGH - 1]) + fabs(series[ROUGH - 2]);
+}
+
+KERNEL void num_rough_begin(struct num_rough *s)
+{
+    nodes_make(s->node, ROUGH);
+}
+
+KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, struct num_rough *s)
+{
+    const real half = hi / 2;
+    real p[ROUGH], c[ROUGH], series[ROUGH], most = 0;
+    for (int j = 0; j < ROUGH; j++) {
+        struct num_rate rate = {0};
+        if (!f(half + half * s->node[j], context, &rate))
+            return false;
+        p[j] = rate.p;
+        c[j] = rate.c;
+    }
+    series_of(s->node, p, ROUGH, series);
+    series_integral(series, ROUGH, half, 0, s->ln_G);
+    s->ln_G_error = half * rough_rest(series);
+    for (int j = 0; j < ROUGH; j++) {
+        c[j] *= exp(-series_at(s->ln_G, ROUGH + 1, s->node[j]));
+        most = fmax(most, fabs(c[j]));
+    }
+    series_of(s->node, c, ROUGH, series);
+    series_integral(series, ROUGH, half, 0, s->v);
+    s->v_error = half * (rough_rest(series) + 2 * most * s->ln_G_error);
+    return isfinite(s->ln_G_error) && isfinite(s->v_error);
+}
+
+KERNEL real num_rough_v(const struct num_rough *s, real u)
+{
+    return series_at(s->v, ROUGH + 1, u);
+}
+
+KERNEL real num_rough_G(const struct num_rough *s, real u)
+{
+    return exp(series_at(s->ln_G, ROUGH + 1, u));
 }
 
 /* Returns the number of the panel that contains x. */

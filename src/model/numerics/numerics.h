@@ -116,6 +116,23 @@ struct num_linear {
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 
+/*
+ * The solution from x = 0 to hi, from few values: one panel, whose series need not have died out. The errors
+ * are absolute, from the last terms.
+ */
+enum { ROUGH = 8 };
+struct num_rough {
+    real node[ROUGH]; /* num_rough_begin finds them */
+    real ln_G[ROUGH + 1], v[ROUGH + 1];
+    real ln_G_error, v_error;
+};
+KERNEL void num_rough_begin(struct num_rough *solution);
+KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, struct num_rough *solution);
+
+/* Return v and G at u, which goes from -1 to 1 where x goes from 0 to hi. */
+KERNEL real num_rough_v(const struct num_rough *solution, real u);
+KERNEL real num_rough_G(const struct num_rough *solution, real u);
+
 /* Frees the panels. */
 KERNEL void num_linear_free(struct num_linear *solution);
 

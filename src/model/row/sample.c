@@ -8,11 +8,16 @@
  */
 #include "row/sample.h"
 #include "row/run.h"
+#include "row/slide.h"
 #include <stdlib.h>
 
 struct random_row {
     struct row_request asked;
-    bool plain; /* true: sharp edges, plumb dominoes, and energy that is conserved */
+    bool plain; /* true: sharp edges and plumb dominoes */
+    bool rubs;  /* with friction: first roughly, then finely if the verdict is in doubt */
+    bool rough, doubt;
+    struct slide slide;
+    real off_at_end; /* possible error of omegasq of a head at its end */
     struct block *block;
     struct geometry *geometry;
     struct link *link; /* of the dominoes from `deep` to `head`, where that head hits the next one */
@@ -107,7 +112,8 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
-    const real tol = TAIL_SHARE * head->tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
+    const real tol = TAIL_SHARE * (real)s->asked.tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
+    const bool alone = run->moving == 1; /* then nothing rubs on it */
     struct link a = link_head(head, head->c), b = link_head(head, standing);
     struct glide g = {.t = half_of_tilt(head->c)};
     const size_t known = k > 0 && s->head == k - 1 ? s->deep : k;
@@ -130,32 +136,74 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
     }
     s->head = k;
     *at = (struct start){.from = head->c, .J = g.J, .omegasq = (kinetic - g.dH) / g.J};
-    return glide_passes(&g, &s->link[k], kinetic);
+    if (alone || !s->rubs)
+        return glide_passes(&g, &s->link[k], kinetic);
+    return s->rough && slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
+/* Makes head k hit the next one, with the same relative error of omegasq. */
+static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t k,
+                                  const struct geometry *hitting, const struct start *at)
+{
+    enum dom_status status = row_hit(run, k, hitting, at);
+    s->slide.off = s->off_at_end / at->omegasq * run->omegasq;
+    return status;
+}
+
+/* A contact force of a rough run must be farther from 0 than this, in the weight of the domino. */
+#define LEAST_CLEAR ((real)1 / 64)
+
+/*
+ * Runs head k as in any row, from a state that is known to s->slide.off. Sets s->doubt if the error of that
+ * state may change the verdict.
+ */
+static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
+{
+    struct descent d;
+    struct dom_fall fall;
+    const real before = run->omegasq;
+    enum dom_status status = row_head(run, k, &d, &fall);
+    if (status != DOM_OK)
+        return status;
+    const bool tips = before == 0, pushes = fabs(d.least_force) > LEAST_CLEAR,
+               sure = slide_sure(&s->slide, before, (real)fall.margin, (real)fall.kinetic);
+    s->doubt = s->rough && !tips && !(pushes && sure && !d.locks);
+    if (s->doubt || run->verdict.end != DOM_ROW_FALLS || k + 1 == s->asked.count)
+        return DOM_OK;
+    s->off_at_end = tips ? 0 : s->slide.off * d.st.gain + slide_error(&d.st.geometry) * d.st.start.omegasq;
+    return sample_hit(s, run, k, &d.st.geometry, &d.st.start);
+}
+
+/* Runs the row. */
 static enum dom_status sample_falls(struct random_row *s, struct run *run)
 {
     enum dom_status status = DOM_OK;
     row_launch(run);
     s->head = SIZE_MAX;
-    for (size_t k = 0; k < s->asked.count && status == DOM_OK && run->verdict.end == DOM_ROW_FALLS; k++) {
+    s->slide.off = 0;
+    s->doubt = false;
+    for (size_t k = 0;
+         k < s->asked.count && status == DOM_OK && run->verdict.end == DOM_ROW_FALLS && !s->doubt; k++) {
         struct start at;
-        const bool hits = k + 1 < s->asked.count;
         s->geometry[k].n = run->moving;
         run->verdict.domino = k + 1;
         if (dom_raised(s->asked.interrupt))
             return DOM_INTERRUPTED;
-        if (s->plain && run->omegasq > 0 && head_goes(s, run, k, &at)) {
-            status = hits ? row_hit(run, k, &s->geometry[k], &at) : DOM_OK;
-            continue;
-        }
-        struct descent d;
-        struct dom_fall fall;
-        status = row_head(run, k, &d, &fall);
-        if (status == DOM_OK && run->verdict.end == DOM_ROW_FALLS && hits)
-            status = row_hit(run, k, &d.st.geometry, &d.st.start);
+        s->off_at_end = 0;
+        if (!(s->plain && run->omegasq > 0 && head_goes(s, run, k, &at)))
+            status = head_run(s, run, k);
+        else if (k + 1 < s->asked.count)
+            status = sample_hit(s, run, k, &s->geometry[k], &at);
     }
     return status;
+}
+
+/* Sets the tolerance of rough or fine runs. */
+static void sample_tol(struct random_row *s, bool rough)
+{
+    s->rough = rough;
+    for (size_t k = 0; k < s->asked.count; k++)
+        s->geometry[k].tol = rough ? fmax((real)s->asked.tol, SLIDE_TOL) : (real)s->asked.tol;
 }
 
 /* Checks the row, and makes its blocks and its geometry. */
@@ -197,7 +245,9 @@ KERNEL enum dom_status row_sample(const struct row_request *asked, struct random
         status = dynamics_begin(s->geometry);
     for (size_t k = 1; k < n && status == DOM_OK; k++) /* all joints share the memory of the law */
         s->geometry[k].flow = s->geometry[0].flow;
-    s->plain = s->geometry[0].dynamics->conservative;
+    s->rubs = !s->geometry[0].dynamics->conservative;
+    s->plain = true;
+    num_rough_begin(&s->slide.flow);
     for (size_t k = 0; k < n; k++)
         s->plain = s->plain && !s->geometry[k].rounded.on && asked->domino[k].lean == 0;
     return status;
@@ -206,15 +256,23 @@ KERNEL enum dom_status row_sample(const struct row_request *asked, struct random
 KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_domino *domino, bool gaps,
                                    struct dom_verdict *verdict)
 {
-    struct run run = {.asked = &s->asked, .geometry = s->geometry, .verdict = {.end = DOM_ROW_FALLS}};
+    const struct run fresh = {.asked = &s->asked, .geometry = s->geometry, .verdict = {.end = DOM_ROW_FALLS}};
+    struct run run = fresh;
     enum dom_status status = DOM_OK;
     s->asked.domino = domino;
     if (!gaps || !s->plain)
         status = sample_make(s);
     else
         row_gaps(&s->asked, s->geometry);
-    if (status == DOM_OK)
+    if (status == DOM_OK) {
+        sample_tol(s, s->rubs && s->plain);
         status = sample_falls(s, &run);
+    }
+    if (status == DOM_OK && s->doubt) {
+        sample_tol(s, false);
+        run = fresh;
+        status = sample_falls(s, &run);
+    }
     *verdict = run.verdict;
     return status;
 }
