@@ -138,7 +138,12 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
     *at = (struct start){.from = head->c, .J = g.J, .omegasq = (kinetic - g.dH) / g.J};
     if (alone || !s->rubs)
         return glide_passes(&g, &s->link[k], kinetic);
-    return s->rough && slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
+    if (!s->rough)
+        return false;
+    if (k + 1 == s->asked.count && !g.rises) /* beyond theta_u all dominoes fall */
+        return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
+                            run->omegasq);
+    return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
 /* Makes head k hit the next one, with the same relative error of omegasq. */

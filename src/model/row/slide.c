@@ -8,6 +8,26 @@
 /* Places where the required energy is found, in search of its maximum. */
 enum { SLIDE_PLACES = 12 };
 
+/* The sums of the equation of motion (friction.c), in plain arithmetic. */
+struct slide_sums {
+    real A, B, C;
+    real S, curve; /* of a domino: S_i and theta_i'' */
+};
+
+/* Adds one domino. Returns false when those after it can be left out. */
+static bool slide_add(struct slide_sums *s, const struct link *k, real ratio, real tol)
+{
+    const struct geometry *own = k->geometry;
+    const real m = k->inertia * s->S, w = k->weight * s->S;
+    s->A += m * k->slope;
+    s->B += m * s->curve;
+    s->C -= w * geometry_height_slope(own, k->tilt) / 2;
+    const real rate = fmax(fmax(own->weight, own->inertia) * ratio, fmax(own->decay, own->decay_J)),
+               share = TAIL_SHARE * tol * (1 - rate);
+    return rate * w * own->reach > share * fabs(s->C) ||
+           rate * m * (k->slope * (1 + own->rL * k->slope) + fabs(s->curve)) > share * s->A;
+}
+
 struct slide_context {
     const struct geometry *head;
 };
@@ -17,11 +37,22 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
 {
     const struct slide_context *c = context;
     const real turn = 2 / (1 + p * p); /* dtheta / dp */
-    struct equation_of_motion equation;
-    if (c->head->flow->equation(c->head, tilt_half(p), &equation) != DOM_OK || equation.locks)
-        return false;
-    rate->p = -2 * equation.B / equation.A * turn;
-    rate->c = 2 * equation.C / equation.A * turn;
+    struct slide_sums s = {.S = 1};
+    struct link k = link_head(c->head, tilt_half(p));
+    for (;;) {
+        const real a = contact_arm_a(&k), b = contact_arm_b(&k), ratio = a / b;
+        const bool last = k.i + 1 == c->head->n;
+        if (!last && !(a >= 0 && b > 0))
+            return false;
+        if (!slide_add(&s, &k, last ? 0 : ratio, c->head->tol) || last)
+            break;
+        const struct link leader = k;
+        link_next(&k);
+        s.S *= ratio;
+        s.curve = link_second_derivative(&leader, s.curve, &k);
+    }
+    rate->p = -2 * s.B / s.A * turn;
+    rate->c = 2 * s.C / s.A * turn;
     return true;
 }
 
@@ -46,18 +77,24 @@ KERNEL real slide_error(const struct geometry *head)
     return SLIDE_CLEAR * head->tol;
 }
 
-KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
-                       real *after_off)
+KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq)
 {
     struct slide_context context = {head};
     struct num_rough *flow = &s->flow;
-    if (!num_rough_solve(slide_rate, &context, half_of_tilt(head->c), flow))
+    return num_rough_solve(slide_rate, &context, hi, flow) &&
+           omegasq - slide_need(flow) > SLIDE_CLEAR * (s->off + flow->v_error) + SLIDE_ROOM * omegasq;
+}
+
+KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
+                       real *after_off)
+{
+    const struct num_rough *flow = &s->flow;
+    if (!slide_passes(s, head, half_of_tilt(head->c), omegasq))
         return false;
     const real off = s->off + flow->v_error, G = num_rough_G(flow, 1);
     *after = G * (omegasq + num_rough_v(flow, 1));
     *after_off = G * off + *after * (flow->ln_G_error + slide_error(head));
-    return omegasq - slide_need(flow) > SLIDE_CLEAR * off + SLIDE_ROOM * omegasq &&
-           *after > SLIDE_CLEAR * *after_off;
+    return *after > SLIDE_CLEAR * *after_off;
 }
 
 KERNEL bool slide_sure(const struct slide *s, real omegasq, real margin, real kinetic)

@@ -6,7 +6,7 @@
 #ifndef DOM_SLIDE_H
 #define DOM_SLIDE_H
 
-#include "dynamics/flow.h"
+#include "geometry/chain.h"
 
 /* The tolerance of the sums in rough motions. */
 #define SLIDE_TOL ((real)1e-6)
@@ -18,6 +18,9 @@ struct slide {
 
 /* Returns the relative error that the tolerance of the sums leaves to omegasq. */
 KERNEL real slide_error(const struct geometry *head);
+
+/* Returns true if a plain head, whose contacts all push, surely gets to the tilt 2 atan hi. */
+KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
 /*
  * Finds omegasq of a plain head at its end, whose contacts all push, and its possible error. Returns false if
