@@ -366,7 +366,7 @@ END
 13|set density 5 kg|^set: density is a density, not a mass; enter one such as '600 kg/m\^3'$
 7|set s 3 g|^set: s is a plain number, not a mass; enter it without a unit, or as a length$
 7|set q 3 kg|^set: q is a plain number, not a mass; enter it without a unit$
-13|set mass 10 lbs|^set: 'lbs' is not a unit; did you mean 'lb'
+13|set mass 10 kgs|^set: 'kgs' is not a unit; did you mean 'kg'
 11|print 1 g + 1|^print:.*a mass and a plain number
 7|print sqrt(4 kg)|^print:.*sqrt of this is not defined
 7|print max(1 kg, 2)|^print:.*max needs two values of the same kind
@@ -1159,4 +1159,16 @@ END
     wrong 11 'theta1 10 dge' "^theta1: 'dge' is not a unit; did you mean 'deg'"
     wrong 9 'print 3 furlong' "^print: 'furlong' is not a unit"
     for topic in sin pi cm units ans; do "$DOMINO" -e "help $topic" | grep -q '^print VALUE'; done
+}
+
+@test "units as words, in one and in many; decimal commas and percent are explained" {
+    same words '0.0508 0.6096 2.7432 0.005 0.05 1.5708' "$(printf '%s\n' '2 inch' '2 feet' '3 yards' '5 grams' '50 millimetres' '90 degrees to rad' |
+        "$DOMINO" | awk 'NF { print $1 }' | paste -sd ' ' -)"
+    same 'the effect of this name goes on with a grid' '0.4 0.6 0.4 0.6' \
+        "$(json 'effect row 6; sweep push 5 9 2 feet 0.4 0.6 2 : print h' | values feet | paste -sd ' ' -)"
+    all_wrong <<'END'
+8|set s 0,3|^set: s ends before ',3'; decimals have a point, as in 0\.5$
+10|count 112,5 m|^count: H ends before ',5 m'; decimals have a point
+10|budget 95%|^budget: P ends before '%'; write a share as 0\.95 or 95/100$
+END
 }

@@ -81,6 +81,12 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
     if (!ended) {
         char shown[NAMES_SHOWN];
         session->column = reader_column(r, e.end);
+        if (*e.end == ',' && isdigit((unsigned char)e.end[1]))
+            return session_error(session, "%s ends before '%s'; decimals have a point, as in 0.5", a->name,
+                                 names_shown(e.end, shown));
+        if (*e.end == '%')
+            return session_error(session, "%s ends before '%s'; write a share as 0.95 or 95/100", a->name,
+                                 names_shown(e.end, shown));
         return session_error(session, "%s ends before '%s'; here an operator or a blank is missing", a->name,
                              names_shown(e.end, shown));
     }

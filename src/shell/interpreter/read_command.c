@@ -44,7 +44,7 @@ static void command_unknown(struct session *session, const char *name, int k, ch
     if (variable_find(&session->variables, name))
         session_error(session, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
-    else if (p && (usual || (!meant && k == NAMES_UNKNOWN)) && !effect_hint(name, message) &&
+    else if (p && (usual || (!meant && !p->setting && k == NAMES_UNKNOWN)) && !effect_hint(name, message) &&
              parameter_hint(name, plain, sizeof plain))
         session_error(session, "%s", plain);
     else if (effect_hint(name, message) || (!meant && k != NAMES_UNKNOWN))

@@ -103,6 +103,8 @@ static bool postfix_unit(struct expression *e, struct quantity *q)
     const char *c = skip_blanks(e->end);
     if (c > e->end && e->no_unit && name_length(c) == 1 && strchr(e->no_unit, *c))
         return true;
+    if (c > e->end && e->no_unit && name_length(c) == 4 && strncmp(c, "feet", 4) == 0) /* the effect */
+        return true;
     if (name_start(*c)) {
         struct quantity with = *q;
         const char *stop = unit_scan(c, &with);

@@ -38,6 +38,17 @@ static const struct unit units[] = {
     {NULL, {.value = 0}},
 };
 
+/* Units as words, which are read and not offered. */
+static const struct word {
+    const char *word, *name;
+} words[] = {
+    {"meter", "m"},       {"metre", "m"}, {"millimeter", "mm"}, {"millimetre", "mm"}, {"centimeter", "cm"},
+    {"centimetre", "cm"}, {"inch", "in"}, {"inche", "in"},      {"foot", "ft"},       {"feet", "ft"},
+    {"yard", "yd"},       {"gram", "g"},  {"kilogram", "kg"},   {"kilo", "kg"},       {"tonne", "t"},
+    {"pound", "lb"},      {"lbs", "lb"},  {"ounce", "oz"},      {"second", "s"},      {"degree", "deg"},
+    {"radian", "rad"},    {NULL, NULL},
+};
+
 const char *expression_units(const void *context, int k)
 {
     (void)context;
@@ -148,6 +159,17 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
+/* Returns the unit that a word stands for, with an 's' at its end or without; NULL: none. */
+static const char *word_unit(const char *c, size_t length)
+{
+    const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;
+    for (const struct word *w = words; w->word; w++)
+        if ((strlen(w->word) == one || strlen(w->word) == length) &&
+            strncmp(w->word, c, strlen(w->word)) == 0)
+            return w->name;
+    return NULL;
+}
+
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
     if (!first && length == 1 && (*c == 'g' || *c == 't')) /* g is gravity there */
@@ -155,7 +177,8 @@ static const struct unit *unit_at(const char *c, size_t length, bool first)
     for (const struct unit *u = units; u->name; u++)
         if (strlen(u->name) == length && strncmp(u->name, c, length) == 0)
             return u;
-    return NULL;
+    const char *name = word_unit(c, length);
+    return name ? unit_at(name, strlen(name), true) : NULL;
 }
 
 void quantity_multiply(struct quantity *q, struct quantity by, int power)
