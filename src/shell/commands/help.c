@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, all of it from the tables of commands and parameters. */
 #include "answer/format.h"
+#include "commands/help_page.h"
 #include "commands/help_rows.h"
 #include "commands/tables.h"
-#include "io/terminal.h"
 #include "language/quad.h"
 #include "prompt/input.h"
 #include "session/parameters.h"
-#include <stdarg.h>
 #include <string.h>
 
 enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */
@@ -27,39 +26,6 @@ static const struct first_line {
     {"help rmax", "explains a command; 'apropos tower' finds commands"},
     {"quit", "ends the session; ^C stops a computation"},
 };
-
-/* Returns the width of help: that of the terminal, but no wider than reads well. */
-static int help_width(FILE *out)
-{
-    int width = terminal_width(out);
-    return width && width < 100 ? width : 100;
-}
-
-/* Prints a sentence, wrapped, after a line end. */
-static void help_say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void help_say(FILE *out, const char *format, ...)
-{
-    char said[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(said, sizeof said, format, arguments);
-    va_end(arguments);
-    output_wrapped(out, said, 0, help_width(out));
-    putc('\n', out);
-}
-
-/* Prints what can be typed, and from the column on what it does; below it where the terminal is narrow. */
-static void help_entry(FILE *out, const char *typed, int column, const char *does)
-{
-    enum { ROOM = 30, INDENT = 6 }; /* columns for the text beside; blanks before the text below */
-    int width = help_width(out), below = width < column + ROOM;
-    if (below)
-        fprintf(out, "%s\n%*s", typed, INDENT, "");
-    else
-        fprintf(out, "%-*s", column, typed);
-    output_wrapped(out, does, below ? INDENT : column, width);
-    putc('\n', out);
-}
 
 /* Returns the column in which summaries begin: after the longest usage of a command. */
 static int summary_column(void)
@@ -101,13 +67,6 @@ static void help_list(FILE *out)
     }
     help_say(out, "%s", names);
     help_say(out, "'help NAME' explains one of these, 'apropos WORD' finds one.");
-}
-
-static void help_text(FILE *out, const char *text)
-{
-    putc('\n', out);
-    output_wrapped(out, text, 0, help_width(out));
-    putc('\n', out);
 }
 
 /* Prints what a value of an effect is, and its range. */
