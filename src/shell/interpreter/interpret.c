@@ -227,7 +227,8 @@ static bool is_silent(const struct session *session, const struct command *c, bo
 {
     const struct shard *shard = &session->shard;
     bool due = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    return due && (file || c->runs || !session->wrote);
+    bool sourced = c->runs && c->argument[0].kind == ARGUMENT_FILE; /* which writes its answers before */
+    return due && (file || sourced || !session->wrote);
 }
 
 /* Runs the command at the reader. */
