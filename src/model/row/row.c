@@ -88,6 +88,22 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     return status;
 }
 
+/* Finds the inertia of all that move when head k is hit. With rounded edges, whose chains cost most, it
+ * follows from the collision, unless friction made another ratio of it. */
+static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
+{
+    struct geometry geometry = run->geometry[k];
+    struct sums at = {0};
+    if (geometry.rounded.on && geometry.dynamics->conservative && run->inertia_ratio > 0) {
+        *J = geometry.upright * (1 + run->inertia_ratio);
+        return DOM_OK;
+    }
+    geometry.n = run->moving;
+    enum dom_status status = chain_sum(&geometry, rest, &at);
+    *J = at.J;
+    return status;
+}
+
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->asked, k);
@@ -108,13 +124,11 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
                           .tau = block.tau};
     if (run->watch)
         run->watch->head = k;
-    struct sums at;
-    struct geometry geometry = d->st.geometry;
-    geometry.n = run->moving;
-    enum dom_status status = chain_sum(&geometry, rest, &at);
-    real kinetic = at.J * run->omegasq;
+    real J = 0;
+    enum dom_status status = inertia_begin(run, k, rest, &J);
+    real kinetic = J * run->omegasq;
     /* the whole energy change, if the head touches the next domino from the start */
-    d->J0 = d->st.start.J = at.J;
+    d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
