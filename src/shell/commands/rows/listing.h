@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command 'row', which lists dominoes, and what other lists of dominoes share with it. */
+#ifndef SHELL_LISTING_H
+#define SHELL_LISTING_H
+
+#include "commands/rows/falling.h"
+#include "interpreter/command.h"
+
+extern const struct column row_columns[];
+bool run_row(struct session *session, const struct call *call);
+
+/* Removes the cells of columns that are left out of the answer. */
+void cells_leave_out(const struct answer *answer, const struct column *all, struct cell *cells);
+
+/* Chooses the units of lengths and masses by the largest domino. */
+void row_largest(struct answer *answer, const struct scene_row *scene);
+
+#endif
