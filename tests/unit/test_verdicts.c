@@ -90,7 +90,8 @@ static void as_in_full(void **state)
         assert_status(domq_placement_study(&row, &compute, &p, &study, stops), DOM_OK);
         row.engine = &full;
         assert_status(domq_placement_study(&row, &compute, &p, &other, others), DOM_OK);
-        if (study.fall != other.fall || study.unknown != other.unknown || memcmp(stops, others, sizeof stops))
+        if (study.fall != other.fall || study.unknown != other.unknown ||
+            memcmp(stops, others, sizeof stops) != 0)
             fail_msg("%s: %zu fall, %zu are unknown; in full %zu and %zu", k->name, study.fall, study.unknown,
                      other.fall, other.unknown);
         fall += study.fall;
