@@ -78,6 +78,8 @@ answers_in() { # WAY
         name=${name%% *}
         grep -q "^  $name " <<<"$list" || same help "$name" "$list"
         text=$("$DOMINO" -e "help $name")
+        as=$(sed -n "s/^It answers as '\([a-z]*\)' does.*/\1/p" <<<"$text")
+        [ -z "$as" ] || text=$("$DOMINO" -e "help $as")
         for key in ${expected% reason}; do
             grep -q "^  $key " <<<"$text" || same "help $name" "$key" "$text"
         done
