@@ -14,7 +14,8 @@
  * X = 2 r L z (sin theta_inf - z cos theta_inf) / (1 + z^2). */
 static void far_follower(const struct geometry *geometry, int order, real *f)
 {
-    real X[FAR_ORDER + 2] = {0}, Y[FAR_ORDER + 2] = {1}, p[FAR_ORDER + 2] = {0}, rL = geometry->rL;
+    real X[FAR_ORDER + 2], Y[FAR_ORDER + 2], p[FAR_ORDER + 2];
+    const real rL = geometry->rL;
     for (int k = 1; k <= order; k++) {
         X[k] = k == 1 ? 2 * rL * geometry->inf.x : k == 2 ? -2 * rL * geometry->inf.y : -X[k - 2];
         real square = 0, half = X[k]; /* Y^2 = 1 - X^2, p (1 + Y) = X */
@@ -79,6 +80,18 @@ static int far_order(const struct geometry *geometry, real passes)
     return best;
 }
 
+/* Multiplies the series p by f, which begins with f[1]; p begins with p[first]. Both end at `last`. */
+static void far_multiply(real *p, const real *f, int first, int last)
+{
+    for (int k = last; k > first; k--) {
+        real next = 0;
+        for (int i = first; i < k; i++)
+            next += p[i] * f[k - i];
+        p[k] = next;
+    }
+    p[first] = 0;
+}
+
 KERNEL void far_make(struct geometry *geometry, real passes)
 {
     struct far *far = &geometry->far;
@@ -90,50 +103,46 @@ KERNEL void far_make(struct geometry *geometry, real passes)
         return;
     const real w = geometry->weight, m = geometry->inertia, off = geometry->rL * geometry->inf.x,
                slope = 1 - off;
-    real f[FAR_ORDER + 2], power[FAR_ORDER + 2] = {0}, H[FAR_ORDER + 2] = {0}, J[FAR_ORDER + 2] = {0},
-                                             df[FAR_ORDER + 2], dpower[FAR_ORDER + 2];
+    real f[FAR_ORDER + 2], df[FAR_ORDER + 2], power[FAR_ORDER + 2], squares[FAR_ORDER + 2];
+    real *const H = far->H, *const J = far->J;
     far_follower(geometry, n + 1, f);
     far->radius = far_radius(geometry);
     /* h = a cos + b sin of 2 atan z; its first coefficients are 2 b and -2 a. */
+    H[0] = 0;
     for (int k = 1; k <= n; k++)
         H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
                : k == 2 ? -2 * geometry_height(geometry, geometry->inf)
                         : -H[k - 2];
-    for (int k = 0, size = 1, sign = 1; k <= n; k += 2, size++, sign = -sign)
-        J[k] = (real)(sign * size);
-    for (int k = 1; k <= n + 1; k++) {
+    for (int k = 0; k <= n; k++)
+        J[k] = k % 2 ? 0 : (real)((k / 2 % 2 ? -1 : 1) * (k / 2 + 1));
+    for (int k = 0; k <= n; k++) {
         power[k] = f[k];
-        df[k - 1] = (real)k * f[k];
+        df[k] = (real)(k + 1) * f[k + 1];
     }
-    /* power holds f^j: when its turn comes, coefficient j of H, and j - 1 of J, lacks only its own term. */
+    for (int k = 0; k <= n; k++) {
+        real square = 0;
+        for (int i = 0; i <= k; i++)
+            square += df[i] * df[k - i];
+        squares[k] = square;
+    }
+    /* power holds f^j and squares f'^2 f^(j-1): when its turn comes, coefficient j of H, and j - 1 of J,
+     * lacks only its own term. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;
         slopes *= slope;
-        if (j <= n) {
-            H[j] /= w * (geometry->rq_1 + lost); /* 1 - r^-q slope^j */
-            for (int k = j + 1; k <= n; k++)
-                H[k] += w * H[j] * power[k];
-        }
-        /* f'^2 f^(j-1) = f' (f^j)' / j */
         J[j - 1] /= 1 - m * slope * slopes;
-        const real by = m * J[j - 1] / (real)j;
-        for (int i = j; i <= n + 1; i++)
-            dpower[i - 1] = by * (real)i * power[i];
+        const real J_m = m * J[j - 1];
         for (int k = j; k <= n; k++)
-            for (int i = j - 1; i <= k; i++)
-                J[k] += dpower[i] * df[k - i];
-        for (int k = n + 1; k > j; k--) {
-            real next = 0;
-            for (int i = j; i < k; i++)
-                next += power[i] * f[k - i];
-            power[k] = next;
-        }
-        power[j] = 0;
-    }
-    for (int k = 0; k <= n; k++) {
-        far->H[k] = H[k];
-        far->J[k] = J[k];
+            J[k] += J_m * squares[k];
+        if (j > n)
+            break;
+        far_multiply(squares, f, j - 1, n);
+        H[j] /= w * (geometry->rq_1 + lost); /* 1 - r^-q slope^j */
+        const real H_w = w * H[j];
+        for (int k = j + 1; k <= n; k++)
+            H[k] += H_w * power[k];
+        far_multiply(power, f, j, n);
     }
     far->rest_H = far_rest(far, H) * (real)(n + 1) / far->radius;
     far->rest_J = far_rest(far, J);

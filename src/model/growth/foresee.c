@@ -234,7 +234,9 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
     real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0,
          width = fmin(down_first(log(root / from)), 2 * log(1 / (c->s * root)));
     *down = root;
-    for (int k = 0, fails = 0; k < DOWN_STRIPS && fails<DOWN_FAILS && * down> from; k++) {
+    for (int k = 0, fails = 0; k < DOWN_STRIPS && fails < DOWN_FAILS; k++) {
+        if (*down <= from)
+            break;
         struct strip strip;
         const real whole = log(*down / from);
         const bool last = width >= whole * (real)0.75;
@@ -302,10 +304,14 @@ KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from,
     *found = false;
     if (start > REACH_NEAR * reach)
         root_near_reach(c, reach, &start, &s.slope);
+    enum dom_status status = c->status;
+    if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
+        return status;
+    c->status = DOM_OK;
     if (!(start > from->r && start < reach))
-        return c->status;
+        return DOM_OK;
     margin_follow_begin(c);
-    enum dom_status status = root_search(c, &s, start, 0, root);
+    status = root_search(c, &s, start, 0, root);
     bool root_found = status == DOM_OK && *root < reach && margin_highest(c, *root);
     real falls = *root;
     if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
