@@ -204,8 +204,12 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
         rests = c * sums->rests + inertia_ratio_most * sums->far_rests - q * sums->ages / D_most;
         head = sums->first_drops + c * sums->first_rests;
     }
-    real by_tilt = strip_first(lo, hi, first, sums->tilt, strip_least_top(lo, hi, kinetic, s->grows), c);
     s->margin_slope = slope_safe(sums->drops + head + rests, kinetic * ages);
+    s->root_slope = s->margin_slope;
+    if (s->margin_slope < 0 || lo->n != CHAIN_ENDLESS)
+        return;
+    const struct tilt least = strip_least_top(lo, hi, kinetic, s->grows);
+    const real by_tilt = strip_first(lo, hi, first, sums->tilt, least, c);
     s->root_slope = fmin(s->margin_slope, slope_safe(sums->drops + by_tilt + rests, kinetic * ages));
 }
 
