@@ -61,7 +61,8 @@ static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_prog
         if (progress)
             progress(t->k - first + 1, last - first + 1, context);
     }
-    qsort(mends, found, sizeof *mends, by_change);
+    if (found > 1)
+        qsort(mends, found, sizeof *mends, by_change);
     return found;
 }
 

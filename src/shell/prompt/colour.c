@@ -95,9 +95,9 @@ void colour_show(const struct session *session)
     if (!terminal_size(session->out, &width, &height) || !places_known(session, width, height))
         return;
     mark_line(session, rl_line_buffer, mark);
-    if (!coloured && !memchr(mark, true, (size_t)rl_end))
+    if (!coloured && !memchr(mark, 1, (size_t)rl_end))
         return;
-    coloured = memchr(mark, true, (size_t)rl_end) != NULL;
+    coloured = memchr(mark, 1, (size_t)rl_end) != NULL;
     fputs("\0337\033[?7l", rl_outstream); /* keeps the place of the cursor; no wrapping */
     for (int from = 0, to; from < rl_end; from = to) {
         int row = (session->prompt_width + from) / width;

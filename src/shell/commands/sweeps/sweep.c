@@ -243,18 +243,17 @@ static bool echo_called(const struct session *session, const struct sweep *sweep
 }
 
 /* Writes the values of point k: "s = 0.7, d = 0.1". */
-static void point_text(const struct sweep *sweep, size_t k, char *text, size_t size)
+static void point_text(struct sweeper *w, size_t k, char *text, size_t size)
 {
-    const struct grid *grid = &sweep->grid;
-    size_t after = grid->points, used = 0;
+    const struct grid *grid = &w->sweep->grid;
+    size_t used = 0;
     text[0] = '\0';
+    point_values(w, k);
     for (int i = 0; i < grid->axes && used < size; i++) {
         char number[CELL_TEXT];
-        const struct axis *axis = &grid->axis[i];
-        after /= axis->count;
-        struct cell cell = axis_cell(axis, axis_value(axis, k / after % axis->count));
-        used += (size_t)snprintf(text + used, size - used, "%s%s = %s", i ? ", " : "", axis->parameter->name,
-                                 cell_text(cell, 6, false, number));
+        used +=
+            (size_t)snprintf(text + used, size - used, "%s%s = %s", i ? ", " : "",
+                             grid->axis[i].parameter->name, cell_text(w->swept.value[i], 6, false, number));
     }
 }
 
@@ -348,7 +347,7 @@ bool run_sweep(struct session *session, const struct call *call)
         return session->errors == errors ? session_status(session, DOM_NO_MEMORY) : false;
     bool done = sweep_rows(session, a, w);
     if (done && w->reasons > 0) {
-        point_text(w->sweep, w->first, where, sizeof where);
+        point_text(w, w->first, where, sizeof where);
         answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", w->reasons,
                    session_part(session, w->sweep->grid.points).count, w->reasons == 1 ? "has" : "have",
                    w->none == w->reasons ? "no answer" : "a missing value", where, w->reason,
