@@ -9,7 +9,7 @@ enum { MANY = 100000, SOME = 10000, RUNS = 5 };
 /* Returns the processor's seconds of a program that reads the file; NaN if it does not run. */
 static double reading_seconds(const char *program, const char *path)
 {
-    char command[20000];
+    char command[4200];
     snprintf(command, sizeof command, "exec %s < '%s'", program, path);
     const char *const argv[] = {"sh", "-c", command, NULL};
     struct process now = process_run(argv, "");
@@ -44,7 +44,7 @@ static double library_seconds(void)
 
 struct lines_goals lines_print(const char *build, const char *domino)
 {
-    char path[3][4200], program[4200];
+    char path[3][1000], program[1000];
     static const struct {
         const char *line;
         int count;
