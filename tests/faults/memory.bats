@@ -21,6 +21,7 @@ outcome() { # WHAT STATUS
     [[ $left != *.?????? ]] || same "$1: no draft" '(nothing)' "$left"
 }
 
+# Lets each allocation fail alone, then with all after it: at most FAULTS_OF_MEMORY (60) of them, evenly spaced.
 every_allocation() { # SESSION
     enter
     printf 'fuel; theta1 0.1\n' >in.dom
@@ -28,10 +29,10 @@ every_allocation() { # SESSION
     fail=$(dirname "$DOMINO")/faults/fail_alloc.so
     LD_PRELOAD=$fail FAIL_COUNT=$PWD/count soon "$DOMINO" --bail -n -e "$1" >expected
     answers=$(grep -vE '\.$' expected)
-    local count step n mode
+    local count step n mode most=${FAULTS_OF_MEMORY:-60}
     count=$(cat count)
     [ "$count" -gt 3 ]
-    step=$(((count + 59) / 60))
+    step=$(((count + most - 1) / most))
     for mode in '' FAIL_ON=1; do
         for ((n = 1; n <= count; n += step)); do
             env LD_PRELOAD="$fail" FAIL_AT=$n $mode timeout -k 1 20 "$DOMINO" --bail -n -e "$1" >out 2>err && status=0 ||

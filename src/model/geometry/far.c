@@ -113,8 +113,8 @@ KERNEL void far_make(struct geometry *geometry, real passes)
         H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
                : k == 2 ? -2 * geometry_height(geometry, geometry->inf)
                         : -H[k - 2];
-    for (int k = 0; k <= n; k++)
-        J[k] = k % 2 ? 0 : (real)((k / 2 % 2 ? -1 : 1) * (k / 2 + 1));
+    for (int k = 0, size = 1; k <= n; k++, size += k % 2 ? 0 : 1)
+        J[k] = k % 2 ? 0 : (real)(size % 2 ? size : -size);
     for (int k = 0; k <= n; k++) {
         power[k] = f[k];
         df[k] = (real)(k + 1) * f[k + 1];
