@@ -2,12 +2,17 @@
 /* Shortcuts on the way of a line: each gives what the long way gives, which is the C library's. */
 #include "support.h"
 
+#include "answer/format.h"
 #include "answer/output.h"
 #include "commands/tables.h"
+#include "interpreter/arguments.h"
+#include "interpreter/forms.h"
 #include "io/escape.h"
 #include "language/fewest.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "session/parameters.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -179,6 +184,137 @@ static void a_text_without_a_right_end_is_one_line(void **state)
     }
 }
 
+/* Writes a text by answer_line, or as the one argument of answer_say; the caller frees what it returns. */
+static char *answered(const char *text, bool formatted)
+{
+    char *written = NULL;
+    size_t size;
+    FILE *out = open_memstream(&written, &size);
+    assert_non_null(out);
+    struct answer answer = {.out = out, .style = {.format = &format_table}};
+    if (formatted)
+        answer_say(&answer, "%s", text);
+    else
+        answer_line(&answer, text);
+    fclose(out);
+    return written;
+}
+
+static void a_short_text_needs_no_format(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 20000; k++) {
+        char text[16];
+        size_t n = bits(sizeof text);
+        for (size_t i = 0; i < n; i++)
+            text[i] = " 4.%\n\033"[bits(6)];
+        text[n] = '\0';
+        char *line = answered(text, false), *formatted = answered(text, true);
+        assert_string_equal(line, formatted);
+        assert_true(strlen(line) > 0);
+        free(line);
+        free(formatted);
+    }
+}
+
+/* Finds the end as its definition says, letter by letter. */
+static const char *end_of(const char *c, const char *ends)
+{
+    for (bool blank = true, quoted = false; *c; c++) {
+        if (!quoted && (strchr(ends, *c) || (*c == '#' && blank)))
+            return c;
+        blank = isspace((unsigned char)*c);
+        quoted = *c == '"' ? !quoted : quoted;
+    }
+    return c;
+}
+
+static void a_command_ends_where_its_letters_say(void **state)
+{
+    (void)state;
+    int inside = 0;
+    for (int k = 0; k < 200000; k++) {
+        char text[16];
+        size_t n = bits(sizeof text);
+        for (size_t i = 0; i < n; i++)
+            text[i] = "a #;\"\t"[bits(6)];
+        text[n] = '\0';
+        assert_ptr_equal(text_end(text, ";"), end_of(text, ";"));
+        assert_ptr_equal(text_end(text, ""), end_of(text, ""));
+        inside += *text_end(text, ";") == '#';
+    }
+    assert_true(inside > 10000);
+}
+
+/* Reads the command at the beginning of a line; *at is where its arguments begin, -1 after an error. */
+static const struct command *command_of(struct session *session, const char *line, int *at)
+{
+    struct text text;
+    struct captured_error error = {.column = 0};
+    assert_true(text_make(&text, line, strlen(line)));
+    struct reader r = {.session = session, .text = &text, .at = text.line};
+    long errors = session->errors;
+    session->captured_error = &error;
+    session->column = 0;
+    const struct command *c = read_form(&r);
+    if (!c && session->errors == errors)
+        c = read_command(&r);
+    *at = session->errors == errors ? (int)(r.at - text.line) : -1;
+    session->captured_error = NULL;
+    text_free(&text);
+    return c;
+}
+
+/* No form begins with a name, a blank and a digit, so that the name alone says what the line is. */
+static void a_command_before_a_number_is_that_command(void **state)
+{
+    static const char *const more[] = {"ans", "ans2", "_", "__", "x", "pi", "sin", "m", "prin", "to", "let"};
+    static struct session session;
+    FILE *null = fopen("/dev/null", "w");
+    int commands = 0;
+    (void)state;
+    assert_non_null(null);
+    command_registry(all_commands);
+    session_init(&session, null);
+    for (int k = 0, n = 0; n < (int)(sizeof more / sizeof *more); k++) {
+        char number[64], value[64];
+        int at, value_at;
+        const char *name = topic_names(NULL, k);
+        if (!name)
+            name = more[n++];
+        snprintf(number, sizeof number, "%s 2", name);
+        snprintf(value, sizeof value, "%s .2", name); /* the long way, which is the same */
+        const struct command *c = command_of(&session, number, &at);
+        int column = session.column;
+        assert_ptr_equal(c, command_of(&session, value, &value_at));
+        assert_int_equal(at, value_at);
+        if (c)
+            assert_int_equal(column, session.column);
+        commands += c && at == (int)strlen(name);
+    }
+    assert_true(commands > 50);
+    session_close(&session);
+    fclose(null);
+}
+
+static void a_tolerance_promises_its_digits_whatever_was_asked_before(void **state)
+{
+    static struct session session;
+    FILE *null = fopen("/dev/null", "w");
+    (void)state;
+    assert_non_null(null);
+    session_init(&session, null);
+    for (int k = 0; k < 2000; k++) {
+        double tol = k % 2 ? pow(10, -(double)bits(34)) : (double)(1 + bits(1000)) / 1e6;
+        session.compute.tol = (domq_real)tol;
+        int digits = (int)fmax(floor(-log10(tol) + 1e-6), 1);
+        assert_int_equal(session_style(&session).tol_digits, digits);
+        assert_int_equal(session_style(&session).tol_digits, digits);
+    }
+    session_close(&session);
+    fclose(null);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -188,6 +324,10 @@ int main(void)
         cmocka_unit_test(an_index_finds_what_the_list_has),
         cmocka_unit_test(a_line_in_ascii_has_the_columns_of_its_letters),
         cmocka_unit_test(a_text_without_a_right_end_is_one_line),
+        cmocka_unit_test(a_short_text_needs_no_format),
+        cmocka_unit_test(a_command_ends_where_its_letters_say),
+        cmocka_unit_test(a_command_before_a_number_is_that_command),
+        cmocka_unit_test(a_tolerance_promises_its_digits_whatever_was_asked_before),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,6 +24,8 @@ struct format {
     void (*begin)(struct answer *answer, const struct cell *cells, const char *reason);
     /* Writes a row; reason, unless NULL, says why a value is missing, "" that there is nothing to say. */
     void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
+    /* Writes a short text as it is, in lines of its own; NULL where note is. */
+    void (*line)(struct answer *answer, const char *text);
     /* Writes a sentence; NULL: the format has no place for one. */
     void (*note)(struct answer *answer, const char *format, va_list arguments);
     /* Writes that a command without an answer is done; NULL: nothing. */

@@ -295,6 +295,14 @@ void answer_say(struct answer *a, const char *format, ...)
     va_end(arguments);
 }
 
+void answer_line(struct answer *a, const char *text)
+{
+    if (!answer_for_people(a))
+        return;
+    answer_prepare(a);
+    a->style.format->line(a, text);
+}
+
 const char *answer_end(struct answer *a)
 {
     return a->style.format->end ? a->style.format->end(a) : NULL;

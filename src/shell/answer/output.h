@@ -73,6 +73,9 @@ bool answer_for_people(const struct answer *answer);
 /* Writes a sentence that only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Writes a short text that only people see, as it is. */
+void answer_line(struct answer *answer, const char *text);
+
 /* Writes so many blanks; none for a number below 1. */
 void output_blanks(FILE *out, int blanks);
 

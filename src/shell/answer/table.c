@@ -279,21 +279,31 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
         row_lines(a, cells);
 }
 
+/* Writes a text between the margins, as one line where there is no terminal. */
+static void table_line(struct answer *a, const char *said)
+{
+    char text[TEXT_LINE], line[TEXT_LINE];
+    escape_text(said, text, sizeof text);
+    int indent = (int)strspn(text, " ");
+    output_blanks(a->out, indent);
+    output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
+    putc('\n', a->out);
+}
+
 static void table_note(struct answer *a, const char *format, va_list arguments)
 {
-    char said[TEXT_LINE], text[TEXT_LINE], line[TEXT_LINE];
+    char said[TEXT_LINE];
     vsnprintf(said, sizeof said, format, arguments);
     /* The blank lines that the format asks for, above and below; a name has no new lines. */
     size_t length = strlen(said);
     bool above = *format == '\n',
          below = length > 1 && format[strlen(format) - 1] == '\n' && said[length - 1] == '\n';
     said[length - below] = '\0';
-    escape_text(said + above, text, sizeof text);
-    int indent = (int)strspn(text, " ");
-    fputs(above ? "\n" : "", a->out);
-    output_blanks(a->out, indent);
-    output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
-    fputs(below ? "\n\n" : "\n", a->out);
+    if (above)
+        putc('\n', a->out);
+    table_line(a, said + above);
+    if (below)
+        putc('\n', a->out);
 }
 
 static const char *table_end(struct answer *a)
@@ -303,5 +313,9 @@ static const char *table_end(struct answer *a)
     return NULL;
 }
 
-const struct format format_table = {
-    .for_people = true, .begin = table_begin, .row = table_row, .note = table_note, .end = table_end};
+const struct format format_table = {.for_people = true,
+                                    .begin = table_begin,
+                                    .row = table_row,
+                                    .line = table_line,
+                                    .note = table_note,
+                                    .end = table_end};

@@ -119,11 +119,12 @@ bool run_print(struct session *session, const struct call *call)
     int digits = (int)call->answer->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
         digits = 15; /* a whole number is shown whole */
-    struct cell cell = cell_unbounded(q.value);
-    if (answer_for_people(call->answer) && *unit)
+    bool people = answer_for_people(call->answer);
+    struct cell cell = people ? (struct cell){.kind = CELL_NONE} : cell_unbounded(q.value);
+    if (people && *unit)
         answer_say(call->answer, "%s %s", quad_text(q.value, digits, number), unit);
-    else if (answer_for_people(call->answer))
-        answer_say(call->answer, "%s", quad_text(q.value, digits, number));
+    else if (people)
+        answer_line(call->answer, quad_text(q.value, digits, number));
     else if (cell_vanishes(&call->answer->style, cell)) {
         char reason[ANSWER_REASON];
         snprintf(reason, sizeof reason, "the value is nearer to 0 than %s precision can hold",

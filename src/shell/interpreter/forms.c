@@ -112,12 +112,33 @@ static const struct command *assignment(struct session *session, const struct va
     return NULL;
 }
 
+/*
+ * Returns the command whose whole name begins the line, if a digit comes after it, as in nearly every line of
+ * a file: no form has one there. Else returns NULL.
+ */
+static const struct command *plain_command(struct reader *r, const char *c, size_t n)
+{
+    char name[VARIABLE_NAME];
+    const char *next = skip_blanks(c + n);
+    if (next == c + n || !isdigit((unsigned char)*next) || !name_copy(c, n, name, sizeof name))
+        return NULL;
+    const struct command *command = command_find(name);
+    if (command) {
+        r->session->column = reader_column(r, c);
+        r->at = c + n;
+    }
+    return command;
+}
+
 const struct command *read_form(struct reader *r)
 {
     struct variable v;
     struct session *session = r->session;
     const char *c = r->at;
     size_t n = name_start(*c) ? name_length(c) : 0;
+    const struct command *plain = n > 0 ? plain_command(r, c, n) : NULL;
+    if (plain)
+        return plain;
     if (*c == '?') {
         r->at = c + strspn(c, "?");
         return command_find("help");

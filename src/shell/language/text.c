@@ -125,9 +125,10 @@ static bool is_among(char letter, const char *all)
 
 const char *text_end(const char *c, const char *ends)
 {
-    for (bool blank = true; *c && !is_among(*c, ends) && !(*c == '#' && blank);) {
+    for (const char *begin = c; *c && !is_among(*c, ends);) {
+        if (*c == '#' && (c == begin || isspace((unsigned char)c[-1])))
+            break;
         const char *next = *c == '"' ? text_quote(c) : c + 1;
-        blank = isspace((unsigned char)*c);
         c = next ? next : c + strlen(c);
     }
     return c;

@@ -370,6 +370,18 @@ bool parameter_check(struct session *session, const struct parameter *p, int i, 
                              p->words && !p->effect ? ", or one of its words" : "");
 }
 
+/* Returns how many digits a tolerance promises; keeps the last answer, since every command asks for it. */
+static int tol_digits(domq_real tol)
+{
+    static _Thread_local domq_real known;
+    static _Thread_local int digits;
+    if (digits == 0 || tol != known) {
+        digits = (int)fmax(floor(-log10((double)tol) + 1e-6), 1);
+        known = tol;
+    }
+    return digits;
+}
+
 struct output_style session_style(const struct session *session)
 {
     struct output_style style = session->style;
@@ -377,7 +389,7 @@ struct output_style session_style(const struct session *session)
     style.format = session_answers(session);
     style.precision = session->compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)fmax(floor(-log10((double)session->compute.tol) + 1e-6), 1);
+    style.tol_digits = tol_digits(session->compute.tol);
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }
