@@ -10,7 +10,7 @@ static bool fall_seen(const struct domq_fall *fall, void *context)
     return true;
 }
 
-enum dom_status run_row(struct run *run)
+enum dom_status run_whole(struct run *run)
 {
     run->row.domino = run->domino;
     run->falls = 0;

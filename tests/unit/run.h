@@ -17,7 +17,7 @@ struct run {
 };
 
 /* Runs the row with times. */
-enum dom_status run_row(struct run *run);
+enum dom_status run_whole(struct run *run);
 
 /* Returns how the row ends, from the verdict alone; fails the test if there is no verdict. */
 enum dom_row_end row_end(struct run *run);

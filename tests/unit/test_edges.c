@@ -98,8 +98,8 @@ static void reached_with_the_last_tip(void **state)
     at.domino[3].height = 0.048L;
     before.domino[3].gap = 0.048L * (1 - 1e-14L);
     at.domino[2].height = at.domino[3].gap;
-    assert_status(run_row(&at), DOM_OK);
-    assert_status(run_row(&before), DOM_OK);
+    assert_status(run_whole(&at), DOM_OK);
+    assert_status(run_whole(&before), DOM_OK);
     for (int k = 0; k < 6; k++) {
         assert_near("barrier", at.fall[k].barrier, (double)before.fall[k].barrier, 1e-4);
         assert_near("duration", at.fall[k].duration, (double)before.fall[k].duration, 1e-4);
@@ -118,8 +118,8 @@ static void touching(void **state)
         at.row.mu = near.row.mu = (domq_real)mu / 5;
         at.domino[4].gap = 0;
         near.domino[4].gap = 1e-12;
-        assert_status(run_row(&at), DOM_OK);
-        assert_status(run_row(&near), DOM_OK);
+        assert_status(run_whole(&at), DOM_OK);
+        assert_status(run_whole(&near), DOM_OK);
         assert_int_equal(at.verdict.end, DOM_ROW_FALLS);
         assert_near("seconds", at.verdict.seconds, (double)near.verdict.seconds, 1e-8);
         assert_near("spare", at.verdict.spare, (double)near.verdict.spare, 1e-8);
@@ -145,7 +145,7 @@ static void dominoes_detach_on_the_way(void **state)
                                   .mu = t.mu,
                                   .tol = 1e-12,
                                   .precision = DOM_DOUBLE};
-    assert_status(run_row(&seen), DOM_OK);
+    assert_status(run_whole(&seen), DOM_OK);
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_OK);
     const struct domq_fall *f = &seen.fall[ROOM - 2];
     domq_real unit = seen.domino[ROOM - 2].mass * scale.g * seen.domino[ROOM - 2].height / 2;
@@ -183,7 +183,7 @@ static void one_detaches_after_another(void **state)
                                       .tol = 1e-12,
                                       .precision = DOM_DOUBLE};
         struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0, 0, NULL};
-        assert_status(run_row(&seen), DOM_OK);
+        assert_status(run_whole(&seen), DOM_OK);
         assert_null(direct_run(&direct, hits, &result));
         assert_true((seen.verdict.end == DOM_ROW_FALLS) == result.all_fall);
         assert_int_equal(seen.verdict.domino, result.hit);
@@ -203,7 +203,7 @@ static void ends(void **state)
     static struct run seen;
     alike(&seen, 6);
     seen.domino[3] = (struct domq_domino){.height = 0.2, .thickness = 0.05, .gap = 0.013, .mass = 1};
-    assert_status(run_row(&seen), DOM_OK);
+    assert_status(run_whole(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
     assert_true(seen.verdict.seconds == seen.fall[3].time);
     /* Without a push the first domino falls from its edge, and needs the friction of the floor from there
@@ -212,21 +212,21 @@ static void ends(void **state)
     seen.row.push = DOMQ_NAN;
     seen.row.floor = true;
     seen.domino[1].gap = 0.02;
-    assert_status(run_row(&seen), DOM_OK);
+    assert_status(run_whole(&seen), DOM_OK);
     assert_true((double)seen.fall[0].floor_motion > 0 && (double)seen.fall[1].floor_hit > 0);
     alike(&seen, 1);
     seen.row.push = DOMQ_NAN;
     seen.row.floor = true;
-    assert_status(run_row(&seen), DOM_OK);
+    assert_status(run_whole(&seen), DOM_OK);
     assert_true((double)seen.fall[0].floor_motion > 1); /* a rod needs any friction at cos theta = 1/3 */
     /* Parts: the weakest of the dominoes that go on has no negative margin. */
     alike(&seen, 6);
     seen.domino[1].gap = 0;
     seen.domino[3].gap = 0.048;
-    assert_status(run_row(&seen), DOM_OK);
+    assert_status(run_whole(&seen), DOM_OK);
     assert_true(!(seen.verdict.spare < 0));
     seen.row.tol = 1e-30;
-    assert_status(run_row(&seen), DOM_BAD_TOL);
+    assert_status(run_whole(&seen), DOM_BAD_TOL);
 }
 
 /* Checks that a domino that is hit at its own hinge cannot stay on the floor. */
@@ -463,7 +463,7 @@ static void studies_add_up(void **state)
     /* Without errors every row is the row itself: in this row the third domino cannot reach the next. */
     p = (struct domq_placement){.rows = 50};
     seen.domino[3].gap = 0.05;
-    assert_status(run_row(&seen), DOM_OK);
+    assert_status(run_whole(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_MISSES);
     assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
@@ -471,7 +471,7 @@ static void studies_add_up(void **state)
     /* In this row its tip passes above the next. */
     alike(&seen, 10);
     seen.domino[3].height *= 0.8;
-    assert_status(run_row(&seen), DOM_OK);
+    assert_status(run_whole(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_PASSES);
     assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(whole.unknown == 50 && stops[2] == 0 && whole.low == 0 && whole.high == 1);
@@ -514,7 +514,7 @@ static void heights_are_normal(void **state)
             seen.domino[k].height *= grown;
             seen.domino[k].mass *= grown;
         }
-        assert_status(run_row(&seen), DOM_OK);
+        assert_status(run_whole(&seen), DOM_OK);
         falls += seen.verdict.end == DOM_ROW_FALLS;
     }
     print_message("# %zu and %zu of %d fall\n", study.fall, falls, ROWS);

@@ -50,7 +50,7 @@ static void newton_agrees(void **state)
     int met[9] = {0}, backwards = 0;
     for (int i = 0; i < 200; i++) {
         leaning_row(&run, &seed, i % 3);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         newton_run(&run, &n);
         const struct domq_verdict *v = &run.verdict;
         met[v->end]++;
@@ -114,7 +114,7 @@ static void continuous(void **state)
             make_row(&run, 8, 0.4, 1.2, 0.2 * mu);
             for (size_t k = 0; k < 8; k++)
                 run.domino[k].lean = few[i];
-            assert_status(run_row(&run), DOM_OK);
+            assert_status(run_whole(&run), DOM_OK);
             assert_int_equal(run.verdict.end, DOM_ROW_FALLS);
             omega[i] = (double)run.fall[7].omega;
         }
@@ -137,7 +137,7 @@ static void touches(void **state)
                gap = run.domino[1].gap;
         run.domino[1].lean = phi;
         run.domino[0].lean = -0.08;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         double theta = (double)run.fall[0].theta;
         /* The tip is on the line of the back face through its bottom. */
         double x = h * sin(theta), z = h * cos(theta), bottom_x = gap + d - d * cos(phi),
@@ -157,7 +157,7 @@ static void easier_forwards(void **state)
     for (double lean = -0.9; lean < 0.95; lean += 0.1) {
         make_row(&run, 6, 0.4, 1.6, 0.2);
         run.domino[0].lean = lean * tips_at(&run.domino[0]);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_true(run.fall[0].barrier < before);
         before = run.fall[0].barrier;
     }
@@ -199,24 +199,24 @@ static void refusals(void **state)
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         make_row(&run, 4, 0.4, 1, 0);
         run.domino[2].lean = wrong[i];
-        assert_status(run_row(&run), DOM_BAD_LEAN);
+        assert_status(run_whole(&run), DOM_BAD_LEAN);
         assert_int_equal(run.verdict.domino, 3);
     }
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 4, 0.4, 1, 0);
         run.domino[2].lean = side * theta_u * (1 - 1e-9);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         run.row.alpha = alpha;
-        assert_status(run_row(&run), side > 0 ? DOM_BAD_LEAN : DOM_OK);
+        assert_status(run_whole(&run), side > 0 ? DOM_BAD_LEAN : DOM_OK);
         run.domino[2].lean = side * theta_u * (1 - 1e-9) - alpha;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         run.domino[2].lean = side * theta_u * (1 + 1e-9) - alpha;
-        assert_status(run_row(&run), DOM_BAD_LEAN);
+        assert_status(run_whole(&run), DOM_BAD_LEAN);
     }
     make_row(&run, 4, 0.4, 1, 0);
     run.domino[2].lean = 0.01;
     run.row.rho = 0.01;
-    assert_status(run_row(&run), DOM_NO_LEAN);
+    assert_status(run_whole(&run), DOM_NO_LEAN);
 }
 
 int main(void)

@@ -82,7 +82,7 @@ static void agrees_with_hits(void **state)
     for (int i = 0; i < ROWS; i++) {
         domq_real times[ROW_MOST];
         rows(&run, i);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         struct domq_verdict verdict = run.verdict;
         for (size_t k = 0; k < run.falls; k++)
             times[k] = run.fall[k].time;
@@ -114,7 +114,7 @@ static void keeps_the_laws_between(void **state)
     for (int i = 0; i < ROWS; i++) {
         domq_real times[FRAMES];
         rows(&run, i);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         double whole = (double)(run.fall[run.falls - 1].time) * 1.05;
         for (size_t k = 0; k < FRAMES; k++)
             times[k] = (domq_real)(whole * (double)k / FRAMES);
@@ -156,7 +156,7 @@ static void ends(void **state)
     for (int i = 0; i < ROWS; i++) {
         rows(&run, i);
         run.row.push *= 1.5;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         const struct domq_fall *last = &run.fall[run.falls - 1];
         struct domq_verdict verdict = run.verdict;
         assert_status(watch(&run, times, 3, &seen), DOM_OK);

@@ -79,7 +79,7 @@ static void newton_agrees(void **state)
     int met[8] = {0}, falling = 0, dropped = 0, near = 0;
     for (int i = 0; i < 300; i++) {
         random_row(&run, &seed, i % 4);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         newton_run(&run, &n);
         const struct domq_verdict *v = &run.verdict;
         size_t last = run.falls - 1, hits = run.falls;
@@ -148,7 +148,7 @@ static void contact_opens_before_a_stop(void **state)
     run.domino[2] = (struct domq_domino){
         0.047007677169910882, 0.010265213047027532, 0.0025876182207859107, 0.0052379886908987747, 0, 0};
     run.row.push = 3.5320872193384942;
-    assert_status(run_row(&run), DOM_OK);
+    assert_status(run_whole(&run), DOM_OK);
     newton_run(&run, &n);
     assert_true(n.result.least_force < -0.018 * n.mass[0] * g && n.result.least_head == 2);
     assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_PARTS));
@@ -173,7 +173,7 @@ static void contact_opens_without_a_stop(void **state)
             d->mass *= random_log(&seed, 0.1, 10);
         }
         run.row.push = random_log(&seed, 2, 60);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         if (run.verdict.end != DOM_ROW_PARTS || run.fall[run.falls - 1].margin < 0)
             continue;
         newton_run(&run, &n);
@@ -222,7 +222,7 @@ static void uniform_rows_become_the_train(void **state)
         make_row(&run, MOST, some[i][0], some[i][1], some[i][3]);
         ask_row_of_train(&train, &scale, 0.01, run.domino, MOST);
         run.row.push = 5 * push_over(run.domino);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_FALLS));
         double s = train.s, d = train.d, r = train.r, x_inf = sqrt(s * (s + 2 * d)),
                before = (double)INFINITY;
@@ -275,7 +275,7 @@ static void energy_is_kept(void **state)
     int checked = 0;
     for (int i = 0; i < 400; i++) {
         random_row(&run, &seed, i % 4);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         for (size_t k = 0; k + 1 < run.falls; k++) {
             const struct domq_fall *f = &run.fall[k], *next = f + 1;
             if (next->moving != f->moving + 1)
@@ -299,7 +299,7 @@ static void energy_is_kept(void **state)
 
 static void check_end(struct run *run, enum dom_row_end end, size_t domino)
 {
-    assert_status(run_row(run), DOM_OK);
+    assert_status(run_whole(run), DOM_OK);
     assert_string_equal(dom_row_end_text(run->verdict.end), dom_row_end_text(end));
     assert_int_equal(run->verdict.domino, domino);
     assert_int_equal(run->falls, domino);
@@ -319,7 +319,7 @@ static void ends(void **state)
     check_end(&run, DOM_ROW_PASSES, 3);
     make_row(&run, 5, 0.4, 1, 0);
     run.domino[3].height *= sqrt(1 - 0.16) * (1 + 1e-9);
-    assert_status(run_row(&run), DOM_OK);
+    assert_status(run_whole(&run), DOM_OK);
     assert_true(run.verdict.domino > 3);
     make_row(&run, 5, 0.4, 2, 0);
     run.row.push = 1.01 * push_over(run.domino);
@@ -330,13 +330,13 @@ static void ends(void **state)
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 2, touches * (1 + side * 1e-9), 1, 0);
         run.row.push = DOMQ_NAN;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_int_equal(run.verdict.end, side < 0 ? DOM_ROW_LEANS : DOM_ROW_STOPS);
     }
     /* From its edge the centre falls by this height. */
     make_row(&run, 2, 0.4, 1, 0);
     run.row.push = DOMQ_NAN;
-    assert_status(run_row(&run), DOM_OK);
+    assert_status(run_whole(&run), DOM_OK);
     double falls = (hypot(1, d) - sqrt(1 - 0.16) - d * 0.4) * (double)run.domino[0].height / 2;
     assert_near("of the tip", run.fall[1].kinetic + run.fall[1].lost, (double)run.domino[0].mass * g * falls,
                 1e-13);
@@ -344,7 +344,7 @@ static void ends(void **state)
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 3, 0.4, 1, sqrt(1 - 0.16) / d * (1 + side * 1e-6));
         run.row.push = 30 * push_over(run.domino);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_int_equal(run.verdict.end == DOM_ROW_LOCKS, side > 0);
         assert_int_equal(run.verdict.domino, side > 0 ? 1 : 2);
     }
@@ -368,7 +368,7 @@ static void push_just_enough(void **state)
         if (middle <= lo || middle >= hi)
             break;
         run.row.push = middle;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         *(run.verdict.end == DOM_ROW_FALLS ? &hi : &lo) = middle;
     }
     assert_near("push", hi, edge, 1e-13); /* kinetic and barrier have about ten rounding errors each */
@@ -413,20 +413,20 @@ static void refusals(void **state)
                 &run.domino[0].height};
             bool zero_is_fine = member >= 5 && member <= 7, tips = member == 6 && isnan(wrong[i]);
             *of[member] = wrong[i];
-            assert_status(run_row(&run), (wrong[i] == 0 && zero_is_fine) || tips ? DOM_OK : named[member]);
+            assert_status(run_whole(&run), (wrong[i] == 0 && zero_is_fine) || tips ? DOM_OK : named[member]);
         }
     make_row(&run, 4, 0.4, 1, 100.5);
-    assert_status(run_row(&run), DOM_BAD_MU);
+    assert_status(run_whole(&run), DOM_BAD_MU);
     make_row(&run, 4, 0.4, 1, 0);
     run.row.count = 0;
-    assert_status(run_row(&run), DOM_BAD_COUNT);
+    assert_status(run_whole(&run), DOM_BAD_COUNT);
     make_row(&run, 4, 0.4, 1, 0);
     run.row.precision = (enum dom_precision)7;
-    assert_status(run_row(&run), DOM_BAD_PRECISION);
+    assert_status(run_whole(&run), DOM_BAD_PRECISION);
     volatile sig_atomic_t stop = 1;
     make_row(&run, 4, 0.4, 1, 0);
     run.row.interrupt = &stop;
-    assert_status(run_row(&run), DOM_INTERRUPTED);
+    assert_status(run_whole(&run), DOM_INTERRUPTED);
 }
 
 static bool twice(const struct domq_fall *fall, void *context)
@@ -529,7 +529,7 @@ static void verdict_sums_up(void **state)
         struct dom_work work = {0};
         random_row(&run, &seed, i % 4);
         run.row.work = &work;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         domq_real least = INFINITY;
         size_t weakest = 0;
         for (size_t k = 0; k < run.falls; k++) {
@@ -576,8 +576,8 @@ static void barriers_do_not_depend_on_the_push(void **state)
         slow.row.push = (2 + 8 * random_unit(&seed)) * push_over(slow.domino);
         fast = slow;
         fast.row.push *= 1.2;
-        assert_status(run_row(&slow), DOM_OK);
-        assert_status(run_row(&fast), DOM_OK);
+        assert_status(run_whole(&slow), DOM_OK);
+        assert_status(run_whole(&fast), DOM_OK);
         for (size_t k = 0; k < slow.falls && k < fast.falls; k++) {
             const struct domq_fall *a = &slow.fall[k], *b = &fast.fall[k];
             if (a->margin < 0) /* the run ends at a stop: nothing after it is computed */
@@ -608,8 +608,8 @@ static void light_dominoes_end_no_sum(void **state)
             rough.domino[k].mass *= 1e-9;
         fine = rough;
         rough.row.tol = 1e-6;
-        assert_status(run_row(&rough), DOM_OK);
-        assert_status(run_row(&fine), DOM_OK);
+        assert_status(run_whole(&rough), DOM_OK);
+        assert_status(run_whole(&fine), DOM_OK);
         for (size_t k = 0; k < rough.falls && k < fine.falls; k++) {
             const struct domq_fall *a = &rough.fall[k], *b = &fine.fall[k];
             if (!(fabs((double)b->margin) > 1e-2 * (double)b->kinetic))
@@ -644,7 +644,7 @@ static void precisions_agree(void **state)
             run[p].row.precision = (enum dom_precision)p;
             run[p].row.tol =
                 p == DOM_QUAD ? 1e-16 : (double)domq_arithmetic(run[p].row.precision)->tol_default;
-            assert_status(run_row(&run[p]), DOM_OK);
+            assert_status(run_whole(&run[p]), DOM_OK);
             assert_int_equal(run[p].verdict.end, run[DOM_QUAD].verdict.end);
             assert_int_equal(run[p].verdict.domino, run[DOM_QUAD].verdict.domino);
             double bound = p == DOM_FLOAT ? 1e-4 : 1e-11, spare = 1;
@@ -677,7 +677,7 @@ static void floor_of_the_train(void **state)
         make_row(&run, 40, 0.4, 1.3, train.mu);
         run.row.floor = true;
         run.row.work = &work;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_status(ask_cycle_floor(&train, &floor), DOM_OK);
         const struct domq_fall *f = &run.fall[36];
         assert_near("motion", f->floor_motion, floor.motion, 1e-6);

@@ -65,7 +65,7 @@ static void short_of_the_highest(void **state)
     static struct run run;
     for (int i = 0; i < 2; i++) {
         blocks_row(&run, size, 3, known[i][0], 0);
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2);
         assert_near("kinetic", run.fall[1].kinetic, known[i][1], 1e-6);
         assert_near("barrier", run.fall[1].barrier, 0.957745, 1e-6);
@@ -101,7 +101,7 @@ static void short_of_the_highest_everywhere(void **state)
         random_row(&run, &seed, random_log(&seed, 3, 60), 0);
         run.row.precision = i % 25 == 0 ? DOM_QUAD : i % 3 == 0 ? DOM_FLOAT : DOM_DOUBLE;
         run.row.tol = run.row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         if (run.verdict.end != DOM_ROW_STOPS)
             continue;
         const struct domq_fall *last = &run.fall[run.falls - 1];
@@ -130,8 +130,8 @@ static void a_stop_needs_what_a_fall_needs(void **state)
         random_row(&slow, &seed, random_log(&seed, 3, 60), mu);
         fast = slow;
         fast.row.push *= 1.5;
-        assert_status(run_row(&slow), DOM_OK);
-        assert_status(run_row(&fast), DOM_OK);
+        assert_status(run_whole(&slow), DOM_OK);
+        assert_status(run_whole(&fast), DOM_OK);
         size_t last = slow.falls - 1;
         if (slow.verdict.end != DOM_ROW_STOPS || fast.falls < slow.falls ||
             fast.fall[last].moving != slow.fall[last].moving)
@@ -168,12 +168,12 @@ static void rounded_reach_is_reached(void **state)
                                      .push = i % 2 ? 60 : DOMQ_NAN,
                                      .tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12,
                                      .precision = (enum dom_precision)(i % 3)};
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
         train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, except for close cases */
         near = run;
         ask_row_of_train(&train, &scale, 1, near.domino, 6);
-        assert_status(run_row(&near), DOM_OK);
+        assert_status(run_whole(&near), DOM_OK);
         for (size_t k = 0; k < run.falls && k < near.falls; k++)
             if (fabs((double)run.fall[k].margin) > 0.1 * (double)run.fall[k].kinetic)
                 assert_true((run.fall[k].margin > 0) == (near.fall[k].margin > 0));
@@ -182,7 +182,7 @@ static void rounded_reach_is_reached(void **state)
         for (size_t k = 1; k < 6; k++)
             run.domino[k].gap *= 1 + (domq_real)1e-5;
         run.row.push = 60;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_MISSES && run.verdict.domino == 1);
     }
     print_message("# %d fall, %d stop\n", falls, stops);
@@ -211,7 +211,7 @@ static void much_friction(void **state)
         run.domino[1].thickness *= light ? 2 : 1;
         run.row.precision = i % 500 == 3 ? DOM_QUAD : i % 20 == 5 ? DOM_FLOAT : DOM_DOUBLE;
         run.row.tol = run.row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
-        enum dom_status status = run_row(&run);
+        enum dom_status status = run_whole(&run);
         if (status != DOM_OK)
             fail_msg("row %d, mu %g: %s", i, (double)run.row.mu, dom_status_text(status));
         const struct domq_fall *last = &run.fall[run.falls - 1];
@@ -255,7 +255,7 @@ static void stops_before_a_lock(void **state)
         blocks_row(&run, size, 2, DOMQ_NAN, 1.35);
         run.row.precision = (enum dom_precision)precision;
         run.row.tol = precision == DOM_FLOAT ? 1e-5 : 1e-12;
-        assert_status(run_row(&run), DOM_OK);
+        assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2);
         assert_true(isinf((double)run.verdict.short_by) && isinf((double)run.fall[1].barrier));
         assert_true(run.fall[1].theta > 0 && run.fall[1].theta < 1e-6);
