@@ -495,7 +495,7 @@ commands_are() { until_true cyan_is "$1"; } # WORDS
     press C-u
 }
 
-# The text that is faint on the screen; the end of a colour may stand before it.
+# The text that is faint on the screen; a colour may end before it.
 faint() { terminal capture-pane -p -e | sed -n 's/\x1b\[3[69]m//g; s/.*\x1b\[2m\([^\x1b]*\).*/\1/p' | tail -n 1 | sed 's/ *$//'; }
 hint_is() { [ "$(faint)" = "$1" ]; }
 hint() { until_true hint_is "$1"; } # HINT
