@@ -86,6 +86,7 @@ print duration.speed to mm/s|214.37 mm/s
 END
     same json '{"value":10000,"unit":"mm"}' "$(json '10 m to mm')"
     wrong '112 m to s' "the value is a length, and 's' is a unit of a time; its units: m mm cm km in ft yd"
+    wrong '5 to m/s' "the value is a plain number, and 'm/s' is in m s\^-1; its units: percent"
     wrong '112 m to fot' "'fot' is not a unit; did you mean 'ft'"
     wrong '112 m to' "the unit after 'to' is missing; for example m mm"
     wrong '112 to m' 'the value is a plain number.*its units: percent'
@@ -171,6 +172,7 @@ let f(x) = sin(x); angle = deg; f(30)|0.5
 END
     same 'its own values hide names' 5 "$("$DOMINO" -e 'let f(s) = s' -e 'f(5)')"
     same 'in a sweep' '0.2 0.3' "$(json 'let f(a) = a; sweep s 0.2 0.3 2 : print f(s)' | values value | paste -sd ' ' -)"
+    same 'an expression in a sweep' '0.4 0.6' "$(json 'let f(a) = a; sweep s 0.2 0.3 2 : 2*f(s)' | values value | paste -sd ' ' -)"
     same 'in solve' 2 "$(json 'let f(x) = x^2; solve r : f(r) = 4' | values value | head -n 1 | sed 's/\(1.99999\).*/2/')"
 }
 
@@ -263,6 +265,7 @@ END
 @test "undo: what it says, where it ends, and a change that is none" {
     same 'says' 'undone: r = 2' "$("$DOMINO" -e 'r = 2; undo')"
     same 'again' 'done again: r = 2' "$("$DOMINO" -e 'r = 2; undo > /dev/null; redo')"
+    same 'as data' '{"change":"s = 0.3"} {"change":"s = 0.3"}' "$(json 's = 0.3; undo; redo' | paste -sd ' ' -)"
     same 'in order' '0.3 0.2 0.4' "$("$DOMINO" -e 's = 0.2; s = 0.3; print s; undo > /dev/null; print s; undo > /dev/null; print s' |
         grep . | paste -sd ' ' -)"
     same 'no change' 0.4 "$("$DOMINO" -e 's = 0.2; s = 0.2; undo > /dev/null; print s')"

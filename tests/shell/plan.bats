@@ -94,6 +94,12 @@ END
     wrong 'design' 'H is missing; usage: design H \[WISHES\]'
 }
 
+@test "--check after a command names assert" {
+    run --separate-stderr "$DOMINO" --keep-going -e 'verdict --check; prove --check; design 1 m --check'
+    same 'what would be right' "'assert verdict' 'assert prove WHAT [VALUE]' 'assert design H [WISHES]'" \
+        "$(grep -o "'assert [^']*'" <<<"$stderr" | paste -sd ' ' -)"
+}
+
 @test "assert: a script fails where a row does not fall" {
     run -0 "$DOMINO" -e 'effect row 5; assert verdict; assert fall; assert barrier; assert count 1 1.2; assert design 1 m'
     same answers "$("$DOMINO" -e 'effect row 5; verdict')" "$("$DOMINO" -e 'effect row 5; assert verdict')"

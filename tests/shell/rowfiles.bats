@@ -11,7 +11,9 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     printf 'height (mm), thickness (mm), gap (mm), mass (g)\n48, 7.5, -, 10\n50, 7.5, 20, 12\n' >plain.csv
     printf 'Nr;LENGTH [mm];Thick(mm);Spacing [cm];Weight (g);Note\n1;48;7.5;-;10;red\n2;50;7.5;2;12;x, y\n' >synonyms.csv
     printf 'no\tlength_mm\tdepth_mm\tdistance_mm\tweight_g\n1\t48\t7.5\t-\t10\n2\t50\t7.5\t20\t12\n' >tabs.csv
-    for file in synonyms tabs; do
+    printf '\xef\xbb\xbfsep=;\r\n"height, mm";"thickness, mm";"gap, mm";"mass, g"\r\n48;7.5;-;10\r\n50;7.5;20;12\r\n' >sheet.csv
+    printf '"height, mm","thickness [mm]","gap, cm","mass, g"\n48,7.5,-,10\n50,7.5,2,12\n' >quoted.csv
+    for file in synonyms tabs sheet quoted; do
         same "$file" "$("$DOMINO" -e 'effect row plain.csv; row')" "$("$DOMINO" -e "effect row $file.csv; row" 2>&1)"
     done
 }

@@ -148,8 +148,8 @@ const struct command script_commands[] = {
      .synonyms = "record transcript protocol journal file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "append all commands and answers to FILE; 'log off' ends that",
-     .help = "Answers and errors are comments there, so that 'source FILE' runs the commands again. A file "
-             "named off is './off'.",
+     .help = "Answers, errors and lines that failed are comments there, so that 'source FILE' runs the "
+             "commands again. A file named off is './off'.",
      .see = "tee save",
      .files = true,
      .run = run_log},

@@ -44,6 +44,11 @@ bool run_set(struct session *session, const struct call *call)
     return true;
 }
 
+static const struct column step_columns[] = {
+    {"change", "", "the command whose change is taken back, or made again", 0},
+    {NULL, NULL, NULL, 0},
+};
+
 static bool step(struct session *session, const struct call *call, bool back)
 {
     char text[NAMES_SHOWN];
@@ -51,6 +56,8 @@ static bool step(struct session *session, const struct call *call, bool back)
         return session_error(session, back
                                           ? "there is no change to take back"
                                           : "there is nothing to do again; 'undo' takes a change back first");
+    if (!answer_for_people(call->answer))
+        return answer_cells(call->answer, cell_word(text));
     answer_say(call->answer, "%s: %s", back ? "undone" : "done again", text);
     return true;
 }
@@ -173,12 +180,16 @@ const struct command session_commands[] = {
              "sourced is one. The last 100 can be taken back, one after the other.",
      .example = "set s 0.3; undo; print s",
      .see = "redo diff reset",
+     .unswept = "it computes nothing",
+     .columns = step_columns,
      .run = run_undo},
     {.name = "redo",
      .synonyms = "again forward repeat",
      .summary = "make again what undo took back",
      .example = "set s 0.3; undo; redo; print s",
      .see = "undo",
+     .unswept = "it computes nothing",
+     .columns = step_columns,
      .run = run_redo},
     {.name = "print",
      .synonyms = "calculate calculator convert units feet inch evaluate",

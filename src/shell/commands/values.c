@@ -94,11 +94,14 @@ bool read_conversion(struct reader *r, struct call *call)
         quantity_alike(c->unit, (struct quantity){.angle = 1})) /* as where an angle belongs */
         *q = (struct quantity){
             .value = session->style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value, .angle = 1};
+    const char *of = expression_kind(c->unit, wanted, sizeof wanted);
     return quantity_alike(*q, c->unit) ||
            session_error(session, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q, is, sizeof is),
-                         c->name, quantity_bare(c->unit) ? "for a plain number" : "a unit of ",
-                         quantity_bare(c->unit) ? "" : expression_kind(c->unit, wanted, sizeof wanted),
-                         *units ? "; its units:" : "", units);
+                         c->name,
+                         quantity_bare(c->unit) ? "for a plain number"
+                         : of == wanted         ? "" /* "in m s^-1" */
+                                                : "a unit of ",
+                         quantity_bare(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }
 
 bool run_print(struct session *session, const struct call *call)

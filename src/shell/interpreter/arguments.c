@@ -318,6 +318,15 @@ static bool read_argument(struct reader *r, const struct command *c, struct call
     }
 }
 
+/* Reports an error where '--check' is here: a command with a verdict has 'assert' for that. */
+static bool no_check(const struct reader *r, const struct command *c)
+{
+    char usage[USAGE_SIZE];
+    return !c->holds || strncmp(r->at, "--check", 7) != 0 ||
+           session_error(r->session, "commands have no options; 'assert %s' is an error unless it is true",
+                         command_usage(c, usage));
+}
+
 bool read_arguments(struct reader *r, const struct command *c, struct call *call)
 {
     char usage[USAGE_SIZE], shown[NAMES_SHOWN];
@@ -327,11 +336,13 @@ bool read_arguments(struct reader *r, const struct command *c, struct call *call
         r->at = skip_blanks(r->at);
         if (a->kind != ARGUMENT_REST && (command_ends(r->at) || *r->at == '>' || *r->at == '|'))
             break;
-        if (!read_argument(r, c, call))
+        if (!no_check(r, c) || !read_argument(r, c, call))
             return false;
     }
     r->at = skip_blanks(r->at);
     session->column = reader_column(r, r->at);
+    if (!no_check(r, c))
+        return false;
     if (*r->at == '|')
         return session_error(session, "pipes are not supported; 'COMMAND > FILE' writes a file");
     if (call->count < ARGUMENTS_MAX && c->argument[call->count].kind && !c->argument[call->count].optional)

@@ -276,6 +276,16 @@ static void records_flush(struct session *session)
                       wrong ? wrong : wrong_tee);
 }
 
+/* Writes commands into the log: at once if there are several, else when it is known whether they fail. */
+static void log_commands(struct session *session, const char *commands, size_t length, bool several)
+{
+    struct record *log = &session->recording.log;
+    log->pending = commands;
+    log->pending_length = (int)length;
+    if (several)
+        record_commands(log, false);
+}
+
 static void run_line(struct session *session, const char *line, size_t length)
 {
     struct text text;
@@ -290,8 +300,9 @@ static void run_line(struct session *session, const char *line, size_t length)
     }
     struct reader r = {.session = session, .text = &text, .at = text.line};
     /* What a file commands is in that file. */
-    if (session->recording.log.file && session->depth == 0)
-        fprintf(session->recording.log.file, "%.*s\n", (int)length, line);
+    bool logged = session->recording.log.file && session->depth == 0;
+    if (logged)
+        log_commands(session, line, length, *text_end(text.line, ";") == ';');
     session->typed = line;
     session->typed_length = (int)(length < INT_MAX ? length : INT_MAX);
     session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
@@ -308,6 +319,11 @@ static void run_line(struct session *session, const char *line, size_t length)
         if (*end != ';' || session_stops(session, errors))
             break;
         r.at = end + 1;
+        if (!logged && session->recording.log.file && session->depth == 0) { /* this line began the log */
+            const char *rest = text_typed(&text, skip_blanks(r.at));
+            log_commands(session, rest, length - (size_t)(rest - line), true);
+            logged = true;
+        }
     }
     if (session->recording.stream)
         records_flush(session);

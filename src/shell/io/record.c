@@ -43,8 +43,16 @@ static bool is_text(struct record *r, char c)
     return false;
 }
 
+void record_commands(struct record *r, bool failed)
+{
+    if (r->file && r->pending)
+        fprintf(r->file, "%s%.*s\n", failed ? "# " : "", r->pending_length, r->pending);
+    r->pending = NULL;
+}
+
 void record_write(struct record *r, const char *bytes, size_t count)
 {
+    record_commands(r, false);
     for (size_t i = 0; r->file && i < count; i++) {
         if (!is_text(r, bytes[i]))
             continue;
@@ -58,6 +66,7 @@ void record_write(struct record *r, const char *bytes, size_t count)
 const char *record_flush(struct record *r)
 {
     errno = 0;
+    record_commands(r, false);
     if (!r->file || (fflush(r->file) == 0 && !ferror(r->file)))
         return NULL;
     const char *why = errno ? strerror(errno) : "the device is full, or not there any more";
@@ -67,6 +76,7 @@ const char *record_flush(struct record *r)
 
 void record_close(struct record *r)
 {
+    record_commands(r, false);
     if (r->file)
         fclose(r->file);
     r->file = NULL;

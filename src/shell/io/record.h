@@ -11,6 +11,9 @@ struct record {
     FILE *file;    /* NULL: nothing is recorded */
     bool comments; /* each line of an answer begins with "# ", so that the file is a script */
     bool within;   /* the last line has begun */
+    /* The commands that were not written yet: as a comment if an error is the first that comes of them. */
+    const char *pending;
+    int pending_length;
     enum { RECORD_TEXT, RECORD_ESCAPE, RECORD_CONTROL, RECORD_STRING, RECORD_STRING_ESCAPE } state;
 };
 
@@ -18,6 +21,9 @@ struct record {
  */
 const char *record_open(struct record *record, const char *path, bool append,
                         const volatile sig_atomic_t *interrupt);
+
+/* Writes the pending commands, if there are any. Those that failed are a comment, so that the file runs. */
+void record_commands(struct record *record, bool failed);
 
 /* Writes bytes of an answer, without what sets colours and moves the cursor of a terminal. */
 void record_write(struct record *record, const char *bytes, size_t count);

@@ -84,6 +84,8 @@ static void session_write(struct session *session, enum message what, const char
     if (session->command)
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", session->command);
     vsnprintf(line + n, sizeof line - (size_t)n, format, arguments);
+    /* What a sourced file did before its error is done. */
+    record_commands(&session->recording.log, what != MESSAGE_NOTE && session->depth == 0);
     if (what != MESSAGE_NOTE)
         session_tell(session, line + n);
     escape_text(line, text, sizeof text);

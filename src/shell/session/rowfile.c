@@ -214,7 +214,7 @@ static void unused_keep(struct reader *r, const char *name)
 static bool name_read(struct reader *r, const char *cell)
 {
     char name[32];
-    size_t length = strcspn(cell, " \t([_");
+    size_t length = strcspn(cell, " \t([_,");
     snprintf(name, sizeof name, "%.*s", (int)length, cell);
     for (char *c = name; *c; c++)
         *c = (char)tolower((unsigned char)*c);
@@ -237,12 +237,18 @@ static bool name_read(struct reader *r, const char *cell)
     r->column[k] = r->columns;
     if (r->column[MASS] > 0 && r->column[DENSITY] > 0)
         return wrong(r, cell, "both mass and density are given; leave one of these columns out");
-    return unit_read(r, k, cell + length + strspn(cell + length, " \t_"));
+    return unit_read(r, k, cell + length + strspn(cell + length, " \t_,"));
 }
 
 static bool head_read(struct reader *r)
 {
-    r->separator = strchr(r->text.line, ';') ? ";" : strchr(r->text.line, ',') ? "," : "\t";
+    char named = text_separator(r->text.line);
+    if (named && !r->separator) {
+        r->separator = named == ';' ? ";" : named == ',' ? "," : "\t";
+        return true;
+    }
+    if (!r->separator)
+        r->separator = strchr(r->text.line, ';') ? ";" : strchr(r->text.line, ',') ? "," : "\t";
     r->between = *r->separator == ';' ? "';'" : *r->separator == ',' ? "','" : "tab";
     r->blanks = *r->separator == '\t' ? " \r\f\v" : " \t\r\f\v";
     if (!strstr(r->text.line, r->separator))

@@ -109,12 +109,14 @@ static bool name_read(struct reader *r, char *name, int column)
 static bool head_read(struct reader *r, char *line)
 {
     char *cell[CELLS];
+    char named = text_separator(line);
+    if (named && !r->separator) {
+        r->separator = named;
+        return true;
+    }
     bool tabs = strchr(line, '\t') && !strchr(line, ',');
-    r->separator = ',';
-    if (tabs)
-        r->separator = '\t';
-    if (strchr(line, ';'))
-        r->separator = ';';
+    if (!r->separator)
+        r->separator = strchr(line, ';') ? ';' : tabs ? '\t' : ',';
     int n = cells_cut(line, r->separator, cell);
     r->head = true;
     for (int i = 0; i < n; i++)

@@ -5,6 +5,7 @@
 #include "commands/sweeps/grid.h"
 #include "commands/sweeps/swept.h"
 #include "commands/tables.h"
+#include "interpreter/forms.h"
 #include "language/quad.h"
 #include "parallel/points.h"
 #include "session/parameters.h"
@@ -45,6 +46,18 @@ bool sweep_read_grid(struct reader *r, struct call *call)
                                               "'sweep s 0.1 0.9 9 : rmax'"));
 }
 
+/* Returns the command of each point; an expression means 'print'. */
+static const struct command *asked_command(struct reader *r)
+{
+    const char *begin = r->at;
+    long errors = r->session->errors;
+    const struct command *c = read_form(r);
+    if (c && c->run == run_print)
+        return c;
+    r->at = begin;
+    return r->session->errors == errors ? read_command(r) : NULL;
+}
+
 bool sweep_read_command(struct reader *r, struct call *call)
 {
     struct session *session = r->session;
@@ -54,7 +67,7 @@ bool sweep_read_command(struct reader *r, struct call *call)
     if (command_ends(r->at) || *r->at == '>')
         return session_error(session,
                              "the command after ':' is missing; for example 'sweep s 0.1 0.9 9 : rmax'");
-    const struct command *c = s->command = read_command(r);
+    const struct command *c = s->command = asked_command(r);
     if (!c)
         return false;
     if (c->unswept)
