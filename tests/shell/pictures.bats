@@ -254,7 +254,7 @@ END
     same 'draw forces' '(nothing)' "$(complete 'draw forces ')"
     same 'draw train' forces "$(complete 'draw train ')"
     same 'animate a.gif' 'rate speed train' "$(complete 'animate a.gif ')"
-    same 'animate a.gif speed 2' 'rad rate' "$(complete 'animate a.gif speed 2 r')"
+    same 'animate a.gif speed 2' 'rate' "$(complete 'animate a.gif speed 2 r')"
     "$DOMINO" -e 'help animate' | tr '\n' ' ' | grep -q 'at most 9 can be seen *together at r = 1.5'
     one_line 'N is an integer in 1 .. 9, ' 'animate a.gif 10'
 }

@@ -379,12 +379,12 @@ $prompt" "$(screen | tail -n 3)"
     open_session 80 24
     type_in 'set threads 1; effect row 20; effect placement 1 mm'
     press Enter
-    type_in 'sweep seed 1 150 150 : placement 100 > /dev/null'
+    type_in 'sweep seed 1 150 150 : placement 2000 > /dev/null'
     press Enter
     see '^ *[0-9]+ %, .*left'
     see_last "$prompt"
     hides 'left'
-    same 'nothing is left of it' "$prompt sweep seed 1 150 150 : placement 100 > /dev/null
+    same 'nothing is left of it' "$prompt sweep seed 1 150 150 : placement 2000 > /dev/null
 $prompt" "$(screen | tail -n 2)"
 }
 
