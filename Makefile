@@ -300,7 +300,7 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
 # Measures ratios of times in one run. Octave and SciPy take part if they are installed.
-BENCH := bench compare curve floor front growth lengths lines measure rows start
+BENCH := bench compare curve floor front growth lengths lines measure record rows start
 bench: all $(B)/bench $(B)/answers
 	@$(B)/bench $(B)
 

@@ -19,7 +19,7 @@ enum { ROW = 20, ROWS = 60, POINTS = 12 };
 struct counted {
     const char *name;
     enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute);
-    double s, r, q, mu;
+    double s, r, q, mu, rho;
     bool quad, single;
     bool apart; /* computed by its name alone */
 };
@@ -111,7 +111,8 @@ static struct domq_row row_of(const struct domq_train *train, struct domq_domino
 {
     struct domq_scale scale = domq_scale_default();
     domq_row_of_train(train, &scale, 1, domino, ROW);
-    return (struct domq_row){.domino = domino, .count = ROW, .g = scale.g, .push = 6, .mu = train->mu};
+    return (struct domq_row){
+        .domino = domino, .count = ROW, .g = scale.g, .push = 6, .mu = train->mu, .rho = train->rho};
 }
 
 static enum dom_status ask_verdict(const struct domq_train *train, const struct domq_compute *compute)
@@ -185,6 +186,8 @@ static const struct counted table[] = {
     {.name = "row", .ask = ask_row, .r = 1.1},
     {.name = "row with friction", .ask = ask_row, .r = 1.1, .mu = 0.2},
     {.name = "placement", .ask = ask_study, .r = 1.1},
+    {.name = "placement with edges", .ask = ask_study, .r = 1.1, .rho = 0.02},
+    {.name = "placement with friction", .ask = ask_study, .r = 1.1, .mu = 0.2},
     {.name = "r_max, s = 0.4", .ask = ask_rmax, .s = 0.4, .apart = true},
     {.name = "barrier, s = 0.4", .ask = ask_barrier, .s = 0.4, .apart = true},
     {.name = "duration, s = 0.4", .ask = ask_duration, .s = 0.4, .apart = true},
@@ -239,6 +242,7 @@ int main(int argc, char **argv)
         compute.precision = counted->quad ? DOM_QUAD : counted->single ? DOM_FLOAT : DOM_DOUBLE;
         compute.tol = domq_arithmetic(compute.precision)->tol_default;
         train.mu = counted->mu;
+        train.rho = counted->rho;
         compute.work = argc > 1 ? &work : NULL;
         if (counted->apart) { /* counts the work, and does now what is done once */
             (void)counted->ask(&train, &compute);

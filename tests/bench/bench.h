@@ -109,7 +109,7 @@ enum dom_status threads_tasks(size_t count, dom_task *task, void *context, void 
 
 void threads_measure(size_t points, const unsigned *threads, struct threaded *threaded, unsigned n);
 
-/* ---- rows.c, start.c, lines.c ---- */
+/* ---- rows.c, record.c, start.c, lines.c ---- */
 
 /* Prints rows per second. Returns the seconds of a row with r = 1.3 on one core, and of one with friction. */
 struct rows_goals {
@@ -117,6 +117,17 @@ struct rows_goals {
 };
 
 struct rows_goals rows_print(void);
+
+/*
+ * Prints times of a budget and of a placement of examples/record.dom, and the memory of 100,000 dominoes.
+ * Returns the seconds and the megabytes. A process counts the memory of the one that started it, too: call
+ * this before the benchmark itself needs much.
+ */
+struct record_goals {
+    double budget, placement, megabytes;
+};
+
+struct record_goals record_print(const char *domino);
 
 /* Prints times of many lines. Returns ours over those of bc, and over those of the library alone. */
 struct lines_goals {
