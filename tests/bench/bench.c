@@ -29,7 +29,7 @@ struct goal {
     const char *text, *unit;
     double goal, measured; /* NaN: not measured here */
     bool at_least;
-    const char *floor; /* what forbids more, and where it is shown; NULL: nothing is known that does */
+    const char *reason; /* where the goal is not met: the floor that forbids it, or that none does; or NULL */
 };
 
 static bool goal_met(const struct goal *goal)
@@ -47,8 +47,8 @@ static void goals_print(const struct goal *goals, size_t n)
             puts("        -  not measured here");
         else
             printf("%9.4g  %s\n", g->measured, goal_met(g) ? "met" : "NOT MET");
-        if (g->floor && !isnan(g->measured) && !goal_met(g))
-            printf("      %s\n", g->floor);
+        if (g->reason && !isnan(g->measured) && !goal_met(g))
+            printf("      %s\n", g->reason);
     }
 }
 
@@ -271,7 +271,8 @@ int main(int argc, char **argv)
     double in_quad = contender_seconds(OURS, &usual, (double)domq_arithmetic(DOM_QUAD)->tol_default);
     contenders_end();
 
-    static const char of_rmax[] = "'The floor of r_max' above: no search takes less than its 8 passes";
+    static const char of_rmax[] =
+        "no floor forbids it: by 'The floor of r_max' above, the operations of a domino take the time";
     const struct goal goals[] = {
         {"r_max at 1e-12, mean of the 178, in bare links", "", 600, all[OURS].seconds / link, false, of_rmax},
         {"  as many times faster than nested GSL solvers", "x", 15, ratio(all, GSL), true, of_rmax},
@@ -282,7 +283,7 @@ int main(int argc, char **argv)
         {"r_max in quad, times as long as in double", "x", 60, in_quad / in_double, false,
          "quad has no instructions of its own: each operation is a function of the compiler"},
         {"one cycle's duration to 1e-12, in bare links", "", 1900, cycle[OURS].seconds / link, false,
-         "'The floor of one cycle's duration' above: the dominoes that its integral needs"},
+         "no floor forbids it: by its floor above, the operations of a domino take the time"},
         {"verdict of a random row of 20, r = 1.3, in bare links", "", 6000, row.plain / link, false, NULL},
         {"  with friction 0.2", "", 15000, row.friction / link, false, NULL},
         {"a row of 10,000 equal dominoes", "s", 1.5, length, false, NULL},
