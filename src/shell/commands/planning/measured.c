@@ -50,15 +50,20 @@ static bool __attribute__((format(printf, 2, 3))) wrong(const struct reader *r, 
     return session_error(r->session, "%s:%ld: %s", names_shown(r->path, shown), r->line, message);
 }
 
-/* Cuts the line into cells without blanks around them; returns their number. */
+/* Cuts the line into cells without quotes and blanks around them; returns their number. */
 static int cells_cut(char *line, char separator, char *cell[CELLS])
 {
     int n = 0;
     for (char *at = line; at && n < CELLS;) {
-        char *next = strchr(at, separator), *end;
+        at += strspn(at, separator == '\t' ? " \r" : " \t\r");
+        char *quote = *at == '"' ? strchr(at + 1, '"') : NULL, *end;
+        char *next = strchr(quote ? quote : at, separator);
         if (next)
             *next++ = '\0';
-        at += strspn(at, " \t\r");
+        if (quote) {
+            *quote = '\0';
+            at++;
+        }
         for (end = at + strlen(at); end > at && isspace((unsigned char)end[-1]);)
             *--end = '\0';
         cell[n++] = at;
@@ -84,26 +89,31 @@ static int kind_find(const char *name, size_t length)
     return KINDS;
 }
 
-/* Reads a name of the first line, such as "gap (mm)". */
+/* Reads a name of the first line, such as "gap (mm)", "gap, mm" or "gap mm". */
 static bool name_read(struct reader *r, char *name, int column)
 {
-    char *open = strpbrk(name, "(["), *close = open ? strpbrk(open, ")]") : NULL;
-    size_t length = open ? (size_t)(open - name) : strlen(name);
+    size_t length = strcspn(name, "([,"), end = length;
     while (length > 0 && isspace((unsigned char)name[length - 1]))
         length--;
     int k = kind_find(name, length);
+    if (k == KINDS && name[end] == '\0') {
+        while (end > 0 && name[end - 1] != ' ' && name[end - 1] != '_')
+            end--;
+        k = end > 0 ? kind_find(name, end - 1) : KINDS;
+    }
     if (k == KINDS)
         return true;
     if (r->column[k])
         return wrong(r, "two columns are the %s; one is right", kinds[k].name);
     r->column[k] = column;
-    if (!close)
+    char *unit = name + end + strspn(name + end, " ([,");
+    if (*unit == '\0')
         return true;
-    *close = '\0';
-    struct quantity q = expression_unit(open + 1);
+    unit[strcspn(unit, ")]")] = '\0';
+    struct quantity q = expression_unit(unit);
     r->unit[k] = q.value;
     return of_kind(q, &kinds[k]) ||
-           wrong(r, "'%.20s' is not the unit of %s; write '%s'", open + 1, kinds[k].unit, kinds[k].example);
+           wrong(r, "'%.20s' is not the unit of %s; write '%s'", unit, kinds[k].unit, kinds[k].example);
 }
 
 static bool head_read(struct reader *r, char *line)
