@@ -244,7 +244,8 @@ END
     done >rows
     { echo 'gap (mm), speed (m/s), error (m/s)'; cat rows; } >errors.csv
     { echo 'speed (mm/s); note; gap'; awk -F , '{ printf "%.12g; any; %g cm\n", 1000 * $2, $1 / 10 }' rows; } >plain.csv
-    for file in errors plain; do
+    { printf 'sep=;\n"gap, mm";speed m/s;error_m/s;note\n' && sed 's/,/;/g; s/$/;"a; b"/' rows; } >sheet.csv
+    for file in errors plain sheet; do
         close "$file" 0.25 "$(json "fit friction $file.csv" | values mu | head -n 1)" 1e-5
     done
     # Errors of 0.01 m/s leave an uncertainty, which is less where they are less.

@@ -135,6 +135,13 @@ bool session_status(struct session *session, enum dom_status status)
                                  "edges with a radius of %s h do not fit: the radius is at most half of the "
                                  "thickness; here 'effect edges %.6g' is the largest",
                                  quad_shown(t->rho).text, (double)(t->d / 2));
+    domq_real stands = quad(atan)(t->d), degree = 2 * quad(atan)(1) / 90;
+    if (status == DOM_NO_STAND && !session->listed.domino && quad(fabs)(t->alpha) >= stands)
+        return session_no_answer(session,
+                                 "no upright domino stands on this slope of %.4g deg: it is less than %.4g "
+                                 "deg, where tan theta_u = d; for example 'effect slope %.2g deg'",
+                                 (double)(t->alpha / degree), (double)(stands / degree),
+                                 (double)(stands / degree / 2));
     if (status == DOM_OUT_OF_REACH && t->rho > 0) {
         domq_real span = 1 - t->rho * (2 - 2 * quad(atan)(1)); /* l + rho pi/2 */
         return session_no_answer(session,

@@ -16,6 +16,10 @@ struct cell cell_narrow(domq_real value, int digits)
 bool row_status(struct session *session, enum dom_status status)
 {
     enum dom_precision precision = session->compute.precision;
+    const struct domq_train *train = &session->train;
+    if (status == DOM_NOT_CONVERGED && session_engine(session) && !session->listed.domino &&
+        quad(fabs)(train->alpha) >= quad(atan)(train->d))
+        return session_status(session, DOM_NO_STAND);
     if (status == DOM_NOT_CONVERGED && session_engine(session))
         return session_no_answer(session,
                                  "the rigid-body engine cannot decide: the row comes to no end, or with ever "
