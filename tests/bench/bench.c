@@ -14,8 +14,8 @@
 #define BENCH_FLAGS "unknown flags"
 #endif
 
-/* A quarter of 188 and 131 million bare links, which these questions took when a study searched each head of
- * a row for its top, on the machine of the times in src/README.md. */
+/* A quarter of 188 and 131 million bare links, which a study that searched each head for its top took beside
+ * this one. */
 enum { BUDGET = 47, PLACEMENT = 32 };
 
 enum { MANY = 178, FEW = 18, POINTS = 10000, SAMPLED = 10, CURVE_REPEATS = 3 };
