@@ -48,6 +48,8 @@ all_bad() {
 foo|1|^unknown command 'foo'.*'help'
 xyzzy|1|^unknown command 'xyzzy'.*'help'
 q 3|1|^'q' is a parameter; 'q = VALUE' gives it a value
+sqrt 2|1|^'sqrt' is a function; its values are in parentheses, as in 'sqrt\(2\)'$
+4.8 cm in mm|8|'to' converts, as in '4.8 cm to mm'$
 Fuel|1|^unknown command 'Fuel'; did you mean 'fuel'\?$
 fuell|1|^unknown command 'fuell'; did you mean 'fuel'\?$
   foo 1 2|3|^unknown command 'foo'.*'help'

@@ -29,7 +29,9 @@ static bool known_word(struct session *session, struct reader *r, const char *at
         const char *close = names_closest(expression_units, NULL, word);
         session->column = reader_column(r, at);
         names_shown(word, shown);
-        if (close && strcmp(close, word) == 0)
+        if (strcmp(word, "in") == 0)
+            session_error(session, "the unit 'in' must follow a number; 'to' converts, as in '4.8 cm to mm'");
+        else if (close && strcmp(close, word) == 0)
             session_error(session, "the unit '%s' must follow a number or a ')', as in '4.8 cm'", shown);
         else if (close)
             session_error(session, "'%s' is not a unit; did you mean '%s'?", shown, close);

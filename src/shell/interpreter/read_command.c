@@ -44,6 +44,9 @@ static void command_unknown(struct session *session, const char *name, int k, ch
     if (variable_find(&session->variables, name))
         session_error(session, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
+    else if (!meant && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
+        session_error(session, "'%s' is a function; its values are in parentheses, as in '%s(2)'", name,
+                      name);
     else if (p && (usual || (!meant && !p->setting && k == NAMES_UNKNOWN)) && !effect_hint(name, message) &&
              parameter_hint(name, plain, sizeof plain))
         session_error(session, "%s", plain);
