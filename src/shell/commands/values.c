@@ -123,7 +123,9 @@ bool run_print(struct session *session, const struct call *call)
     if (digits < 15 && q.value == quad(floor)(q.value))
         digits = 15; /* a whole number is shown whole */
     bool people = answer_for_people(call->answer);
-    struct cell cell = people ? (struct cell){.kind = CELL_NONE} : cell_unbounded(q.value);
+    struct cell cell = {.kind = CELL_NONE};
+    if (!people)
+        cell = cell_unbounded(q.value);
     if (people && *unit)
         answer_say(call->answer, "%s %s", quad_text(q.value, digits, number), unit);
     else if (people)

@@ -107,7 +107,9 @@ char text_separator(const char *line)
     const char *name = line + quoted;
     if (strncasecmp(name, "sep=", 4) != 0 || name[4] == '\0' || !strchr(",;\t", name[4]))
         return '\0';
-    return *skip_blanks(name + 5 + (quoted && name[5] == '"')) == '\0' ? name[4] : '\0';
+    if (*skip_blanks(name + 5 + (quoted && name[5] == '"')) != '\0')
+        return '\0';
+    return name[4];
 }
 
 const char *skip_blanks(const char *c)

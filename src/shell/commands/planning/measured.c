@@ -126,7 +126,7 @@ static bool head_read(struct reader *r, char *line)
     }
     bool tabs = strchr(line, '\t') && !strchr(line, ',');
     if (!r->separator)
-        r->separator = strchr(line, ';') ? ';' : tabs ? '\t' : ',';
+        r->separator = *(strchr(line, ';') ? ";" : tabs ? "\t" : ",");
     int n = cells_cut(line, r->separator, cell);
     r->head = true;
     for (int i = 0; i < n; i++)
