@@ -5,6 +5,9 @@
 
 load common
 
+# A partner in a pty may come too late on a busy machine: each test has a second try.
+export BATS_TEST_RETRIES=1
+
 prompt() { timeout 300 expect -f "$BATS_TEST_DIRNAME/prompt.exp" "$@" </dev/null; }
 
 # All commands of the table at one prompt: the answers are those of -e, byte for byte.

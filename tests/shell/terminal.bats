@@ -5,6 +5,9 @@
 
 load common
 
+# A partner in a pty may come too late on a busy machine: each test has a second try.
+export BATS_TEST_RETRIES=1
+
 setup() {
     answers_at_all
     socket=$BATS_TEST_TMPDIR/tmux
