@@ -261,13 +261,14 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
 
-# Runs the unit tests, two suites of hard cases, and the sessions that read lines and files and keep rows, under
+# Runs the unit tests, three suites of hard cases, and the sessions that read lines and files and keep rows, under
 # sanitizers; the examples run under valgrind, and every command in the fuzzer. A leak is a failure. Counts the lines of the model that the tests run. With
 # -g1, which is lines alone, gcc takes half as long.
-SANITIZED := $(patsubst %,tests/shell/%.bats,prompt answers errors files hostile language rowfiles rows values)
+SANITIZED := $(patsubst %,tests/shell/%.bats,prompt answers draw errors files hostile language prove rowfiles rows \
+  tolerance values)
 sanitize: | $(FIRST)
 	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
-	@$(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,search sweep)' COVER=--coverage LDFLAGS=--coverage \
+	@LDFLAGS=--coverage $(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,proof search sweep)' COVER=--coverage \
 	  CC=gcc CFLAGS='-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' test
 	@tests/coverage $(B)/sanitize 95
 
