@@ -303,7 +303,7 @@ struct dom_train {
      * dominoes boxes of six walls, half as wide as tall, and DOM_NO_ROOM names walls that do not fit: a train
      * then needs longer, by dom_scale_tau, and the floor more friction. All else, DOM_FUEL_PAPER and methods
      * included, is as without walls. rho is the radius of the edges over the height, 0 ... 0.49;
-     * DOM_NO_ROUND: it is more than d/2. With rounded edges no error bounds are known. */
+     * DOM_NO_ROUND: it is more than d/2. With rounded edges no error bounds are known: all are NaN. */
 #define DOM_DYNAMICS_MEMBER(effect, member, status) dom_real member;
     DOM_DYNAMICS(DOM_DYNAMICS_MEMBER)
 };

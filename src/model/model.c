@@ -72,8 +72,9 @@ static struct question question_make(const struct dom_train *train, const struct
     struct question q = {
         .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
                     .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision,
-                    .method = compute.method, .errors = compute.errors, .work = compute.work,
-                    .interrupt = compute.interrupt}};
+                    .method = compute.method,
+                    .errors = compute.errors && train->rho == 0, /* none are known with edges */
+                    .work = compute.work, .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE
     q.status = request_check(&q.request);

@@ -19,7 +19,7 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
     if (train->errors) /* the arc functions add one or two units */
         angles->error = (struct dom_angles_error){
             .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
-            .theta_u = 2 * UNIT * angles->theta_u,
+            .theta_u = geometry_error_u(&geometry) + 2 * UNIT * angles->theta_u,
             .theta_inf = tilt_error(geometry.inf, 6) + 2 * UNIT * angles->theta_inf,
             .theta_f = geometry_error_f(&geometry) + 2 * UNIT * angles->theta_f,
             .theta_leave = geometry.detaches

@@ -55,9 +55,9 @@ KERNEL real bound_J(const struct link *k, const struct bound *b)
 
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *k, const struct bound *b)
 {
-    real lift = geometry_height_slope(geometry, k->tilt),
-         made_of = geometry->h.x * k->tilt.y + geometry->h.y * k->tilt.x;
-    real lift_error = geometry_height(geometry, k->tilt) * b->angle + 3 * UNIT * made_of;
+    real lift = geometry_height_slope(geometry, k->tilt);
+    real lift_error =
+        geometry_height(geometry, k->tilt) * b->angle + 3 * UNIT * geometry_height_terms(geometry, k->tilt);
     return k->weight *
            (fabs(lift) * (b->slope + k->slope * (b->weight + 2 * UNIT)) + (k->slope + b->slope) * lift_error);
 }
@@ -65,10 +65,11 @@ KERNEL real bound_H1(const struct geometry *geometry, const struct link *k, cons
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error)
 {
-    real cosines = geometry->h.x * (a.y + b.y), sines = geometry->h.y * (a.x + b.x);
-    real lift_error = geometry_height(geometry, a) * angle_a + geometry_height(geometry, b) * angle_b +
-                      4 * UNIT * (cosines + sines);
-    return fabs(cosines - sines) * t_error + (fabs(t) + t_error) * lift_error;
+    real lift = geometry_height_slope(geometry, a) + geometry_height_slope(geometry, b);
+    real terms = geometry_height_terms(geometry, a) + geometry_height_terms(geometry, b);
+    real lift_error =
+        geometry_height(geometry, a) * angle_a + geometry_height(geometry, b) * angle_b + 4 * UNIT * terms;
+    return fabs(lift) * t_error + (fabs(t) + t_error) * lift_error;
 }
 
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,

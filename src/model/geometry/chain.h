@@ -16,7 +16,8 @@ KERNEL enum dom_status chain_sign(const struct geometry *geometry, struct tilt h
 /* Finds J and H1. */
 KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 
-/* Finds J, H1 and dH, and bounds of their errors (bound.h) unless error is NULL. */
+/* Finds J, H1 and dH, and bounds of their errors (bound.h) unless error is NULL. With rounded edges no bounds
+ * are known: error is not written. */
 KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
                                            struct sums *sums, struct sums *error);
 

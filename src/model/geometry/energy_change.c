@@ -302,20 +302,11 @@ static enum dom_status energy_change_error(const struct geometry *geometry, stru
     return status;
 }
 
-/* Finds the sums of dominoes with rounded edges, for which no bounds are known. */
-static enum dom_status rolling_known(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                     struct sums *error)
-{
-    if (error)
-        *error = (struct sums){.J = REAL_NAN, .H1 = REAL_NAN, .H2 = REAL_NAN, .dH = REAL_NAN};
-    return rolling_change(geometry, standing, head, tilt_angle(head), sums);
-}
-
 KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
                                            struct sums *sums, struct sums *error)
 {
     if (geometry->rounded.on)
-        return rolling_known(geometry, head, sums, error);
+        return rolling_change(geometry, standing, head, tilt_angle(head), sums);
     enum dom_status status =
         energy_change_between(geometry, standing, head, half_of_tilt(head), 0, sums, NULL);
     return status == DOM_OK && error ? energy_change_error(geometry, head, sums, error) : status;
@@ -332,7 +323,7 @@ KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real the
 KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error)
 {
     if (geometry->rounded.on)
-        return rolling_known(geometry, geometry->c, sums, error);
+        return rolling_change(geometry, standing, geometry->c, tilt_angle(geometry->c), sums);
     enum dom_status status = energy_change_between(geometry, standing, geometry->c, half_of_tilt(geometry->c),
                                                    PASS_SHIFT, sums, NULL);
     return status == DOM_OK && error ? energy_change_error(geometry, geometry->c, sums, error) : status;

@@ -150,6 +150,14 @@ KERNEL real geometry_error_head(struct tilt head)
     return tilt_error(head, 4);
 }
 
+/* theta_u is the direction of (h.y, h.x), which is exact on a level floor. */
+KERNEL real geometry_error_u(const struct geometry *geometry)
+{
+    real reach = geometry->reach;
+    struct tilt u = tilt_make(geometry->h.x / reach, geometry->h.y / reach);
+    return geometry->g.along == 0 ? 0 : 3 * UNIT * geometry_height_terms(geometry, u) / reach;
+}
+
 KERNEL real geometry_error_f(const struct geometry *geometry)
 {
     return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);

@@ -132,6 +132,16 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
 
+/*
+ * Returns the size of the terms of dh/dtheta, each of which has a few rounding errors. On a slope h.x and h.y
+ * are sums themselves: their terms count, and twice, since sine and cosine of the slope are rounded too.
+ */
+KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
+{
+    real d = geometry->d, along = fabs(geometry->g.along), down = geometry->g.down;
+    return (along == 0 ? 1 : 2) * ((d * down + along) * t.y + (down + d * along) * t.x);
+}
+
 /* Returns dh/dtheta, also of a domino with rounded edges. */
 KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
 {
@@ -160,9 +170,10 @@ KERNEL real geometry_rise_u(const struct geometry *geometry);
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /* Return bounds of the error, as an angle: of a tilt with at most `units` rounding errors in each coordinate,
- * of a head's tilt, of theta_f and of theta_leave. */
+ * of a head's tilt, of theta_u, of theta_f and of theta_leave. */
 KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
+KERNEL real geometry_error_u(const struct geometry *geometry);
 KERNEL real geometry_error_f(const struct geometry *geometry);
 KERNEL real geometry_error_leave(const struct geometry *geometry);
 

@@ -216,6 +216,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         .fallen = at.left == 0 ? 0 : e.dH,
         .before = of_before,
         .lost = (of_before + before * launch_error->J0 / launch->J0) / launch->J0 + UNIT * before,
+        .friction_work = conservative ? 0 : REAL_NAN,
     };
     return status;
 }
