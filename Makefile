@@ -345,10 +345,9 @@ lint: $(HEADERS) | $(FIRST)
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	tests/layers $(STRICT_B)
 	tests/equations
-	tests/comments
 	mandoc -T lint -W warning $(PAGES)
 	tests/spelling README.md src/README.md $(PAGES)
-	shellcheck tests/run tests/layers tests/comments tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/bench/shares tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
+	shellcheck tests/run tests/layers tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/bench/shares tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
 	  src/shell/prompt/domino.bash
 
 format:
