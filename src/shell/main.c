@@ -82,7 +82,8 @@ static bool stopped(const struct session *session)
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
-    FILE *in = standard ? io_stdin(session->compute.interrupt) : io_read(name, session->compute.interrupt);
+    FILE *in = standard ? io_stdin(session->state.scene.compute.interrupt)
+                        : io_read(name, session->state.scene.compute.interrupt);
     if (!in) {
         session->source = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
@@ -109,7 +110,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }
-        session->safe = session->safe || option == 's';
+        session->means.safe = session->means.safe || option == 's';
         plan->init = plan->init && option != 'n';
         plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
         if (option == 'h' || option == 'V') {
@@ -117,7 +118,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             session->quit = true;
             return true;
         }
-        if (option == 'p' && !shard_read(optarg, &session->shard))
+        if (option == 'p' && !shard_read(optarg, &session->means.shard))
             return false;
         if (option == '?') {
             fputs(usage, stderr);

@@ -76,8 +76,8 @@ void fuzz_session(const void *text, size_t size, bool safe)
         abort();
     command_registry(all_commands);
     session_init(&session, to);
-    session.safe = safe;
-    session.compute.interrupt = &enough;
+    session.means.safe = safe;
+    session.state.scene.compute.interrupt = &enough;
     enough = 0;
     setitimer(ITIMER_VIRTUAL, &limit, NULL);
     line_stream(&session, in, "fuzz");

@@ -29,16 +29,15 @@ static void keep(const char *word, void *context)
 /* Returns true if the parser takes the line, without running it. */
 static bool parses(const char *line)
 {
-    struct session copy = session;
-    struct captured_error error = {.column = 0};
+    struct problem problem = {.kind = PROBLEM_NONE};
+    const struct query query = session_query(&session);
     struct text text;
     assert_true(text_make(&text, line, strlen(line)));
-    copy.captured_error = &error;
-    struct reader r = {.session = &copy, .text = &text, .at = text.line};
-    struct call call = {.count = 0};
+    struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line};
+    struct arguments given = {.count = 0};
     const struct command *c = read_command(&r);
-    bool whole = c && read_arguments(&r, c, &call);
-    call_free(&call);
+    bool whole = c && read_arguments(&r, c, &given);
+    arguments_free(&given);
     text_free(&text);
     return whole;
 }

@@ -12,6 +12,7 @@
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
+#include "session/session.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -247,20 +248,18 @@ static void a_command_ends_where_its_letters_say(void **state)
 }
 
 /* Reads the command at the beginning of a line; *at is where its arguments begin, -1 after an error. */
-static const struct command *command_of(struct session *session, const char *line, int *at)
+static const struct command *command_of(struct session *session, const char *line, int *at, int *column)
 {
     struct text text;
-    struct captured_error error = {.column = 0};
+    struct problem problem = {.kind = PROBLEM_NONE};
+    const struct query query = session_query(session);
     assert_true(text_make(&text, line, strlen(line)));
-    struct reader r = {.session = session, .text = &text, .at = text.line};
-    long errors = session->errors;
-    session->captured_error = &error;
-    session->column = 0;
+    struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line};
     const struct command *c = read_form(&r);
-    if (!c && session->errors == errors)
+    if (!c && problem.kind == PROBLEM_NONE)
         c = read_command(&r);
-    *at = session->errors == errors ? (int)(r.at - text.line) : -1;
-    session->captured_error = NULL;
+    *column = problem.place;
+    *at = problem.kind == PROBLEM_NONE ? (int)(r.at - text.line) : -1;
     text_free(&text);
     return c;
 }
@@ -278,18 +277,17 @@ static void a_command_before_a_number_is_that_command(void **state)
     session_init(&session, null);
     for (int k = 0, n = 0; n < (int)(sizeof more / sizeof *more); k++) {
         char number[64], value[64];
-        int at, value_at;
+        int at, value_at, column, value_column;
         const char *name = topic_names(NULL, k);
         if (!name)
             name = more[n++];
         snprintf(number, sizeof number, "%s 2", name);
         snprintf(value, sizeof value, "%s .2", name); /* the long way, which is the same */
-        const struct command *c = command_of(&session, number, &at);
-        int column = session.column;
-        assert_ptr_equal(c, command_of(&session, value, &value_at));
+        const struct command *c = command_of(&session, number, &at, &column);
+        assert_ptr_equal(c, command_of(&session, value, &value_at, &value_column));
         assert_int_equal(at, value_at);
         if (c)
-            assert_int_equal(column, session.column);
+            assert_int_equal(column, value_column);
         commands += c && at == (int)strlen(name);
     }
     assert_true(commands > 50);
@@ -299,20 +297,17 @@ static void a_command_before_a_number_is_that_command(void **state)
 
 static void a_tolerance_promises_its_digits_whatever_was_asked_before(void **state)
 {
-    static struct session session;
-    FILE *null = fopen("/dev/null", "w");
+    struct state defaults;
     (void)state;
-    assert_non_null(null);
-    session_init(&session, null);
+    state_init(&defaults);
     for (int k = 0; k < 2000; k++) {
         double tol = k % 2 ? pow(10, -(double)bits(34)) : (double)(1 + bits(1000)) / 1e6;
-        session.compute.tol = (domq_real)tol;
+        defaults.scene.compute.tol = (domq_real)tol;
         int digits = (int)fmax(floor(-log10(tol) + 1e-6), 1);
-        assert_int_equal(session_style(&session).tol_digits, digits);
-        assert_int_equal(session_style(&session).tol_digits, digits);
+        assert_int_equal(state_style(&defaults).tol_digits, digits);
+        assert_int_equal(state_style(&defaults).tol_digits, digits);
     }
-    session_close(&session);
-    fclose(null);
+    state_close(&defaults);
 }
 
 int main(void)

@@ -11,14 +11,14 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
 /* Call the shell's functions with a train in the form of these tests. */
-static enum dom_status asked_scene(const struct asked *asked, domq_real theta, struct scene *scene)
+static enum dom_status asked_scene(const struct asked *asked, domq_real theta, struct stage *scene)
 {
     const struct domq_train train = asked_train(asked);
     const struct domq_compute compute = asked_compute(asked, false);
-    return scene_make(&train, &compute, theta, 0, scene);
+    return stage_make(&train, &compute, theta, 0, scene);
 }
 
-static enum dom_status asked_scene_forces(const struct asked *asked, domq_real theta, struct scene *scene)
+static enum dom_status asked_scene_forces(const struct asked *asked, domq_real theta, struct stage *scene)
 {
     const struct domq_train train = asked_train(asked);
     const struct domq_compute compute = asked_compute(asked, false);
@@ -32,7 +32,7 @@ struct view {
     struct asked train;
     struct domq_angles angles;
     double theta;
-    struct scene scene;
+    struct stage scene;
 };
 
 /* Makes view number k: the trains above, then random ones, each at tilts from 0 to theta_c. */
@@ -278,7 +278,7 @@ static void what_has_detached_lies(void **state)
     (void)state;
     struct asked train = asked_default();
     struct domq_angles angles;
-    static struct scene scene;
+    static struct stage scene;
     train.s = 0.54;
     train.r = 1.84;
     train.q = 3;
@@ -338,7 +338,7 @@ static void no_scene_beyond_the_cycle(void **state)
 {
     (void)state;
     struct asked train = asked_default();
-    static struct scene scene;
+    static struct stage scene;
     assert_status(asked_scene(&train, 0.7, &scene), DOM_BAD_TILT);
     train.r = 3;
     assert_status(asked_scene(&train, 0, &scene), DOM_OUT_OF_REACH);

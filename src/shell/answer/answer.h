@@ -4,6 +4,7 @@
 #define SHELL_ANSWER_H
 
 #include "answer/measure.h"
+#include "language/units.h"
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -17,7 +18,11 @@ struct column {
 enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160, ANSWER_HEAD = 1024 };
 
 struct answer {
-    FILE *out; /* NULL: the answer is only kept */
+    FILE *out;        /* NULL: the answer is only kept */
+    const char *path; /* the name of the file that out writes after a '>'; NULL: none */
+    bool appended;    /* that file comes after '>>' */
+    bool printed;     /* the answer is the value of an expression, which follows */
+    struct quantity value;
     struct output_style style;
     const char *command; /* its name, for programs */
     const char *note;    /* unless NULL and not of_row, what programs should know about the whole answer */
@@ -36,6 +41,7 @@ struct answer {
     unsigned bounded;                       /* bit i: see answer_bounded */
     double largest[ANSWER_COLUMNS];         /* what answer_largest has said of each column; 0 for nothing */
     struct measure measure[ANSWER_COLUMNS]; /* of each column in a table of rows, from its first row on */
+    bool told;                              /* a person was told something, though no row was written */
     bool gap;                   /* set a blank line between this answer and the one before, for people */
     int lost;                   /* errno of the first write that failed; 0 for none */
     struct cell *kept;          /* the cells of the last row, or NULL */

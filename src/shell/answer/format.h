@@ -44,4 +44,7 @@ struct format {
 #define FORMAT_EXTERN(name) extern const struct format format_##name;
 FORMATS(FORMAT_EXTERN)
 
+/* Returns a format by its number in the list. */
+const struct format *format_at(unsigned number);
+
 #endif

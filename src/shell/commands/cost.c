@@ -22,16 +22,16 @@ static const struct column cost_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static void cost_line(const struct call *call, const struct cost *cost, const struct cost_row *row)
+static void cost_line(struct answer *a, const struct cost *cost, const struct cost_row *row)
 {
     bool good = row->status == DOM_OK;
     struct cell none = cell_real(DOMQ_NAN);
-    answer_cells(
-        call->answer, cell_word(cost_method(row->method)), cell_word(domq_arithmetic(row->precision)->name),
-        cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
-        good ? cell_count((domq_real)row->work.longest) : none,
-        good ? cell_count((domq_real)row->work.passes) : none, good ? cell_brief(1e6 * row->seconds) : none,
-        good ? cell_brief(row->seconds / cost->cheapest) : none);
+    answer_cells(a, cell_word(cost_method(row->method)), cell_word(domq_arithmetic(row->precision)->name),
+                 cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
+                 good ? cell_count((domq_real)row->work.longest) : none,
+                 good ? cell_count((domq_real)row->work.passes) : none,
+                 good ? cell_brief(1e6 * row->seconds) : none,
+                 good ? cell_brief(row->seconds / cost->cheapest) : none);
 }
 
 /*
@@ -39,7 +39,7 @@ static void cost_line(const struct call *call, const struct cost *cost, const st
  * over r_max; passes are chains. Each proof is measured once, since it lasts long. Returns the seconds of the
  * proof to 1e-12, or 0.
  */
-static double cost_proved(const struct session *session, const struct call *call, const struct cost *cost,
+static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost,
                           const struct costed *answer)
 {
     static const double tolerances[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
@@ -47,10 +47,10 @@ static double cost_proved(const struct session *session, const struct call *call
         strcmp(answer->name, "rmax") == 0   ? dom_prove_rmax
         : strcmp(answer->name, "pair") == 0 ? dom_prove_pair
                                             : NULL;
-    struct dom_train train = proof_train(&session->train);
+    struct dom_train train = proof_train(&query->scene->train);
     struct dom_compute compute = dom_compute_default();
     double twelve = 0;
-    compute.interrupt = session->compute.interrupt;
+    compute.interrupt = query->scene->compute.interrupt;
     for (size_t k = 0; prove && k < sizeof tolerances / sizeof *tolerances; k++) {
         struct dom_proof proof = {.low = DOM_NAN};
         compute.tol = tolerances[k];
@@ -59,7 +59,7 @@ static double cost_proved(const struct session *session, const struct call *call
             (proof.ends != DOM_PROVED_BARRIER && proof.ends != DOM_PROVED_REACH))
             break;
         double seconds = terminal_clock() - begun, error = (proof.high - proof.low) / (2 * proof.low);
-        answer_cells(call->answer, cell_word("proved"), cell_word("double"), cell_brief(tolerances[k]),
+        answer_cells(a, cell_word("proved"), cell_word("double"), cell_brief(tolerances[k]),
                      cell_brief(error), cell_real(DOMQ_NAN), cell_count((domq_real)proof.work.chains),
                      cell_brief(1e6 * seconds), cell_brief(seconds / cost->cheapest));
         twelve = tolerances[k] == 1e-12 ? seconds : twelve;
@@ -75,7 +75,7 @@ static double times_of(const struct cost_row *row, const struct cost_row *other)
 
 /* Prints what digits cost, in sentences: compares errors that were reached, not tolerances that were
  * requested. */
-static void cost_say(const struct call *call, const struct cost *cost, const struct costed *answer)
+static void cost_say(struct answer *a, const struct cost *cost, const struct costed *answer)
 {
     const struct cost_row *few = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
     const struct cost_row *six = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
@@ -83,44 +83,42 @@ static void cost_say(const struct call *call, const struct cost *cost, const str
     double gsl = times_of(cost_reaching(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six);
     double paper = times_of(cost_reaching(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six);
     double quad = times_of(cost_reaching(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12), many);
-    answer_say(call->answer, "What is measured: %s.", answer->says);
+    answer_say(a, "What is measured: %s.", answer->says);
     if (paper > 0)
-        answer_say(call->answer, "To 6 digits the paper's recipe takes %.3g times our time.", paper);
+        answer_say(a, "To 6 digits the paper's recipe takes %.3g times our time.", paper);
     if (gsl > 0)
-        answer_say(call->answer, "To 6 digits the solvers of GSL take %.3g times our time.", gsl);
+        answer_say(a, "To 6 digits the solvers of GSL take %.3g times our time.", gsl);
     if (few && many && quad > 0)
-        answer_say(call->answer,
-                   "12 digits cost %.3g times what 3 digits cost; quad costs %.3g times double.",
+        answer_say(a, "12 digits cost %.3g times what 3 digits cost; quad costs %.3g times double.",
                    times_of(many, few), quad);
     else if (few && many)
-        answer_say(call->answer, "12 digits cost %.3g times what 3 digits cost.", times_of(many, few));
+        answer_say(a, "12 digits cost %.3g times what 3 digits cost.", times_of(many, few));
     else
-        answer_say(call->answer,
-                   "Double precision has no 12 digits of it here: the parameters are too sensitive.");
+        answer_say(a, "Double precision has no 12 digits of it here: the parameters are too sensitive.");
 }
 
-bool cost_of(struct session *session, const struct costed *answer, struct cost *cost)
+bool cost_of(const struct query *query, struct problem *problem, const struct costed *answer,
+             struct cost *cost)
 {
-    enum dom_status status = cost_measure(answer, &session->train, &session->compute, cost);
+    enum dom_status status = cost_measure(answer, &query->scene->train, &query->scene->compute, cost);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
-        return session_error(session, "there is no answer to measure here: %s", dom_status_text(status));
-    return status == DOM_OK || session_status(session, status);
+        return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
+    return status == DOM_OK || problem_status(problem, query->scene, status);
 }
 
-static bool run_cost(struct session *session, const struct call *call)
+static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct cost cost;
-    const struct costed *answer = &cost_answers[(int)call->number[0]];
-    if (!cost_of(session, answer, &cost))
+    const struct costed *answer = &cost_answers[(int)query->given->number[0]];
+    if (!cost_of(query, problem, answer, &cost))
         return false;
     for (int k = 0; k < cost.rows; k++)
-        cost_line(call, &cost, &cost.row[k]);
-    double proved = cost_proved(session, call, &cost, answer);
-    cost_say(call, &cost, answer);
+        cost_line(a, &cost, &cost.row[k]);
+    double proved = cost_proved(query, a, &cost, answer);
+    cost_say(a, &cost, answer);
     const struct cost_row *ours = cost_reaching(&cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
     if (proved > 0 && ours)
-        answer_say(call->answer, "A proof of 12 digits takes %.3g times our time without one.",
-                   proved / ours->seconds);
+        answer_say(a, "A proof of 12 digits takes %.3g times our time without one.", proved / ours->seconds);
     return true;
 }
 

@@ -44,9 +44,11 @@ struct cost {
 enum dom_status cost_measure(const struct costed *answer, const struct domq_train *train,
                              const struct domq_compute *compute, struct cost *cost);
 
-/* Fills cost for the session's train. Returns false after an error, which was reported. */
-struct session;
-bool cost_of(struct session *session, const struct costed *answer, struct cost *cost);
+/* Fills cost for the train of the scene, or describes a problem and returns false. */
+struct query;
+struct problem;
+bool cost_of(const struct query *query, struct problem *problem, const struct costed *answer,
+             struct cost *cost);
 
 /* Returns the name of a method, such as "GSL". */
 const char *cost_method(enum dom_method method);

@@ -43,39 +43,40 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 
 /* Says of one kind of domino whether this growth is possible, and what the largest would make of the count.
  */
-static bool count_kind(struct session *session, const struct call *call, struct domq_train train,
-                       domq_real height)
+static bool count_kind(const struct query *query, struct answer *a, struct problem *problem,
+                       struct domq_train train, domq_real height)
 {
     struct domq_limit limit;
     struct domq_count count = {.dominoes = DOMQ_NAN, .exact = DOMQ_NAN, .last = DOMQ_NAN};
     char name[32], number[WIDE_TEXT], said[96] = "no number of dominoes is enough";
     bool feasible;
     const char *why;
-    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
+    enum dom_status status = count_feasible(&train, &query->scene->compute, &feasible, &why);
     if (status == DOM_OK)
-        status = domq_limit_rmax(&train, &session->compute, &limit);
+        status = domq_limit_rmax(&train, &query->scene->compute, &limit);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     if (limit.ends == DOM_END_NONE) {
-        answer_say(call->answer, "  %-7s no; not even equal dominoes go on", mass_name(train.q, name));
+        answer_say(a, "  %-7s no; not even equal dominoes go on", mass_name(train.q, name));
         return true;
     }
-    if (domq_count_find(session->scale.h, height, limit.r_max, &session->compute, &count) == DOM_OK &&
+    if (domq_count_find(query->scene->scale.h, height, limit.r_max, &query->scene->compute, &count) ==
+            DOM_OK &&
         isfinite(count.dominoes))
         snprintf(said, sizeof said, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
                  count.dominoes == 1 ? "" : "es");
-    answer_say(call->answer, "  %-7s %-4s growth up to %.6g is possible: %s", mass_name(train.q, name),
+    answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s", mass_name(train.q, name),
                feasible ? "yes;" : "no;", (double)limit.r_max, said);
     return true;
 }
 
 /* Says which kinds of dominoes can fall, and how few of each would be enough. */
-static bool count_explain(struct session *session, const struct call *call, const struct domq_train *train,
-                          domq_real height)
+static bool count_explain(const struct query *query, struct answer *a, struct problem *problem,
+                          const struct domq_train *train, domq_real height)
 {
     bool named = false;
     const struct word *words = parameter_find("q")->words;
-    answer_say(call->answer, "\nFalling with growth %.6g at s = %.6g, by kind of domino:", (double)train->r,
+    answer_say(a, "\nFalling with growth %.6g at s = %.6g, by kind of domino:", (double)train->r,
                (double)train->s);
     for (const struct word *w = words; w->name; w++) {
         struct domq_train kind = *train;
@@ -83,10 +84,10 @@ static bool count_explain(struct session *session, const struct call *call, cons
         if (w > words && w[-1].value == w->value) /* a synonym */
             continue;
         named = named || kind.q == train->q;
-        if (!count_kind(session, call, kind, height))
+        if (!count_kind(query, a, problem, kind, height))
             return false;
     }
-    return named || count_kind(session, call, *train, height);
+    return named || count_kind(query, a, problem, *train, height);
 }
 
 /* Writes "the 20th domino", or "the first domino". */
@@ -124,25 +125,24 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     answer_say(a, "can it fall? %s\n", feasible ? "yes" : "no");
 }
 
-bool run_count(struct session *session, const struct call *call)
+bool run_count(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    domq_real height = call->number[0], first = session->scale.h;
-    struct domq_train train = session->train;
+    const struct domq_compute compute = query_compute(query);
+    domq_real height = query->given->number[0], first = query->scene->scale.h;
+    struct domq_train train = query->scene->train;
     struct domq_count count;
     bool feasible;
     const char *why;
-    train.r = call->count > 1 ? call->number[1] : train.r;
+    train.r = query->given->count > 1 ? query->given->number[1] : train.r;
     if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
-        return session_no_answer(
-            session, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
+        return problem_no_answer(
+            problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
             quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
             domq_arithmetic(compute.precision)->name);
-    enum dom_status status = count_feasible(&train, &session->compute, &feasible, &why);
+    enum dom_status status = count_feasible(&train, &query->scene->compute, &feasible, &why);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
 
-    struct answer *a = call->answer;
     if (isfinite(count.dominoes))
         count_say(a, &train, &count, height, first, feasible);
     else
@@ -159,5 +159,5 @@ bool run_count(struct session *session, const struct call *call)
                ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
                    cell_real(first), CELL_OF(count, last), cell_flag(feasible)),
                why ? reason : NULL);
-    return !answer_for_people(a) || count_explain(session, call, &train, height);
+    return !answer_for_people(a) || count_explain(query, a, problem, &train, height);
 }

@@ -6,13 +6,13 @@
 
 /* Returns why falling sets no energy free: of a single domino, or since the smaller ones do not lift the
  * head. */
-static const char *no_fuel(const struct session *session)
+static const char *no_fuel(const struct query *query)
 {
     struct domq_fuels fuels;
-    if (domq_law(&session->train)->dissipates)
+    if (domq_law(&query->scene->train)->dissipates)
         return "no domino effect: friction and the larger dominoes take up all the energy that a cycle sets "
                "free; 'rmax' shows how large r may be";
-    if (domq_fuel_find(&session->train, &session->compute, &fuels) == DOM_OK && fuels.paper > 0)
+    if (domq_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes give "
                "less "
                "energy than the head takes up; 'rmax' shows how large r may be";
@@ -30,21 +30,20 @@ static const struct column thetac_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_thetac(struct session *session, const struct call *call)
+static bool run_thetac(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    struct domq_angles a;
-    enum dom_status status = domq_angles_find(&session->train, &compute, &a);
+    const struct domq_compute compute = query_compute(query);
+    struct domq_angles angles;
+    enum dom_status status = domq_angles_find(&query->scene->train, &compute, &angles);
     if (status != DOM_OK)
-        return session_status(session, status);
-    if (session->train.rho != 0) {
-        answer_means(call->answer, "theta_c",
-                     "the head hits the next: rho theta_c + (1 - 2 rho) sin theta_c = r s");
-        answer_means(call->answer, "theta_u", "a single domino tips over, with its rounded foot");
-        answer_means(call->answer, "theta_inf", "far followers rest");
+        return problem_status(problem, query->scene, status);
+    if (query->scene->train.rho != 0) {
+        answer_means(a, "theta_c", "the head hits the next: rho theta_c + (1 - 2 rho) sin theta_c = r s");
+        answer_means(a, "theta_u", "a single domino tips over, with its rounded foot");
+        answer_means(a, "theta_inf", "far followers rest");
     }
-    return answer_cells(call->answer, CELL_OF(a, theta_c), CELL_OF(a, theta_u), CELL_OF(a, theta_inf),
-                        CELL_OF(a, theta_f), CELL_OF(a, theta_leave), cell_flag(a.detaches));
+    return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
+                        CELL_OF(angles, theta_f), CELL_OF(angles, theta_leave), cell_flag(angles.detaches));
 }
 
 static const struct column theta1_columns[] = {
@@ -56,17 +55,17 @@ static const struct column theta1_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_theta1(struct session *session, const struct call *call)
+static bool run_theta1(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    domq_real theta = call->number[0];
+    const struct domq_compute compute = query_compute(query);
+    domq_real theta = query->given->number[0];
     struct domq_contact c;
-    enum dom_status status = domq_contact_find(&session->train, &compute, theta, &c);
+    enum dom_status status = domq_contact_find(&query->scene->train, &compute, theta, &c);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     const char *why = isnan(c.arm_a) ? "the follower has detached: it lies at theta_f" : NULL;
     return answer_row(
-        call->answer,
+        a,
         ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
         why);
 }
@@ -88,12 +87,12 @@ static bool chain_row(const struct domq_link *k, void *context)
     return !answer_lost(context);
 }
 
-static bool run_chain(struct session *session, const struct call *call)
+static bool run_chain(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    domq_real theta = call->number[0];
-    enum dom_status status = domq_chain_walk(&session->train, &compute, theta, chain_row, call->answer);
-    return status == DOM_OK || session_status(session, status);
+    const struct domq_compute compute = query_compute(query);
+    domq_real theta = query->given->number[0];
+    enum dom_status status = domq_chain_walk(&query->scene->train, &compute, theta, chain_row, a);
+    return status == DOM_OK || problem_status(problem, query->scene, status);
 }
 
 static const struct column energy_columns[] = {
@@ -104,15 +103,15 @@ static const struct column energy_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_energy(struct session *session, const struct call *call)
+static bool run_energy(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    domq_real theta = call->number[0];
+    const struct domq_compute compute = query_compute(query);
+    domq_real theta = query->given->number[0];
     struct domq_energy e;
-    enum dom_status status = domq_energy_find(&session->train, &compute, theta, &e);
+    enum dom_status status = domq_energy_find(&query->scene->train, &compute, theta, &e);
     if (status != DOM_OK)
-        return session_status(session, status);
-    return answer_cells(call->answer, cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0));
+        return problem_status(problem, query->scene, status);
+    return answer_cells(a, cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0));
 }
 
 static const struct column fuel_columns[] = {
@@ -122,37 +121,38 @@ static const struct column fuel_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_fuel(struct session *session, const struct call *call)
+static bool run_fuel(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
+    const struct domq_compute compute = query_compute(query);
     struct domq_fuels f;
-    enum dom_status status = domq_fuel_find(&session->train, &compute, &f);
+    enum dom_status status = domq_fuel_find(&query->scene->train, &compute, &f);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     /* The closed form is of sharp edges. */
     struct cell exact = CELL_OF(f, exact),
-                paper = session->train.rho != 0 ? cell_real(DOMQ_NAN) : CELL_OF(f, paper);
-    struct cell used = session->train.fuel == DOM_FUEL_PAPER ? paper : exact;
+                paper = query->scene->train.rho != 0 ? cell_real(DOMQ_NAN) : CELL_OF(f, paper);
+    struct cell used = query->scene->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
-    if (domq_law(&session->train)->dissipates) { /* less what friction takes */
-        status = domq_launch_find(&session->train, &session->compute, &launch);
+    if (domq_law(&query->scene->train)->dissipates) { /* less what friction takes */
+        status = domq_launch_find(&query->scene->train, &query->scene->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
-            return session_status(session, status);
+            return problem_status(problem, query->scene, status);
         used = cell_bound(launch.fuel, DOMQ_NAN);
     }
-    return answer_row(call->answer, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(session));
+    return answer_row(a, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(query));
 }
 
 enum { REASON_SIZE = 160 };
 
 /* Writes where the train stops into reason. */
-static const char *stop_reason(const struct session *session, char *reason, size_t size)
+static const char *stop_reason(const struct query *query, char *reason, size_t size)
 {
     struct domq_value stop;
     char text[WIDE_TEXT];
-    struct output_style style = session_style(session);
+    struct output_style style = state_style(query->state);
     int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
-    if (domq_cycle_stop(&session->train, &session->compute, &stop) == DOM_OK && isfinite(stop.value))
+    if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK &&
+        isfinite(stop.value))
         snprintf(reason, size,
                  "no domino effect: the train has too little energy, and stops at theta = %s %s, below the "
                  "barrier",
@@ -164,10 +164,10 @@ static const char *stop_reason(const struct session *session, char *reason, size
 }
 
 /* Returns why a cycle is not completed, or NULL if it is. */
-static const char *no_cycle(const struct session *session, enum dom_status status, char reason[REASON_SIZE])
+static const char *no_cycle(const struct query *query, enum dom_status status, char reason[REASON_SIZE])
 {
-    return status == DOM_NO_FUEL ? no_fuel(session)
-           : status == DOM_STOPS ? stop_reason(session, reason, REASON_SIZE)
+    return status == DOM_NO_FUEL ? no_fuel(query)
+           : status == DOM_STOPS ? stop_reason(query, reason, REASON_SIZE)
            : status == DOM_LOCKS
                ? "no domino effect: friction locks the collision, the force on the struck domino "
                  "points past its hinge and cannot turn it; a smaller r s or mu leaves it free"
@@ -182,23 +182,23 @@ static const struct column launch_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_launch(struct session *session, const struct call *call)
+static bool run_launch(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
+    const struct domq_compute compute = query_compute(query);
     struct domq_launch l = {.fuel = DOMQ_NAN,
                             .J0 = DOMQ_NAN,
                             .velocity_ratio = DOMQ_NAN,
                             .omegasq = DOMQ_NAN,
                             .kinetic = DOMQ_NAN};
     char reason[REASON_SIZE];
-    enum dom_status status = domq_launch_find(&session->train, &compute, &l);
+    enum dom_status status = domq_launch_find(&query->scene->train, &compute, &l);
     if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
-        return session_status(session, status);
-    domq_real tau = domq_scale_tau(&session->scale, &session->train);
-    return answer_row(call->answer,
+        return problem_status(problem, query->scene, status);
+    domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
+    return answer_row(a,
                       ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau),
                           CELL_OF(l, kinetic), CELL_OF(l, J0)),
-                      no_cycle(session, status, reason));
+                      no_cycle(query, status, reason));
 }
 
 static const struct column omega_columns[] = {
@@ -208,20 +208,20 @@ static const struct column omega_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_omega(struct session *session, const struct call *call)
+static bool run_omega(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    domq_real theta = call->number[0];
+    const struct domq_compute compute = query_compute(query);
+    domq_real theta = query->given->number[0];
     struct domq_value omegasq;
     char reason[REASON_SIZE];
-    enum dom_status status = domq_cycle_omegasq(&session->train, &compute, theta, &omegasq);
-    if (status != DOM_OK && !no_cycle(session, status, reason))
-        return session_status(session, status);
-    domq_real tau = domq_scale_tau(&session->scale, &session->train);
-    return answer_row(call->answer,
+    enum dom_status status = domq_cycle_omegasq(&query->scene->train, &compute, theta, &omegasq);
+    if (status != DOM_OK && !no_cycle(query, status, reason))
+        return problem_status(problem, query->scene, status);
+    domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
+    return answer_row(a,
                       ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
                           cell_omega(omegasq.value, omegasq.error, tau)),
-                      no_cycle(session, status, reason));
+                      no_cycle(query, status, reason));
 }
 
 static const struct column barrier_columns[] = {
@@ -233,25 +233,25 @@ static const struct column barrier_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_barrier(struct session *session, const struct call *call)
+static bool run_barrier(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
+    const struct domq_compute compute = query_compute(query);
     struct domq_barrier b = {
         .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
     char reason[REASON_SIZE];
-    enum dom_status status = domq_barrier_find(&session->train, &compute, &b);
-    if (status != DOM_OK && !no_cycle(session, status, reason))
-        return session_status(session, status);
+    enum dom_status status = domq_barrier_find(&query->scene->train, &compute, &b);
+    if (status != DOM_OK && !no_cycle(query, status, reason))
+        return problem_status(problem, query->scene, status);
     const char *verdict = status == DOM_OK      ? "goes on"
                           : status == DOM_STOPS ? "stops"
                           : status == DOM_LOCKS ? "locks"
                                                 : "no fuel";
-    answer_holds(call->answer, status == DOM_OK);
-    verdict_train_say(session, call->answer, status, &b);
-    return answer_row(call->answer,
+    answer_holds(a, status == DOM_OK);
+    verdict_train_say(query, a, status, &b);
+    return answer_row(a,
                       ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
                           cell_word(verdict)),
-                      no_cycle(session, status, reason));
+                      no_cycle(query, status, reason));
 }
 
 static const struct column duration_columns[] = {
@@ -262,18 +262,19 @@ static const struct column duration_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_duration(struct session *session, const struct call *call)
+static bool run_duration(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
+    const struct domq_compute compute = query_compute(query);
     struct domq_value duration = {.value = DOMQ_NAN};
-    domq_real tau = domq_scale_tau(&session->scale, &session->train);
+    domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     char reason[REASON_SIZE];
-    enum dom_status status = domq_cycle_duration(&session->train, &compute, &duration);
-    const char *why = no_cycle(session, status, reason);
+    enum dom_status status = domq_cycle_duration(&query->scene->train, &compute, &duration);
+    const char *why = no_cycle(query, status, reason);
     if (status != DOM_OK && !why)
-        return session_status(session, status);
-    domq_real speed = why ? DOMQ_NAN : domq_scale_speed(&session->scale, &session->train, duration.value);
-    return answer_row(call->answer,
+        return problem_status(problem, query->scene, status);
+    domq_real speed =
+        why ? DOMQ_NAN : domq_scale_speed(&query->scene->scale, &query->scene->train, duration.value);
+    return answer_row(a,
                       ROW(cell_bound(duration.value, duration.error), cell_real(tau),
                           cell_bound(duration.value * tau, duration.error * tau),
                           cell_bound(speed, speed * duration.error / duration.value)),

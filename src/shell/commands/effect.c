@@ -9,7 +9,7 @@
 
 /* Computes one answer of the scene: whether the train goes on, or whether the whole row falls; the engine
  * only runs it once, with coarse steps. */
-static enum dom_status scene_answer(const struct session *scene, const struct scene_row *row,
+static enum dom_status scene_answer(const struct scene *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
     struct domq_floor floor;
@@ -38,19 +38,20 @@ static enum dom_status scene_answer(const struct session *scene, const struct sc
  * Counts the work of one answer of the scene, without errors of placement, since the work of random rows is
  * not counted; with `placed`, also that of one random row.  Returns false after an error.
  */
-static bool scene_work(struct session *session, bool placed, struct dom_work *work, size_t *dominoes)
+static bool scene_work(const struct query *query, struct problem *problem, bool placed, struct dom_work *work,
+                       size_t *dominoes)
 {
     struct scene_row row = {.domino = NULL};
-    struct session core = *session;
+    struct scene core = *query->scene;
     core.effect[DOM_EFFECT_placement].on = false;
-    if (session->effect[DOM_EFFECT_row].on && !scene_row_make(session, &row))
+    if (query->scene->effect[DOM_EFFECT_row].on && !scene_row_make(query->scene, &row, problem))
         return false;
     enum dom_status status = row.row.engine ? DOM_OK : scene_answer(&core, &row, work);
     if (status == DOM_OK && placed && !row.row.engine)
-        status = scene_answer(session, &row, work);
+        status = scene_answer(query->scene, &row, work);
     *dominoes = row.row.count;
     free(row.domino);
-    return status == DOM_OK || session_status(session, status);
+    return status == DOM_OK || problem_status(problem, query->scene, status);
 }
 
 /* The shortest batch whose time is precise, since the clock ticks in nanoseconds; and how many are timed. */
@@ -58,11 +59,12 @@ static bool scene_work(struct session *session, bool placed, struct dom_work *wo
 #define PRICE_BATCHES 5
 
 /* Returns the seconds of one answer, the least of several batches; NaN if there is no answer. */
-static double scene_price(struct session *scene)
+static double scene_price(const struct scene *scene)
 {
+    struct problem unheard = {.kind = PROBLEM_NONE};
     struct scene_row row = {.domino = NULL};
     double least = HUGE_VAL;
-    if (scene->effect[DOM_EFFECT_row].on && !scene_row_make(scene, &row))
+    if (scene->effect[DOM_EFFECT_row].on && !scene_row_make(scene, &row, &unheard))
         return (double)NAN;
     long repeats = 1;
     for (int batch = 0; batch < PRICE_BATCHES;) {
@@ -89,11 +91,9 @@ static double scene_price(struct session *scene)
  * Random rows stop early and have no floor, so that other effects are timed without errors of placement. Nor
  * have rows of the engine. NaN: there is no such answer.
  */
-static double price_with(const struct session *session, int name, bool on)
+static double price_with(const struct query *query, int name, bool on)
 {
-    struct session scene = *session; /* shares the row, which this function does not change */
-    struct captured_error unheard = {.column = 0};
-    scene.captured_error = &unheard;
+    struct scene scene = *query->scene; /* shares the row, which this function does not change */
     effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
     if (name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF);
@@ -126,9 +126,9 @@ static const char *quickest_method(int k)
     return k >= DOM_EFFECT_COUNT ? "engine" : effect_at(k)->dissipates ? "motion" : "balance";
 }
 
-static void effects_say(const struct session *session, struct answer *a)
+static void effects_say(const struct query *query, struct answer *a)
 {
-    bool row = session->effect[DOM_EFFECT_row].on;
+    bool row = query->scene->effect[DOM_EFFECT_row].on;
     answer_say(
         a,
         "Times are those of one answer: %s. An effect that is off is not computed: its code is entered "
@@ -140,43 +140,42 @@ static void effects_say(const struct session *session, struct answer *a)
         "Methods, the quickest first: balance, the energy balance; motion, the equation of motion; "
         "engine, the rigid-body engine, for rows alone. The scene gets the first that includes all its "
         "effects, now %s.\n",
-        session_engine(session)                 ? "engine"
-        : domq_law(&session->train)->dissipates ? "motion"
-                                                : "balance");
+        scene_has_engine(query->scene)               ? "engine"
+        : domq_law(&query->scene->train)->dissipates ? "motion"
+                                                     : "balance");
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
 }
 
-static bool run_effects(struct session *session, const struct call *call)
+static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct dom_work work = {0};
     size_t dominoes;
-    struct answer *a = call->answer;
-    if (!scene_work(session, session->effect[DOM_EFFECT_placement].on, &work, &dominoes))
+    if (!scene_work(query, problem, query->scene->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
     answer_leave_out(a, "adds"); /* people read these two below the table */
     answer_leave_out(a, "source");
     for (int k = 0; k < EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
-        column_fit(&a->own[1], effect_setting(session, k, setting));
+        column_fit(&a->own[1], effect_setting(query->scene, k, setting));
     }
     for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
         const struct domq_effect *e = effect_at(k);
-        double without = price_with(session, k, false), with = price_with(session, k, true);
-        if (dom_raised(session->compute.interrupt))
-            return session_status(session, DOM_INTERRUPTED);
-        answer_cells(a, cell_word(e->name), cell_word(effect_setting(session, k, setting)),
+        double without = price_with(query, k, false), with = price_with(query, k, true);
+        if (dom_raised(query->scene->compute.interrupt))
+            return problem_status(problem, query->scene, DOM_INTERRUPTED);
+        answer_cells(a, cell_word(e->name), cell_word(effect_setting(query->scene, k, setting)),
                      cell_word(quickest_method(k)), cell_brief(1e6 * without), cell_brief(1e6 * with),
                      cell_brief(with / without),
-                     cell_count((domq_real)(session_engine(session) ? session->effect[k].on
-                                            : k < DOM_EFFECT_COUNT  ? work.entered[k]
-                                                                    : 0)),
+                     cell_count((domq_real)(scene_has_engine(query->scene) ? query->scene->effect[k].on
+                                            : k < DOM_EFFECT_COUNT         ? work.entered[k]
+                                                                           : 0)),
                      cell_word(e->adds), cell_word(e->source));
     }
-    effects_say(session, a);
+    effects_say(query, a);
     return true;
 }
 
@@ -197,42 +196,42 @@ static void plan_row(struct answer *a, const char *part, const char *solved, siz
 }
 
 /* Prints the plan of a train. */
-static void plan_train(const struct session *session, struct answer *a, size_t n)
+static void plan_train(const struct query *query, struct answer *a, size_t n)
 {
-    bool rubs = domq_law(&session->train)->dissipates;
-    if (session->train.rho != 0)
+    bool rubs = domq_law(&query->scene->train)->dissipates;
+    if (query->scene->train.rho != 0)
         plan_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
     else
         plan_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, no trigonometry", n, "always");
     plan_row(a, "energy", "H (19; c1) and J (20; c2), ended by a bound of the tail", n, "always");
-    plan_row(a, "motion", domq_law(&session->train)->plan, n, rubs ? "friction is on" : "no losses");
+    plan_row(a, "motion", domq_law(&query->scene->train)->plan, n, rubs ? "friction is on" : "no losses");
     plan_row(a, "barrier", rubs ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
              "always");
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
 
 /* Prints the plan of a row that the engine runs. */
-static void plan_of_engine(const struct session *session, struct answer *a, size_t n)
+static void plan_of_engine(const struct query *query, struct answer *a, size_t n)
 {
     char solved[96];
     const char *version = engine_version();
-    bool pushed = session->effect[DOM_EFFECT_push].on;
+    bool pushed = query->scene->effect[DOM_EFFECT_push].on;
     snprintf(solved, sizeof solved, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
              version ? version : "7 (not installed)");
     plan_row(a, "start", pushed ? domq_effect(DOM_EFFECT_push)->plan : "tipped just over its edge", 1,
              pushed ? "push is on" : "no push");
-    plan_row(a, "motion", solved, n, session_engine_why(session));
+    plan_row(a, "motion", solved, n, scene_engine_why(query->scene));
 }
 
 /* Prints the plan of a row. */
-static void plan_of_row(const struct session *session, struct answer *a, size_t n)
+static void plan_of_row(const struct query *query, struct answer *a, size_t n)
 {
-    bool rubs = domq_law(&session->train)->dissipates, pushed = session->effect[DOM_EFFECT_push].on;
+    bool rubs = domq_law(&query->scene->train)->dissipates, pushed = query->scene->effect[DOM_EFFECT_push].on;
     plan_row(a, "start",
              pushed ? domq_effect(DOM_EFFECT_push)->plan : "(9; b5): energy of a fall from its edge", 1,
              pushed ? "push is on" : "no push");
     plan_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
-    if (session->train.rho != 0)
+    if (query->scene->train.rho != 0)
         plan_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
     plan_row(a, "motion",
              rubs ? domq_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated",
@@ -241,37 +240,36 @@ static void plan_of_row(const struct session *session, struct answer *a, size_t 
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
 
-static bool run_scene(struct session *session, const struct call *call)
+static bool run_scene(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct dom_work work = {0};
     size_t count;
-    struct answer *a = call->answer;
-    bool is_row = session->effect[DOM_EFFECT_row].on;
+    bool is_row = query->scene->effect[DOM_EFFECT_row].on;
     char on[256] = "", setting[EFFECT_SETTING];
-    if (!scene_work(session, false, &work, &count))
+    if (!scene_work(query, problem, false, &work, &count))
         return false;
     for (int k = 0, n = 0; k < EFFECT_COUNT; k++)
-        if (session->effect[k].on && k != DOM_EFFECT_row)
+        if (query->scene->effect[k].on && k != DOM_EFFECT_row)
             n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
-                          effect_setting(session, k, setting));
-    const struct domq_train *t = &session->train;
+                          effect_setting(query->scene, k, setting));
+    const struct domq_train *t = &query->scene->train;
     if (is_row)
         answer_say(a, "A row of %zu dominoes%s.", count, on);
     else
         answer_say(a, "An endless train, s = %.6g, r = %.6g, d = %.6g, q = %.6g%s.", (double)t->s,
                    (double)t->r, (double)t->d, (double)t->q, on);
-    if (session_engine(session)) {
-        plan_of_engine(session, a, count);
+    if (scene_has_engine(query->scene)) {
+        plan_of_engine(query, a, count);
         return true;
     }
-    (is_row ? plan_of_row : plan_train)(session, a, work.longest);
+    (is_row ? plan_of_row : plan_train)(query, a, work.longest);
     for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
-        if (session->effect[k].on)
+        if (query->scene->effect[k].on)
             plan_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
                      k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
     answer_say(a, "The verdict takes %zu passes down the %s at tol = %g in %s precision.", work.passes,
-               is_row ? "row" : "train", (double)session->compute.tol,
-               domq_arithmetic(session->compute.precision)->name);
+               is_row ? "row" : "train", (double)query->scene->compute.tol,
+               domq_arithmetic(query->scene->compute.precision)->name);
     return true;
 }
 

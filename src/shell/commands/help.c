@@ -7,6 +7,7 @@
 #include "language/quad.h"
 #include "prompt/input.h"
 #include "session/parameters.h"
+#include "session/session.h"
 #include <string.h>
 
 enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */
@@ -85,9 +86,9 @@ static void help_effect_state(const struct session *session, const struct parame
     char setting[EFFECT_SETTING], shown[NAMES_SHOWN];
     putc('\n', session->out);
     help_say(session->out, "Source: %s", p->effect->source);
-    if (session->effect[p->which].on)
+    if (session->state.scene.effect[p->which].on)
         help_say(session->out, "The effect is on: %s",
-                 names_shown(effect_setting(session, p->which, setting), shown));
+                 names_shown(effect_setting(&session->state.scene, p->which, setting), shown));
     else
         help_say(session->out, "The effect is off, and takes no time.");
 }
@@ -102,17 +103,18 @@ static void help_parameter(struct session *session, const struct parameter *p)
         snprintf(usage, sizeof usage, "%s VALUE", p->name);
     help_say(out, "%s%s: %s", p->effect ? "effect " : "", p->effect ? usage : p->name, parameter_meaning(p));
     putc('\n', out);
-    parameter_text(p, parameter_get(session, p), session_style(session).all_digits, text, sizeof text);
+    parameter_text(p, parameter_get(&session->state, p), state_style(&session->state).all_digits, text,
+                   sizeof text);
     if (!p->effect)
         fprintf(out, "  value    %s%s%s\n", text, *p->value->unit ? " " : "", p->value->unit);
     for (int i = 0; parameter_value(p, i); i++) {
-        parameter_range(session, p, i, range, sizeof range);
+        parameter_range(&session->state, p, i, range, sizeof range);
         if (p->effect)
             help_value(out, parameter_value(p, i), range);
         else
             fprintf(out, "  range    %s\n", range);
     }
-    parameter_text(p, parameter_fallback(session, p), 6, text, sizeof text);
+    parameter_text(p, parameter_fallback(&session->state, p), 6, text, sizeof text);
     fprintf(out, "  default  %s\n", text);
     const char *name;
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
@@ -130,9 +132,9 @@ static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
     session_init(&fresh, session->out);
-    fresh.compute.interrupt = session->compute.interrupt;
+    fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     fresh.source = "help";
-    fresh.safe = fresh.bail = true;
+    fresh.means.safe = fresh.bail = true;
     putc('\n', session->out);
     help_say(session->out, "Example: %s", example);
     putc('\n', session->out);
@@ -145,10 +147,14 @@ static void help_example(struct session *session, const char *example)
 static void run_topic(struct session *session, const char *name)
 {
     const struct command *c = command_find(name);
+    const struct arguments none = {.count = 0};
+    struct problem unheard = {.kind = PROBLEM_NONE};
+    struct query query = session_query(session);
     struct answer answer = {
-        .out = session->out, .style = session->style, .columns = c->columns, .rows = c->rows};
+        .out = session->out, .style = session->state.settings.style, .columns = c->columns, .rows = c->rows};
     answer.style.format = &format_table;
-    c->run(session, &(struct call){.answer = &answer});
+    query.given = &none;
+    c->run(&query, &answer, &unheard);
 }
 
 /* Prints keys, units and meanings below each other, however long they are. */
@@ -223,13 +229,13 @@ static void help_rows(struct answer *a, const char *topic)
 }
 
 /* Explains what 'let' has defined. */
-static void help_variable(struct session *session, const struct call *call)
+static void help_variable(struct session *session, const struct arguments *given, struct answer *a)
 {
-    const struct variable *v = call->variable;
+    const struct variable *v = given->variable;
     char head[VARIABLE_HEAD], value[VARIABLE_VALUE];
-    if (!answer_for_people(call->answer)) {
-        help_rows_begin(call->answer);
-        help_row_variable(call->answer, v);
+    if (!answer_for_people(a)) {
+        help_rows_begin(a);
+        help_row_variable(a, v);
         return;
     }
     fprintf(session->out, "%s = %s\n\n", variable_head(v, head),
@@ -238,22 +244,24 @@ static void help_variable(struct session *session, const struct call *call)
              v->body ? "function" : "variable", head, v->name);
 }
 
-static bool run_help(struct session *session, const struct call *call)
+static bool run_help(struct session *session, const struct arguments *given, struct answer *a,
+                     struct problem *problem)
 {
-    if (call->variable) {
-        help_variable(session, call);
+    (void)problem;
+    if (given->variable) {
+        help_variable(session, given, a);
         return true;
     }
-    if (!answer_for_people(call->answer)) {
-        help_rows(call->answer, call->count ? topic_names(NULL, (int)call->number[0]) : NULL);
+    if (!answer_for_people(a)) {
+        help_rows(a, given->count ? topic_names(NULL, (int)given->number[0]) : NULL);
         return true;
     }
-    if (call->count == 0) {
+    if (given->count == 0) {
         help_list(session->out);
         return true;
     }
     char example[EFFECT_EXAMPLE];
-    const char *topic = topic_names(NULL, (int)call->number[0]);
+    const char *topic = topic_names(NULL, (int)given->number[0]);
     const struct command *c = command_find(topic);
     const struct parameter *p = parameter_find(topic);
     if (c)
@@ -323,15 +331,16 @@ static int apropos_list(struct session *session, struct answer *a, const char *w
     return found;
 }
 
-static bool run_apropos(struct session *session, const struct call *call)
+static bool run_apropos(struct session *session, const struct arguments *given, struct answer *a,
+                        struct problem *problem)
 {
-    const char *word = call->word[0];
+    const char *word = given->word[0];
     char shown[NAMES_SHOWN];
-    if (!answer_for_people(call->answer))
-        help_rows_begin(call->answer);
-    int found = apropos_list(session, call->answer, word, MENTION_TOPIC);
-    found += apropos_list(session, call->answer, word, MENTION_DETAIL);
-    return found > 0 || session_error(session,
+    if (!answer_for_people(a))
+        help_rows_begin(a);
+    int found = apropos_list(session, a, word, MENTION_TOPIC);
+    found += apropos_list(session, a, word, MENTION_DETAIL);
+    return found > 0 || problem_error(problem,
                                       "nothing is about '%s'; try another word, such as 'picture' or 'gap', "
                                       "or 'help', which lists all commands",
                                       names_shown(word, shown));
@@ -351,10 +360,12 @@ static void print_candidate(const char *candidate, void *answer)
         answer_cells(a, cell_word(candidate));
 }
 
-static bool run_complete(struct session *session, const struct call *call)
+static bool run_complete(struct session *session, const struct arguments *given, struct answer *a,
+                         struct problem *problem)
 {
-    answer_columns(call->answer, complete_columns);
-    complete_line(session, call->count ? call->word[0] : "", !session->safe, print_candidate, call->answer);
+    (void)problem;
+    answer_columns(a, complete_columns);
+    complete_line(session, given->count ? given->word[0] : "", !session->means.safe, print_candidate, a);
     return true;
 }
 
@@ -367,7 +378,7 @@ const struct command help_commands[] = {
      .example = "help tol",
      .see = "apropos show",
      .pages = true,
-     .run = run_help},
+     .act = run_help},
     {.name = "apropos",
      .synonyms = "search find look",
      .argument = {{.name = "WORD", .kind = ARGUMENT_WORD, .choices = topic_names}},
@@ -375,12 +386,12 @@ const struct command help_commands[] = {
      .example = "apropos barrier",
      .see = "help",
      .pages = true,
-     .run = run_apropos},
+     .act = run_apropos},
     {.name = "complete",
      .synonyms = "tab completion",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
      .summary = "how LINE may go on, a line each, as <TAB> does",
      .example = "complete set output j",
-     .run = run_complete},
+     .act = run_complete},
     {.name = NULL},
 };

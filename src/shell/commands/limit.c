@@ -5,7 +5,7 @@
 #include "parallel/points.h"
 
 /* Returns the i-th argument, or the fallback if it is missing. */
-static domq_real argument_or(const struct call *call, int i, domq_real fallback)
+static domq_real argument_or(const struct arguments *call, int i, domq_real fallback)
 {
     return i < call->count ? call->number[i] : fallback;
 }
@@ -72,22 +72,22 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "(25; c7).");
 }
 
-static bool run_rmax(struct session *session, const struct call *call)
+static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    struct domq_train train = session->train;
+    const struct domq_compute compute = query_compute(query);
+    struct domq_train train = query->scene->train;
     struct domq_limit exact, paper;
-    train.s = argument_or(call, 0, train.s);
+    train.s = argument_or(query->given, 0, train.s);
     enum dom_status status = limits_find(train, &compute, &exact, &paper);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
-    rmax_say(call->answer, &train, &used);
-    answer_row(call->answer,
+    rmax_say(a, &train, &used);
+    answer_row(a,
                ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
                    CELL_OF(exact, r_max), CELL_OF(paper, r_max)),
                no_growth(used));
-    rmax_fuels_say(call->answer, &train, &used, &exact, &paper);
+    rmax_fuels_say(a, &train, &used, &exact, &paper);
     return true;
 }
 
@@ -98,25 +98,24 @@ static const struct column pair_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_pair(struct session *session, const struct call *call)
+static bool run_pair(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    struct domq_train train = session->train;
+    const struct domq_compute compute = query_compute(query);
+    struct domq_train train = query->scene->train;
     struct domq_limit limit;
-    train.s = argument_or(call, 0, train.s);
+    train.s = argument_or(query->given, 0, train.s);
     enum dom_status status = domq_limit_pair(&train, &compute, &limit);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     if (limit.ends != DOM_END_NONE)
         answer_say(
-            call->answer,
-            "A domino that just tips over topples one %.6g times as large, %.6g of its heights away.\n",
+            a, "A domino that just tips over topples one %.6g times as large, %.6g of its heights away.\n",
             (double)limit.r_max, (double)train.s);
-    return answer_row(
-        call->answer, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
-        limit.ends == DOM_END_NONE ? "no growth possible: a domino that just tips over does not topple "
-                                     "the next one at this s and d"
-                                   : NULL);
+    return answer_row(a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
+                      limit.ends == DOM_END_NONE
+                          ? "no growth possible: a domino that just tips over does not topple "
+                            "the next one at this s and d"
+                          : NULL);
 }
 
 static const struct column best_columns[] = {
@@ -125,19 +124,19 @@ static const struct column best_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_best(struct session *session, const struct call *call)
+static bool run_best(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
+    const struct domq_compute compute = query_compute(query);
     struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
-    enum dom_status status = domq_limit_best(&session->train, &compute, &best);
+    enum dom_status status = domq_limit_best(&query->scene->train, &compute, &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     if (status == DOM_OK)
-        answer_say(call->answer,
+        answer_say(a,
                    "Dominoes grow most with gaps of %.4g heights: each can be %.4g times as large as the one "
                    "before.\n",
                    (double)best.s, (double)best.r_max);
-    return answer_row(call->answer, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
+    return answer_row(a, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
                       status == DOM_OK
                           ? NULL
                           : "no growth possible: dominoes this thick do not topple larger ones at any s");
@@ -186,26 +185,25 @@ static void curve_gather(void *own, const void *worker)
     c->gaps = c->gaps || ((const struct curve *)worker)->gaps;
 }
 
-static bool run_curve(struct session *session, const struct call *call)
+static bool run_curve(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct curve c = {.from = call->number[0],
-                      .to = call->number[1],
-                      .n = call->number[2],
-                      .train = session->train,
-                      .compute = session_compute(session)};
-    struct answer *a = call->answer;
+    struct curve c = {.from = query->given->number[0],
+                      .to = query->given->number[1],
+                      .n = query->given->number[2],
+                      .train = query->scene->train,
+                      .compute = query_compute(query)};
     struct cell number = cell_real(0);
     bool by_point;
     if (c.n == 1 && c.from != c.to)
-        return session_error(session,
+        return problem_error(problem,
                              "one row cannot cover %g to %g; N is at least 2, for example 'curve 0.1 0.9 5'",
                              (double)c.from, (double)c.to);
     answer_plan(a, ROW(number, number, number, number, number));
     c.answer = *a;
     const struct points points = {
         .total = (size_t)c.n, .point = curve_point, .own = &c, .size = sizeof c, .gather = curve_gather};
-    if (!points_answer(session, a, &points, &by_point))
-        return by_point ? session_status(session, c.status) : false;
+    if (!points_answer(query, problem, a, &points, &by_point))
+        return by_point ? problem_status(problem, query->scene, c.status) : false;
     if (c.gaps)
         answer_say(a, "-: no growth possible; 'rmax S' and 'pair S' say why");
     return true;

@@ -39,11 +39,11 @@ struct dom_train proof_train(const struct domq_train *train)
     return t;
 }
 
-static struct dom_compute proof_compute(const struct session *session)
+static struct dom_compute proof_compute(const struct query *query)
 {
     struct dom_compute compute = dom_compute_default();
-    compute.tol = (double)session->compute.tol;
-    compute.interrupt = session->compute.interrupt;
+    compute.tol = (double)query->scene->compute.tol;
+    compute.interrupt = query->scene->compute.interrupt;
     return compute;
 }
 
@@ -72,11 +72,11 @@ struct proved {
     struct dom_proof_work work;
 };
 
-static bool prove_row(const struct session *session, const struct call *call, double s,
+static bool prove_row(const struct query *query, struct answer *a, struct problem *problem, double s,
                       const struct proved *p, const char *reason)
 {
-    (void)session;
-    return answer_row(call->answer,
+    (void)query, (void)problem;
+    return answer_row(a,
                       ROW(cell_real(s), cell_word(prove_names(NULL, (int)p->what)),
                           p->what == PROVE_COUNT ? cell_count(p->low) : cell_proved(p->low, p->digits),
                           p->what == PROVE_COUNT ? cell_count(p->high) : cell_proved(p->high, p->high_digits),
@@ -102,49 +102,49 @@ static double less_in_12_digits(double proved)
 }
 
 /* Says in words what is proved of the largest growth. */
-static void say_limit(const struct call *call, const struct dom_proof *p, bool pair)
+static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *who = pair ? "a first domino that just tips over topples the next one" : "the train goes on";
     switch (p->ends) {
     case DOM_PROVED_BARRIER:
-        answer_say(call->answer, "Proved: for every growth from %.12g to %.*f %s; at %.*f it %s.", p->from,
-                   p->decimals, p->low, who, p->decimals, p->high, pair ? "does not" : "stops");
+        answer_say(a, "Proved: for every growth from %.12g to %.*f %s; at %.*f it %s.", p->from, p->decimals,
+                   p->low, who, p->decimals, p->high, pair ? "does not" : "stops");
         break;
     case DOM_PROVED_REACH:
-        answer_say(call->answer, "Proved: for every growth from %.12g up to 1/s %s.", p->from, who);
+        answer_say(a, "Proved: for every growth from %.12g up to 1/s %s.", p->from, who);
         break;
     case DOM_PROVED_NONE:
-        answer_say(call->answer, "Proved: at growth 1 %s.",
+        answer_say(a, "Proved: at growth 1 %s.",
                    pair ? "a first domino that just tips over does not topple the next one"
                         : "the train stops");
         break;
     case DOM_PROVED_PARTLY:
         if (less_in_12_digits(p->low) > p->from)
-            answer_say(call->answer, "Proved, but no more: for every growth from %.12g to %.12g %s.", p->from,
+            answer_say(a, "Proved, but no more: for every growth from %.12g to %.12g %s.", p->from,
                        less_in_12_digits(p->low), who);
         else if (p->low >= p->from)
-            answer_say(call->answer, "Proved, but no more: at growth %.12g %s.", p->from, who);
+            answer_say(a, "Proved, but no more: at growth %.12g %s.", p->from, who);
         else
-            answer_say(call->answer, "Nothing is proved.");
+            answer_say(a, "Nothing is proved.");
         break;
     }
 }
 
-static bool prove_limit(struct session *session, const struct call *call, enum what what)
+static bool prove_limit(const struct query *query, struct answer *a, struct problem *problem, enum what what)
 {
     static const char *const result[] = {[DOM_PROVED_BARRIER] = "barrier",
                                          [DOM_PROVED_REACH] = "reach",
                                          [DOM_PROVED_NONE] = "none",
                                          [DOM_PROVED_PARTLY] = "not proved"};
-    struct dom_train train = proof_train(&session->train);
-    struct dom_compute compute = proof_compute(session);
+    struct dom_train train = proof_train(&query->scene->train);
+    struct dom_compute compute = proof_compute(query);
     struct dom_proof proof = {.low = DOM_NAN};
     char reason[ANSWER_REASON];
-    if (call->count > 1)
-        train.s = (double)call->number[1];
+    if (query->given->count > 1)
+        train.s = (double)query->given->number[1];
     enum dom_status status = (what == PROVE_PAIR ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     struct proved p = {.what = what,
                        .low = proof.low,
                        .high = proof.ends == DOM_PROVED_NONE ? DOM_NAN : proof.high,
@@ -154,14 +154,14 @@ static bool prove_limit(struct session *session, const struct call *call, enum w
                        .work = proof.work};
     if (proof.ends != DOM_PROVED_BARRIER)
         p.digits = p.high_digits = ALL_DIGITS;
-    answer_holds(call->answer, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
-    prove_row(session, call, train.s, &p, gap_reason(proof.gap, reason));
-    say_limit(call, &proof, what == PROVE_PAIR);
+    answer_holds(a, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
+    prove_row(query, a, problem, train.s, &p, gap_reason(proof.gap, reason));
+    say_limit(a, &proof, what == PROVE_PAIR);
     return true;
 }
 
 /* Says in words what is proved of one growth. */
-static void say_cycle(const struct session *session, const struct call *call, const struct dom_proof_cycle *p)
+static void say_cycle(const struct query *query, struct answer *a, const struct dom_proof_cycle *p)
 {
     static const char *const says[] = {
         [DOM_PROVED_GOES_ON] =
@@ -171,23 +171,23 @@ static void say_cycle(const struct session *session, const struct call *call, co
         [DOM_PROVED_OUT_OF_REACH] = "r s > 1: the head falls past the next domino",
         [DOM_PROVED_NOTHING] = NULL};
     if (says[p->verdict])
-        answer_say(call->answer, "Proved: at growth %.12g %s.", (double)session->train.r, says[p->verdict]);
+        answer_say(a, "Proved: at growth %.12g %s.", (double)query->scene->train.r, says[p->verdict]);
 }
 
-static bool prove_cycle(struct session *session, const struct call *call, enum what what)
+static bool prove_cycle(const struct query *query, struct answer *a, struct problem *problem, enum what what)
 {
     static const char *const result[] = {[DOM_PROVED_GOES_ON] = "goes on",
                                          [DOM_PROVED_STOPS] = "stops",
                                          [DOM_PROVED_NO_FUEL] = "no fuel",
                                          [DOM_PROVED_OUT_OF_REACH] = "out of reach",
                                          [DOM_PROVED_NOTHING] = "not proved"};
-    struct dom_train train = proof_train(&session->train);
-    struct dom_compute compute = proof_compute(session);
+    struct dom_train train = proof_train(&query->scene->train);
+    struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     char reason[ANSWER_REASON];
     enum dom_status status = dom_prove_cycle(&train, &compute, &proof);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     struct dom_interval range = what == PROVE_BARRIER ? proof.barrier : proof.margin;
     struct proved p = {.what = what,
                        .low = range.low,
@@ -196,25 +196,25 @@ static bool prove_cycle(struct session *session, const struct call *call, enum w
                        .high_digits = ALL_DIGITS,
                        .result = result[proof.verdict],
                        .work = proof.work};
-    answer_holds(call->answer, proof.verdict == DOM_PROVED_GOES_ON);
-    prove_row(session, call, train.s, &p, gap_reason(proof.gap, reason));
+    answer_holds(a, proof.verdict == DOM_PROVED_GOES_ON);
+    prove_row(query, a, problem, train.s, &p, gap_reason(proof.gap, reason));
     if (what == PROVE_BARRIER && isfinite(range.high))
-        answer_say(call->answer, "Proved: the barrier is between these two, in m g h/2 of the head.");
-    say_cycle(session, call, &proof);
+        answer_say(a, "Proved: the barrier is between these two, in m g h/2 of the head.");
+    say_cycle(query, a, &proof);
     return true;
 }
 
-static bool prove_count(struct session *session, const struct call *call)
+static bool prove_count(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct dom_train train = proof_train(&session->train);
-    struct dom_compute compute = proof_compute(session);
+    struct dom_train train = proof_train(&query->scene->train);
+    struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
-    double least, most, first = (double)session->scale.h, height = (double)call->number[1];
+    double least, most, first = (double)query->scene->scale.h, height = (double)query->given->number[1];
     enum dom_status status = dom_prove_count(first, height, train.r, &least, &most);
     if (status == DOM_OK)
         status = dom_prove_cycle(&train, &compute, &proof);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     bool known = least == most;
     struct proved p = {.what = PROVE_COUNT,
                        .low = least,
@@ -224,37 +224,38 @@ static bool prove_count(struct session *session, const struct call *call)
                        .work = proof.work};
     if (proof.verdict == DOM_PROVED_NOTHING)
         p.result = "not proved";
-    answer_holds(call->answer, known && isfinite(least) && proof.verdict == DOM_PROVED_GOES_ON);
-    prove_row(session, call, train.s, &p,
+    answer_holds(a, known && isfinite(least) && proof.verdict == DOM_PROVED_GOES_ON);
+    prove_row(query, a, problem, train.s, &p,
               !known             ? "not proved: the last digit of a height or of r decides"
               : !isfinite(least) ? "r = 1: the dominoes do not grow, no number of them is enough"
                                  : NULL);
     if (known && isfinite(least))
-        answer_say(call->answer,
-                   "Proved: %.0f dominoes are as many as it takes at growth %.12g, and no fewer.", least,
+        answer_say(a, "Proved: %.0f dominoes are as many as it takes at growth %.12g, and no fewer.", least,
                    train.r);
-    say_cycle(session, call, &proof);
+    say_cycle(query, a, &proof);
     return true;
 }
 
-static bool run_prove(struct session *session, const struct call *call)
+static bool run_prove(const struct query *query, struct answer *a, struct problem *problem)
 {
-    enum what what = (enum what)call->number[0];
+    enum what what = (enum what)query->given->number[0];
     const struct argument separation = {.name = "S", .kind = ARGUMENT_OF, .of = "s"},
                           height = {.name = "H", .kind = ARGUMENT_HEIGHT};
-    struct call checked = *call;
-    bool given = call->count > 1;
+    struct arguments checked = *query->given;
+    bool given = query->given->count > 1;
     if (what == PROVE_COUNT && !given)
-        return session_error(session, "'prove count' needs a height, for example 'prove count 112 m'");
+        return problem_error(problem, "'prove count' needs a height, for example 'prove count 112 m'");
     if ((what == PROVE_BARRIER || what == PROVE_VERDICT) && given)
-        return session_error(session, "'prove %s' takes no value; 'set s' and 'set r' say which train",
+        return problem_error(problem, "'prove %s' takes no value; 'set s' and 'set r' say which train",
                              prove_names(NULL, (int)what));
-    if (given && !argument_check(session, what == PROVE_COUNT ? &height : &separation, call->quantity[1],
-                                 &checked.number[1]))
+    if (given && !argument_check(query, what == PROVE_COUNT ? &height : &separation,
+                                 query->given->quantity[1], &checked.number[1], problem))
         return false;
-    return what == PROVE_COUNT                                 ? prove_count(session, &checked)
-           : given || what == PROVE_RMAX || what == PROVE_PAIR ? prove_limit(session, &checked, what)
-                                                               : prove_cycle(session, &checked, what);
+    struct query asked = *query;
+    asked.given = &checked;
+    return what == PROVE_COUNT                                 ? prove_count(&asked, a, problem)
+           : given || what == PROVE_RMAX || what == PROVE_PAIR ? prove_limit(&asked, a, problem, what)
+                                                               : prove_cycle(&asked, a, problem, what);
 }
 
 const struct command prove_commands[] = {

@@ -7,23 +7,27 @@
 #include "io/io.h"
 #include "io/record.h"
 #include "io/terminal.h"
+#include "session/session.h"
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool run_source(struct session *session, const struct call *call)
+static bool run_source(struct session *session, const struct arguments *given, struct answer *a,
+                       struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    const char *name = call->word[0];
+    const char *name = given->word[0];
+    (void)a;
     bool standard = strcmp(name, "-") == 0;
     if (session->depth == SOURCE_DEPTH)
-        return session_error(session, "files are nested %d deep; check whether one of them sources itself",
+        return problem_error(problem, "files are nested %d deep; check whether one of them sources itself",
                              SOURCE_DEPTH);
-    FILE *in = standard ? io_stdin(session->compute.interrupt) : io_read(name, session->compute.interrupt);
+    FILE *in = standard ? io_stdin(session->state.scene.compute.interrupt)
+                        : io_read(name, session->state.scene.compute.interrupt);
     if (!in && errno == ECANCELED)
-        return session_status(session, DOM_INTERRUPTED);
+        return problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     if (!in)
-        return session_error(session, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
+        return problem_error(problem, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
     long errors = session->errors;
     session->depth++;
     line_stream(session, in, standard ? "stdin" : name);
@@ -36,22 +40,22 @@ static bool run_source(struct session *session, const struct call *call)
 /* ---- Text ---- */
 
 /* Reads the rest of the command as one text; between quotes it may have ';', '>' and '#'. */
-static bool echo_read(struct reader *r, struct call *call)
+static bool echo_read(struct reader *r, struct arguments *given)
 {
     const char *begin = r->at, *end = text_end(begin, ";>");
     const char *quote = *begin == '"' ? text_quote(begin) : NULL;
     if (*begin == '"' && !quote)
-        return session_error(r->session, "%s", unclosed);
+        return problem_error(r->problem, "%s", unclosed);
     if (quote && skip_blanks(quote) >= end) {
-        call->word[call->count] = read_text(r);
+        given->word[given->count] = read_text(r);
     } else {
         while (end > begin && strchr(" \t\r\f\v", end[-1]))
             end--;
         const char *typed = text_typed(r->text, begin);
-        call->word[call->count] = strndup(typed, (size_t)(text_typed(r->text, end) - typed));
+        given->word[given->count] = strndup(typed, (size_t)(text_typed(r->text, end) - typed));
         r->at = end;
     }
-    return call->word[call->count] || session_status(r->session, DOM_NO_MEMORY);
+    return given->word[given->count] || problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
 }
 
 static const struct column echo_columns[] = {
@@ -59,15 +63,15 @@ static const struct column echo_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_echo(struct session *session, const struct call *call)
+static bool run_echo(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const char *text = call->count ? call->word[0] : "";
-    if (!answer_for_people(call->answer))
-        return answer_cells(call->answer, cell_word(text));
+    const char *text = query->given->count ? query->given->word[0] : "";
+    if (!answer_for_people(a))
+        return answer_cells(a, cell_word(text));
     char *shown = escape_copy(text);
     if (!shown)
-        return session_status(session, DOM_NO_MEMORY);
-    fprintf(session->out, "%s\n", shown);
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    fprintf(a->out, "%s\n", shown);
     free(shown);
     return true;
 }
@@ -75,14 +79,14 @@ static bool run_echo(struct session *session, const struct call *call)
 /* ---- Records ---- */
 
 /* Makes answers go to the records, too, or to standard output alone where none is open. */
-static bool records_join(struct session *session)
+static bool records_join(struct session *session, struct problem *problem)
 {
     struct recording *r = &session->recording;
     bool open = r->log.file || r->tee.file;
     if (open && !r->stream) {
         FILE *stream = record_stream(session->standard, &r->log, &r->tee);
         if (!stream)
-            return session_status(session, DOM_NO_MEMORY);
+            return problem_status(problem, &session->state.scene, DOM_NO_MEMORY);
         r->stream = stream;
         r->alone = session->standard;
         session->out = session->standard = stream;
@@ -92,37 +96,42 @@ static bool records_join(struct session *session)
     return true;
 }
 
-static bool record_begin(struct session *session, struct record *record, const char *path, bool log)
+static bool record_begin(struct session *session, struct record *record, const char *path, bool log,
+                         struct problem *problem)
 {
     char shown[NAMES_SHOWN];
     if (session->redirected)
-        return session_error(session, "answers go to '%s' here; begin a record before",
+        return problem_error(problem, "answers go to '%s' here; begin a record before",
                              names_shown(session->redirected, shown));
     fflush(session->out);
     if (strcmp(path, "off") == 0) {
         record_close(record);
-        return records_join(session);
+        return records_join(session, problem);
     }
     struct record next = {.file = NULL};
-    const char *wrong = record_open(&next, path, log, session->compute.interrupt);
+    const char *wrong = record_open(&next, path, log, session->state.scene.compute.interrupt);
     if (wrong)
-        return session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
+        return problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
     record_close(record);
     *record = next;
     record->comments = log;
     if (log)
         fputs("# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n", record->file);
-    return records_join(session);
+    return records_join(session, problem);
 }
 
-static bool run_log(struct session *session, const struct call *call)
+static bool run_log(struct session *session, const struct arguments *given, struct answer *a,
+                    struct problem *problem)
 {
-    return record_begin(session, &session->recording.log, call->word[0], true);
+    (void)a;
+    return record_begin(session, &session->recording.log, given->word[0], true, problem);
 }
 
-static bool run_tee(struct session *session, const struct call *call)
+static bool run_tee(struct session *session, const struct arguments *given, struct answer *a,
+                    struct problem *problem)
 {
-    return record_begin(session, &session->recording.tee, call->word[0], false);
+    (void)a;
+    return record_begin(session, &session->recording.tee, given->word[0], false, problem);
 }
 
 const struct command script_commands[] = {
@@ -134,7 +143,7 @@ const struct command script_commands[] = {
      .files = true,
      .runs = true,
      .changes = true,
-     .run = run_source},
+     .act = run_source},
     {.name = "echo",
      .synonyms = "write text say message",
      .argument = {{.name = "TEXT", .kind = ARGUMENT_WORDS, .read = echo_read, .optional = true}},
@@ -152,7 +161,7 @@ const struct command script_commands[] = {
              "commands again. A file named off is './off'.",
      .see = "tee save",
      .files = true,
-     .run = run_log},
+     .act = run_log},
     {.name = "tee",
      .synonyms = "record copy output file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
@@ -161,6 +170,6 @@ const struct command script_commands[] = {
              "'COMMAND > FILE' writes one answer, and into FILE alone.",
      .see = "log",
      .files = true,
-     .run = run_tee},
+     .act = run_tee},
     {.name = NULL},
 };

@@ -7,40 +7,41 @@
 #include "session/undo.h"
 #include <string.h>
 
-/* Reports the values that 'on' chose, since they were not typed; with csv and json on standard error. */
-static void effect_say(struct session *session, struct answer *a, const struct parameter *p, bool before)
+/* Tells the values that 'on' chose, since they were not typed; with csv and json on standard error. */
+static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     char text[3 * EFFECT_SETTING], setting[EFFECT_SETTING], usage[EFFECT_USAGE];
-    bool listed = effect_file(session, p->which);
+    bool listed = effect_file(query->scene, p->which);
     snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", p->name,
              before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
-             effect_setting(session, p->which, setting),
+             effect_setting(query->scene, p->which, setting),
              listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
              effect_usage(p->which, usage));
-    if (answer_for_people(a))
+    a->told = answer_for_people(a);
+    if (a->told)
         answer_say(a, "%s", text);
     else
-        session_note(session, "%s", text);
-    session->fresh = false;
-    session->answered = session->answered || answer_for_people(a);
+        means_note(query->means, "%s", text);
 }
 
-bool run_set(struct session *session, const struct call *call)
+bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct parameter *p = call->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
-    domq_real before = parameter_get(session, p), was = moved ? parameter_get(session, moved) : 0;
-    if (!parameter_set(session, p, &call->number[1], call->count - 1, call->word[1]))
+    const struct arguments *given = query->given;
+    struct state *next = query->next;
+    const struct parameter *p = given->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
+    domq_real before = parameter_get(next, p), was = moved ? parameter_get(next, moved) : 0;
+    if (!parameter_set(next, p, &given->number[1], given->count - 1, given->word[1], query->means, problem))
         return false;
     /* A file that is sourced may set the other one next. */
-    if (moved && parameter_get(session, moved) != was && session->depth == 0)
-        answer_say(call->answer, "%s is now %g", moved->name, (double)parameter_get(session, moved));
-    int all = session_style(session).all_digits;
-    if (p == parameter_find("digits") && session->style.digits > all && session->depth == 0)
-        answer_say(call->answer, "%s precision has %d digits at most%s",
-                   domq_arithmetic(session->compute.precision)->name, all,
-                   session->compute.precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
-    if (p->effect && call->count > 1 && call->number[1] == EFFECT_ON)
-        effect_say(session, call->answer, p, before != EFFECT_OFF);
+    if (moved && parameter_get(next, moved) != was && !query->means->sourced)
+        answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
+    enum dom_precision precision = next->scene.compute.precision;
+    int all = state_style(next).all_digits;
+    if (p == parameter_find("digits") && next->settings.style.digits > all && !query->means->sourced)
+        answer_say(a, "%s precision has %d digits at most%s", domq_arithmetic(precision)->name, all,
+                   precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
+    if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
+        effect_say(query, a, p, before != EFFECT_OFF);
     return true;
 }
 
@@ -49,44 +50,51 @@ static const struct column step_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool step(struct session *session, const struct call *call, bool back)
+static bool step(struct session *session, bool back, struct answer *a, struct problem *problem)
 {
     char text[NAMES_SHOWN];
     if (!undo_step(session, back, text))
-        return session_error(session, back
+        return problem_error(problem, back
                                           ? "there is no change to take back"
                                           : "there is nothing to do again; 'undo' takes a change back first");
-    if (!answer_for_people(call->answer))
-        return answer_cells(call->answer, cell_word(text));
-    answer_say(call->answer, "%s: %s", back ? "undone" : "done again", text);
+    if (!answer_for_people(a))
+        return answer_cells(a, cell_word(text));
+    answer_say(a, "%s: %s", back ? "undone" : "done again", text);
     return true;
 }
 
-bool run_undo(struct session *session, const struct call *call)
+bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
+              struct problem *problem)
 {
-    return step(session, call, true);
+    (void)given;
+    return step(session, true, a, problem);
 }
 
-bool run_redo(struct session *session, const struct call *call)
+bool run_redo(struct session *session, const struct arguments *given, struct answer *a,
+              struct problem *problem)
 {
-    return step(session, call, false);
+    (void)given;
+    return step(session, false, a, problem);
 }
 
-static bool run_reset(struct session *session, const struct call *call)
+static bool run_reset(const struct query *query, struct answer *a, struct problem *problem)
 {
+    const struct arguments *given = query->given;
+    struct state *next = query->next;
     const struct parameter *p;
     bool done = true;
-    if (call->variable) {
-        variable_drop(&session->variables, call->word[0]);
+    (void)a;
+    if (given->variable) {
+        variable_drop(&next->variables, given->word[0]);
         return true;
     }
-    for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++) {
-        domq_real value = parameter_fallback(session, p);
-        if (call->parameter ? p == call->parameter : !p->setting && !p->effect)
-            done = parameter_set(session, p, &value, 1, NULL) && done;
+    for (int k = 0; (p = parameter_in_order(next, k)) != NULL; k++) {
+        domq_real value = parameter_fallback(next, p);
+        if (given->parameter ? p == given->parameter : !p->setting && !p->effect)
+            done = parameter_set(next, p, &value, 1, NULL, query->means, problem) && done;
     }
-    if (!call->parameter)
-        effects_reset(session);
+    if (!given->parameter)
+        effects_reset(&next->scene);
     return done;
 }
 
@@ -99,29 +107,32 @@ static void variables_save(const struct variables *variables, FILE *out)
     }
 }
 
-static bool run_save(struct session *session, const struct call *call)
+static bool run_save(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct redirect file;
     char shown[NAMES_SHOWN];
+    const char *path = query->given->word[0];
     const struct parameter *p;
-    if (!effects_savable(session))
+    (void)a;
+    if (!effects_savable(query->scene, problem))
         return false;
-    const char *wrong = redirect_open(&file, call->word[0], false, session->compute.interrupt);
+    const char *wrong = redirect_open(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
         fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
-        for (int k = 0; (p = parameter_in_order(session, k)) != NULL; k++)
-            parameter_save(session, p, file.file);
-        variables_save(&session->variables, file.file);
+        for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)
+            parameter_save(query->state, p, file.file);
+        variables_save(&query->state->variables, file.file);
         wrong = redirect_close(&file, true);
     }
-    session->listed.saved = session->listed.saved || !wrong;
-    return !wrong ||
-           session_error(session, "cannot write '%s': %s", names_shown(call->word[0], shown), wrong);
+    if (query->next && !wrong)
+        query->next->scene.listed.saved = true;
+    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
 }
 
-static bool run_quit(struct session *session, const struct call *call)
+static bool run_quit(struct session *session, const struct arguments *given, struct answer *a,
+                     struct problem *problem)
 {
-    (void)call;
+    (void)given, (void)a, (void)problem;
     session->quit = true;
     return true;
 }
@@ -182,7 +193,7 @@ const struct command session_commands[] = {
      .see = "redo diff reset",
      .unswept = "it computes nothing",
      .columns = step_columns,
-     .run = run_undo},
+     .act = run_undo},
     {.name = "redo",
      .synonyms = "again forward repeat",
      .summary = "make again what undo took back",
@@ -190,7 +201,7 @@ const struct command session_commands[] = {
      .see = "undo",
      .unswept = "it computes nothing",
      .columns = step_columns,
-     .run = run_redo},
+     .act = run_redo},
     {.name = "print",
      .synonyms = "calculate calculator convert units feet inch evaluate",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},
@@ -240,10 +251,10 @@ const struct command session_commands[] = {
      .synonyms = "leave end close bye stop",
      .summary = "the same as quit",
      .see = "quit",
-     .run = run_quit},
+     .act = run_quit},
     {.name = "quit",
      .synonyms = "exit end close bye stop",
      .summary = "leave; so does the end of the input (^D)",
-     .run = run_quit},
+     .act = run_quit},
     {.name = NULL},
 };

@@ -33,17 +33,16 @@ static void named(const struct parameter *p, domq_real value, char *text, size_t
         snprintf(text + used, size - used, " (%s)", name);
 }
 
-static void shown_make(const struct session *session, const struct parameter *p, bool people,
-                       struct shown *shown)
+static void shown_make(const struct query *query, const struct parameter *p, bool people, struct shown *shown)
 {
-    domq_real value = parameter_get(session, p), fallback = parameter_fallback(session, p);
+    domq_real value = parameter_get(query->state, p), fallback = parameter_fallback(query->state, p);
     bool number = !people && parameter_is_number(p);
-    bool on = !people && p->effect && value != EFFECT_OFF && !effect_file(session, p->which);
-    parameter_range(session, p, 0, shown->range, sizeof shown->range);
+    bool on = !people && p->effect && value != EFFECT_OFF && !effect_file(query->scene, p->which);
+    parameter_range(query->state, p, 0, shown->range, sizeof shown->range);
     if (p->effect)
-        effect_setting(session, p->which, shown->value);
+        effect_setting(query->scene, p->which, shown->value);
     else
-        parameter_text(p, value, (int)session->style.digits, shown->value, sizeof shown->value);
+        parameter_text(p, value, (int)query->state->settings.style.digits, shown->value, sizeof shown->value);
     parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
     if (people && parameter_is_number(p)) {
         named(p, value, shown->value, sizeof shown->value);
@@ -84,10 +83,10 @@ static int shown_width(const struct column *columns)
 }
 
 /* Leaves out of a table what a narrow terminal has no room for; shown_fit leaves it out of a row. */
-static unsigned show_fit(const struct session *session, struct answer *a)
+static unsigned show_fit(struct answer *a)
 {
     static const char *const last[] = {"default", "range", "unit"};
-    int width = terminal_width(session->out);
+    int width = terminal_width(a->out);
     unsigned left_out = 0;
     for (size_t i = 0; width && i < sizeof last / sizeof *last && shown_width(a->columns) > width; i++) {
         answer_leave_out(a, last[i]);
@@ -116,76 +115,80 @@ static void variable_row(struct answer *a, const struct variable *v, unsigned le
 }
 
 /* Returns true if the parameter has not its default. */
-static bool differs(const struct session *session, const struct parameter *p)
+static bool differs(const struct query *query, const struct parameter *p)
 {
-    return parameter_get(session, p) != parameter_fallback(session, p);
+    return parameter_get(query->state, p) != parameter_fallback(query->state, p);
 }
 
 /* Shows the parameter of the call; without one all, or those that differ from their defaults. */
-static bool show(struct session *session, const struct call *call, bool differing)
+static bool show(const struct query *query, struct answer *a, bool differing)
 {
-    struct column *fitted = answer_columns(call->answer, show_columns);
+    struct column *fitted = answer_columns(a, show_columns);
     struct shown shown;
     unsigned left_out = 0;
-    if (call->variable) {
-        variable_row(call->answer, call->variable, show_fit(session, call->answer));
+    if (query->given->variable) {
+        variable_row(a, query->given->variable, show_fit(a));
         return true;
     }
     for (int pass = 0; pass < 2; pass++) {
-        if (pass == 1 && call->answer->style.format->for_people)
-            left_out = show_fit(session, call->answer);
+        if (pass == 1 && a->style.format->for_people)
+            left_out = show_fit(a);
         for (const struct parameter *p = session_parameters; p->name; p++) {
-            if (differing ? !differs(session, p) : call->parameter ? p != call->parameter : p->effect != NULL)
+            if (differing                 ? !differs(query, p)
+                : query->given->parameter ? p != query->given->parameter
+                                          : p->effect != NULL)
                 continue;
-            shown_make(session, p, call->answer->style.format->for_people, &shown);
+            shown_make(query, p, a->style.format->for_people, &shown);
             for (int i = 0; pass == 0 && fitted[i + 1].key; i++) /* the last one is wrapped */
                 if (shown.cell[i].kind == CELL_WORD)
                     column_fit(&fitted[i], shown.cell[i].word);
             if (pass == 0)
                 continue;
             shown_fit(&shown, left_out);
-            answer_row(call->answer, shown.cell, NULL);
+            answer_row(a, shown.cell, NULL);
         }
     }
-    for (size_t i = 0; !call->parameter && i < session->variables.count; i++)
-        variable_row(call->answer, &session->variables.list[i], left_out);
+    for (size_t i = 0; !query->given->parameter && i < query->state->variables.count; i++)
+        variable_row(a, &query->state->variables.list[i], left_out);
     return true;
 }
 
-bool run_show(struct session *session, const struct call *call)
+bool run_show(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return show(session, call, false);
+    (void)problem;
+    return show(query, a, false);
 }
 
-bool show_variables(struct session *session, const struct call *call)
+bool show_variables(const struct query *query, struct answer *a)
 {
-    const struct variables *all = &session->variables;
-    call->answer->rows = true;
-    if (call->variable)
-        return show(session, call, false);
+    const struct variables *all = &query->state->variables;
+    a->rows = true;
+    if (query->given->variable)
+        return show(query, a, false);
     if (all->count == 0) {
-        answer_say(call->answer, "No variable is defined; for example 'let x = 0.9*rmax'.");
+        answer_say(a, "No variable is defined; for example 'let x = 0.9*rmax'.");
         return true;
     }
-    answer_columns(call->answer, show_columns);
-    unsigned left_out = show_fit(session, call->answer);
+    answer_columns(a, show_columns);
+    unsigned left_out = show_fit(a);
     for (size_t i = 0; i < all->count; i++)
-        variable_row(call->answer, &all->list[i], left_out);
+        variable_row(a, &all->list[i], left_out);
     return true;
 }
 
-bool run_diff(struct session *session, const struct call *call)
+bool run_diff(const struct query *query, struct answer *a, struct problem *problem)
 {
+    (void)problem;
     const struct parameter *p = session_parameters;
-    size_t gaps = session->listed.changes;
-    while (p->name && !differs(session, p))
+    size_t gaps = query->scene->listed.changes;
+    while (p->name && !differs(query, p))
         p++;
-    if (!p->name && session->variables.count == 0)
-        answer_say(call->answer, "All parameters have their defaults, and no effect is on.");
-    else if (!show(session, call, true))
+    if (!p->name && query->state->variables.count == 0)
+        answer_say(a, "All parameters have their defaults, and no effect is on.");
+    else if (!show(query, a, true))
         return false;
     if (gaps > 0)
-        answer_say(call->answer, "%zu gap%s of the row %s changed by 'place'; 'row' lists the row.", gaps,
+        answer_say(a, "%zu gap%s of the row %s changed by 'place'; 'row' lists the row.", gaps,
                    gaps == 1 ? "" : "s", gaps == 1 ? "was" : "were");
     return true;
 }

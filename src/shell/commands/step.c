@@ -22,34 +22,35 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Begins the walk of the session's train if there is none; *begun is then true.  False: an error was
- * reported. */
-static bool walk_ready(struct session *session, struct answer *answer, bool *begun)
+/* Begins a walk of the train if there is none; *begun is then true. Describes a problem and returns false if
+ * there is one. */
+static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
+                       struct walk *w, bool *begun)
 {
-    struct walk *w = &session->walk;
     *begun = false;
-    if (walk_now(session))
+    if (walk_now(query))
         return true;
     if (w->count > 0)
         answer_say(answer, "The parameters have changed: the walk begins again.");
-    *w = (struct walk){
-        .train = session->train, .compute = session->compute, .tol = session->compute.tol, .cycle = 1};
+    *w = (struct walk){.train = query->scene->train,
+                       .compute = query->scene->compute,
+                       .tol = query->scene->compute.tol,
+                       .cycle = 1};
     /* The sentences have six digits, which are right at any tolerance. */
     w->compute.tol = quad_smaller(
         w->compute.tol, quad_larger(domq_arithmetic(w->compute.precision)->tol_floor, (domq_real)1e-9));
     w->verdict = domq_cycle_events(&w->train, &w->compute, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
-           session_status(session, w->verdict);
+           problem_status(problem, query->scene, w->verdict);
 }
 
-static bool walk_answer(struct session *session, const struct call *call)
+static bool walk_answer(const struct query *query, struct answer *a, struct problem *problem,
+                        const struct walk *w)
 {
-    const struct walk *w = &session->walk;
-    struct answer *a = call->answer;
     struct domq_state s;
     struct domq_compute compute = w->compute;
-    compute.errors = session->style.errors;
+    compute.errors = query->state->settings.style.errors;
     if (!domq_law(&w->train)->dissipates)
         answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL) {
@@ -60,10 +61,10 @@ static bool walk_answer(struct session *session, const struct call *call)
     }
     enum dom_status status = domq_cycle_state(&w->train, &compute, w->theta, &s);
     if (status != DOM_OK)
-        return session_status(session, status);
-    struct walk_units u = walk_units(session, w->cycle);
-    walk_say(session, w, &s, a);
-    walk_columns_in(session, a);
+        return problem_status(problem, query->scene, status);
+    struct walk_units u = walk_units(query, w->cycle);
+    walk_say(query, w, &s, a);
+    walk_columns_in(query, a);
     answer_cells(
         a, cell_count(w->cycle), cell_word(dom_event_text(w->events[w->event].kind)), cell_real(s.theta),
         CELL_TIMES(s, time, u.tau), cell_omega(s.omegasq, s.error.omegasq, u.tau),
@@ -71,7 +72,7 @@ static bool walk_answer(struct session *session, const struct call *call)
         cell_bound((0 - s.climbed) * u.energy, s.error.climbed * u.energy),
         cell_bound((0 - s.fallen) * u.energy, s.error.fallen * u.energy), CELL_TIMES(s, kinetic, u.energy),
         CELL_TIMES(s, climbed, u.energy), cell_bound(s.friction_work * u.energy, DOMQ_NAN));
-    if (w->cycle > 1 && !(session_mass(session) > 0))
+    if (w->cycle > 1 && !(scene_mass(query->scene) > 0))
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
@@ -111,27 +112,27 @@ static bool walk_backward(struct walk *w)
     return true;
 }
 
-static bool walk_end(struct session *session, bool forward)
+static bool walk_end(const struct walk *w, struct problem *problem, bool forward)
 {
-    const struct walk *w = &session->walk;
     if (!forward)
-        return session_no_answer(session, "this is the launch of the first cycle; 'step' goes on");
+        return problem_no_answer(problem, "this is the launch of the first cycle; 'step' goes on");
     return w->verdict == DOM_STOPS
-               ? session_no_answer(session,
+               ? problem_no_answer(problem,
                                    "the train has stopped; 'why' says more, 'goto launch' begins again")
-               : session_no_answer(session,
+               : problem_no_answer(problem,
                                    "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
                                    CYCLES_MAX);
 }
 
-/* Moves the walk by the call's steps; if it ends before them, answers for those that it made, then says why.
+/* Moves the walk by the steps that are given; if it ends before them, answers for those that it made, then
+ * says why.
  */
-static bool walk_by(struct session *session, const struct call *call, bool forward)
+static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
+                    bool forward)
 {
     bool moved; /* a walk that has just begun is at its first launch */
-    struct walk *w = &session->walk;
-    long steps = call->count > 0 ? (long)call->number[0] : 1;
-    if (!walk_ready(session, call->answer, &moved))
+    long steps = query->given->count > 0 ? (long)query->given->number[0] : 1;
+    if (!walk_ready(query, a, problem, w, &moved))
         return false;
     steps -= moved && forward;
     bool open = w->verdict != DOM_NO_FUEL;
@@ -141,25 +142,37 @@ static bool walk_by(struct session *session, const struct call *call, bool forwa
     }
     bool short_of = !open && w->verdict != DOM_NO_FUEL;
     if (moved || !short_of)
-        if (!walk_answer(session, call))
+        if (!walk_answer(query, a, problem, w))
             return false;
-    return !short_of || walk_end(session, forward);
+    return !short_of || walk_end(w, problem, forward);
 }
 
-static bool run_step(struct session *session, const struct call *call)
+/* Keeps the place of the walk in the next state, also where the walk ended with a problem. */
+static bool walk_keep(const struct query *query, const struct walk *walk, bool done)
 {
-    return walk_by(session, call, true);
+    if (query->next)
+        query->next->scene.walk = *walk;
+    return done;
 }
 
-static bool run_back(struct session *session, const struct call *call)
+static bool run_step(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return walk_by(session, call, false);
+    struct walk walk = query->scene->walk;
+    return walk_keep(query, &walk, walk_by(query, a, problem, &walk, true));
 }
 
-static bool run_where(struct session *session, const struct call *call)
+static bool run_back(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct walk walk = query->scene->walk;
+    return walk_keep(query, &walk, walk_by(query, a, problem, &walk, false));
+}
+
+static bool run_where(const struct query *query, struct answer *a, struct problem *problem)
 {
     bool begun;
-    return walk_ready(session, call->answer, &begun) && walk_answer(session, call);
+    struct walk walk = query->scene->walk;
+    return walk_keep(query, &walk,
+                     walk_ready(query, a, problem, &walk, &begun) && walk_answer(query, a, problem, &walk));
 }
 
 static const char *event_names(const void *context, int k)
@@ -168,31 +181,36 @@ static const char *event_names(const void *context, int k)
     return k <= DOM_EVENT_HIT ? dom_event_text((enum dom_event_kind)k) : NULL;
 }
 
-static bool run_goto(struct session *session, const struct call *call)
+static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
 {
     bool begun;
-    struct walk *w = &session->walk;
-    domq_real place = call->number[0];
-    if (!walk_ready(session, call->answer, &begun))
+    domq_real place = query->given->number[0];
+    if (!walk_ready(query, a, problem, w, &begun))
         return false;
     if (w->verdict == DOM_NO_FUEL)
-        return walk_answer(session, call);
+        return walk_answer(query, a, problem, w);
     int found = -1;
     for (int k = 0; k < w->count; k++)
         if (place < 0 ? w->events[k].kind == (enum dom_event_kind)(-1 - (int)place)
                       : w->events[k].theta <= place)
             found = k;
     if (found < 0)
-        return session_no_answer(session, "there is no '%s' in this cycle; 'cycle' lists its events",
+        return problem_no_answer(problem, "there is no '%s' in this cycle; 'cycle' lists its events",
                                  dom_event_text((enum dom_event_kind)(-1 - (int)place)));
     if (place > w->events[w->count - 1].theta)
-        return session_no_answer(session,
-                                 "the train stops before that, at theta = %.10g %s; 'goto stop' goes there",
-                                 (double)style_angle(&session->style, w->events[w->count - 1].theta),
-                                 style_angle_unit(&session->style));
+        return problem_no_answer(
+            problem, "the train stops before that, at theta = %.10g %s; 'goto stop' goes there",
+            (double)style_angle(&query->state->settings.style, w->events[w->count - 1].theta),
+            style_angle_unit(&query->state->settings.style));
     w->event = found;
     w->theta = place < 0 ? w->events[found].theta : place;
-    return walk_answer(session, call);
+    return walk_answer(query, a, problem, w);
+}
+
+static bool run_goto(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct walk walk = query->scene->walk;
+    return walk_keep(query, &walk, walk_to(query, a, problem, &walk));
 }
 
 const struct command walk_commands[] = {

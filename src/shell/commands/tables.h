@@ -16,39 +16,41 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
 #define ANSWER(name_) .columns = name_##_columns, .run = run_##name_
 
 /* Gives the parameter or effect that the call names its values: 'set' and 'effect'. */
-bool run_set(struct session *session, const struct call *call);
+bool run_set(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Commands that have a file of their own beside their table. */
 extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[], mend_columns[],
     tolerance_columns[], placement_columns[];
-bool run_cycle(struct session *session, const struct call *call);
-bool run_count(struct session *session, const struct call *call);
-bool run_why(struct session *session, const struct call *call);
+bool run_cycle(const struct query *query, struct answer *a, struct problem *problem);
+bool run_count(const struct query *query, struct answer *a, struct problem *problem);
+bool run_why(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Says whether the train goes on, and with how much of the energy that it needs. */
-void verdict_train_say(const struct session *session, struct answer *answer, enum dom_status verdict,
+void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
                        const struct domq_barrier *barrier);
 
 /* What 'print' and 'let' read after their names, and what they do. */
 extern const struct column print_columns[];
 const char *conversion_word(const void *context, int k);
-bool read_conversion(struct reader *reader, struct call *call);
-bool read_definition(struct reader *reader, struct call *call);
+bool read_conversion(struct reader *reader, struct arguments *call);
+bool read_definition(struct reader *reader, struct arguments *call);
 extern const struct column show_columns[];
-bool run_show(struct session *session, const struct call *call);
-bool run_diff(struct session *session, const struct call *call);
+bool run_show(const struct query *query, struct answer *a, struct problem *problem);
+bool run_diff(const struct query *query, struct answer *a, struct problem *problem);
 
-bool run_undo(struct session *session, const struct call *call);
-bool run_redo(struct session *session, const struct call *call);
-bool run_print(struct session *session, const struct call *call);
+bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
+              struct problem *problem);
+bool run_redo(struct session *session, const struct arguments *given, struct answer *a,
+              struct problem *problem);
+bool run_print(const struct query *query, struct answer *a, struct problem *problem);
 /* Shows the variable of the call, or all of them. */
-bool show_variables(struct session *session, const struct call *call);
-bool run_let(struct session *session, const struct call *call);
+bool show_variables(const struct query *query, struct answer *a);
+bool run_let(const struct query *query, struct answer *a, struct problem *problem);
 
-bool run_animate(struct session *session, const struct call *call);
-bool run_mend(struct session *session, const struct call *call);
-bool run_tolerance(struct session *session, const struct call *call);
-bool run_pool(struct session *session, const struct call *call);
+bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
+bool run_mend(const struct query *query, struct answer *a, struct problem *problem);
+bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem);
+bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Returns the train in double: a proof includes what rounds to it. */
 struct dom_train proof_train(const struct domq_train *train);
@@ -60,14 +62,14 @@ const char *cycle_by(const void *context, int k);
  * Writes the answer of 'placement' from what was counted: stops[k] of the rows ended at domino k + 1, of
  * `count`.  reason, unless NULL, says what is missing.
  */
-void study_answer(const struct call *call, domq_real sigma, domq_real heights, const struct domq_study *study,
+void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
                   const size_t *stops, size_t count, const char *reason);
 
 /*
  * Answers the session's part of a study as counts of fixed blocks of its rows: whichever part computes them,
  * the blocks are the same, and those of all parts are all.
  */
-bool study_blocks(struct session *session, const struct call *call, const struct scene_row *scene,
-                  const struct domq_placement *placement);
+bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
+                  const struct scene_row *scene, const struct domq_placement *placement);
 
 #endif

@@ -41,7 +41,7 @@ static void units_list(struct quantity kind, char *text, size_t size)
         snprintf(text, size, " percent");
 }
 
-static bool conversion_find(struct session *session, const char *name, struct conversion *c)
+static bool conversion_find(struct problem *problem, const char *name, struct conversion *c)
 {
     char shown[NAMES_SHOWN];
     struct quantity unit = {.value = 1};
@@ -54,20 +54,19 @@ static bool conversion_find(struct session *session, const char *name, struct co
     snprintf(c->name, sizeof c->name, "%s", percent ? "%" : name);
     if (end && *end == '\0' && strlen(name) < sizeof c->name)
         return true;
-    return session_error(session,
+    return problem_error(problem,
                          close ? "'%s' is not a unit; did you mean '%s'?"
                                : "'%s' is not a unit; for example 'print 112 m to ft'",
                          names_shown(name, shown), close);
 }
 
-bool read_conversion(struct reader *r, struct call *call)
+bool read_conversion(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
-    struct quantity *q = &call->quantity[0];
+    struct quantity *q = &given->quantity[0];
     char units[96], is[48], wanted[48], shown[NAMES_SHOWN];
     char *word = read_word(r, false);
     if (!word || strcmp(word, "to") != 0) {
-        session_error(session,
+        problem_error(r->problem,
                       word ? "'%s' is one argument too many; usage: print VALUE [to U]" : "out of memory",
                       names_shown(word ? word : "", shown));
         free(word);
@@ -75,75 +74,78 @@ bool read_conversion(struct reader *r, struct call *call)
     }
     free(word);
     r->at = skip_blanks(r->at);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     word = read_word(r, false);
     struct conversion *c = malloc(sizeof *c);
-    call->own = c;
-    call->own_free = free;
+    given->own = c;
+    given->own_free = free;
     units_list(*q, units, sizeof units);
     bool good = word && c &&
-                (*word || session_error(session, "the unit after 'to' is missing%s%s",
+                (*word || problem_error(r->problem, "the unit after 'to' is missing%s%s",
                                         *units ? "; for example" : "", units)) &&
-                conversion_find(session, word, c);
+                conversion_find(r->problem, word, c);
     if (!word || !c)
-        session_status(session, DOM_NO_MEMORY);
+        problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
     free(word);
     if (!good)
         return false;
     if (quantity_bare(*q) &&
         quantity_alike(c->unit, (struct quantity){.angle = 1})) /* as where an angle belongs */
-        *q = (struct quantity){
-            .value = session->style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value, .angle = 1};
+        *q = (struct quantity){.value = r->query->state->settings.style.angle == ANGLE_DEG
+                                            ? q->value * (QUAD_PI / 180)
+                                            : q->value,
+                               .angle = 1};
     const char *of = expression_kind(c->unit, wanted, sizeof wanted);
     return quantity_alike(*q, c->unit) ||
-           session_error(session, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q, is, sizeof is),
-                         c->name,
+           problem_error(r->problem, "the value is %s, and '%s' is %s%s%s%s",
+                         expression_kind(*q, is, sizeof is), c->name,
                          quantity_bare(c->unit) ? "for a plain number"
                          : of == wanted         ? "" /* "in m s^-1" */
                                                 : "a unit of ",
                          quantity_bare(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }
 
-bool run_print(struct session *session, const struct call *call)
+bool run_print(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct quantity q = call->quantity[0];
-    const struct conversion *to = call->own;
+    (void)problem;
+    struct quantity q = query->given->quantity[0];
+    const struct conversion *to = query->given->own;
     char unit[48], number[WIDE_TEXT];
-    session->ans.printed = true;
-    session->ans.value = q;
+    a->printed = true;
+    a->value = q;
     expression_unit_text(q, unit, sizeof unit);
     if (to) {
         q.value /= to->unit.value;
         snprintf(unit, sizeof unit, "%s", to->name);
     } else if (quantity_plain(q) && q.angle == 1) {
-        q.value = style_angle(&session->style, q.value);
-        snprintf(unit, sizeof unit, "%s", style_angle_unit(&session->style));
+        q.value = style_angle(&query->state->settings.style, q.value);
+        snprintf(unit, sizeof unit, "%s", style_angle_unit(&query->state->settings.style));
     }
-    int digits = (int)call->answer->style.digits;
+    int digits = (int)a->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
         digits = 15; /* a whole number is shown whole */
-    bool people = answer_for_people(call->answer);
+    bool people = answer_for_people(a);
     struct cell cell = {.kind = CELL_NONE};
     if (!people)
         cell = cell_unbounded(q.value);
     if (people && *unit)
-        answer_say(call->answer, "%s %s", quad_text(q.value, digits, number), unit);
+        answer_say(a, "%s %s", quad_text(q.value, digits, number), unit);
     else if (people)
-        answer_line(call->answer, quad_text(q.value, digits, number));
-    else if (cell_vanishes(&call->answer->style, cell)) {
+        answer_line(a, quad_text(q.value, digits, number));
+    else if (cell_vanishes(&a->style, cell)) {
         char reason[ANSWER_REASON];
         snprintf(reason, sizeof reason, "the value is nearer to 0 than %s precision can hold",
-                 domq_arithmetic(session->compute.precision)->name);
-        answer_row(call->answer, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
+                 domq_arithmetic(query->scene->compute.precision)->name);
+        answer_row(a, ROW({.kind = CELL_NONE}, cell_word(unit)), reason);
     } else
-        answer_cells(call->answer, cell, cell_word(unit));
+        answer_cells(a, cell, cell_word(unit));
     return true;
 }
 
 /* ---- let ---- */
 
 /* Reports an error where a name has a meaning already. */
-static bool name_free(struct session *session, const char *name)
+static bool name_free(struct problem *problem, const char *name)
 {
     const char *is = parameter_find(name)                                  ? "a parameter"
                      : command_find(name)                                  ? "a command"
@@ -151,7 +153,7 @@ static bool name_free(struct session *session, const char *name)
                      : names_exact(value_names, NULL, name) >= 0           ? "a value of the language"
                      : strcmp(name, "to") == 0 || strcmp(name, "log") == 0 ? "a word of the language"
                                                                            : NULL;
-    return !is || session_error(session, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
+    return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
 }
 
 /* Reads the text of a function up to the end of the command; its copy is the variable's body. */
@@ -160,17 +162,17 @@ static bool read_body(struct reader *r, struct variable *v)
     struct expression e = {.text = r->at, .dry = true};
     char shown[NAMES_SHOWN], word[NAMES_SHOWN];
     bool good = expression_evaluate(&e, &(struct quantity){.value = 0});
-    r->session->column = reader_column(r, e.end);
+    r->problem->place = reader_column(r, e.end);
     if (!good)
-        return session_error(r->session, "%s", e.message);
+        return problem_error(r->problem, "%s", e.message);
     if (!command_ends(skip_blanks(e.end)) && *skip_blanks(e.end) != '>') {
         snprintf(word, sizeof word, "%.*s", (int)strcspn(skip_blanks(e.end), " \t;"), skip_blanks(e.end));
-        return session_error(r->session, "the text of the function ends before '%s'",
+        return problem_error(r->problem, "the text of the function ends before '%s'",
                              names_shown(word, shown));
     }
     v->body = strndup(r->at, (size_t)(e.end - r->at));
     r->at = e.end;
-    return v->body || session_status(r->session, DOM_NO_MEMORY);
+    return v->body || problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
 }
 
 static void definition_free(void *own)
@@ -188,38 +190,37 @@ static const struct variable *read_defined(struct reader *r)
     if (n >= sizeof name || !(command_ends(end) || *end == '>'))
         return NULL;
     snprintf(name, sizeof name, "%.*s", (int)n, r->at);
-    const struct variable *v = variable_find(&r->session->variables, name);
+    const struct variable *v = variable_find(&r->query->state->variables, name);
     r->at = v ? end : r->at;
     return v;
 }
 
-bool read_definition(struct reader *r, struct call *call)
+bool read_definition(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
-    if ((call->variable = read_defined(r)) != NULL)
+    if ((given->variable = read_defined(r)) != NULL)
         return true;
     struct variable *v = malloc(sizeof *v);
     if (!v)
-        return session_status(session, DOM_NO_MEMORY);
-    call->own = v;
-    call->own_free = definition_free;
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
+    given->own = v;
+    given->own_free = definition_free;
     const char *value = definition_head(r->at, v);
     if (!value)
-        return session_error(session,
+        return problem_error(r->problem,
                              "a definition is 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function "
                              "of 1 .. %d values",
                              EXPRESSION_ARGUMENTS);
-    if (!name_free(session, v->name))
+    if (!name_free(r->problem, v->name))
         return false;
     for (int i = 0; i < v->count; i++)
         for (int k = 0; k < i; k++)
             if (strcmp(v->argument[i], v->argument[k]) == 0)
-                return session_error(session, "two values of '%s' have the name '%s'", v->name,
+                return problem_error(r->problem, "two values of '%s' have the name '%s'", v->name,
                                      v->argument[i]);
     r->at = skip_blanks(value);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (command_ends(r->at))
-        return session_error(session, "the value of '%s' is missing; for example 'let %s = 0.9*rmax'",
+        return problem_error(r->problem, "the value of '%s' is missing; for example 'let %s = 0.9*rmax'",
                              v->name, v->name);
     if (v->count > 0)
         return read_body(r, v);
@@ -230,17 +231,18 @@ bool read_definition(struct reader *r, struct call *call)
     const int power[] = {v->value.length, v->value.time, v->value.angle, v->value.mass};
     for (int i = 0; i < 4; i++)
         if (abs(power[i]) > UNIT_POWER_MOST)
-            return session_error(session, "the unit of '%s' has an exponent above %d", v->name,
+            return problem_error(r->problem, "the unit of '%s' has an exponent above %d", v->name,
                                  UNIT_POWER_MOST);
     return true;
 }
 
-bool run_let(struct session *session, const struct call *call)
+bool run_let(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct variable *v = call->own;
+    const struct variable *v = query->given->own;
     if (!v)
-        return show_variables(session, call);
-    if (!variable_find(&session->variables, v->name) && session->variables.count == VARIABLES_MOST)
-        return session_error(session, "there are %d variables, and that is the most", VARIABLES_MOST);
-    return variable_put(&session->variables, v) || session_status(session, DOM_NO_MEMORY);
+        return show_variables(query, a);
+    struct variables *all = &query->next->variables;
+    if (!variable_find(all, v->name) && all->count == VARIABLES_MOST)
+        return problem_error(problem, "there are %d variables, and that is the most", VARIABLES_MOST);
+    return variable_put(all, v) || problem_status(problem, query->scene, DOM_NO_MEMORY);
 }

@@ -4,18 +4,18 @@
 #include "session/session.h"
 #include <string.h>
 
-struct walk_units walk_units(const struct session *session, int cycle)
+struct walk_units walk_units(const struct query *query, int cycle)
 {
-    const struct domq_train *t = &session->train;
-    domq_real mass = session_mass(session), grown = quad(pow)(t->r, (domq_real)(cycle - 1)),
+    const struct domq_train *t = &query->scene->train;
+    domq_real mass = scene_mass(query->scene), grown = quad(pow)(t->r, (domq_real)(cycle - 1)),
               heavier = quad(pow)(grown, t->q);
-    struct domq_scale scale = session->scale;
+    struct domq_scale scale = query->scene->scale;
     scale.h *= grown;
     bool known = mass > 0;
     return (struct walk_units){
         .height = scale.h,
         .tau = domq_scale_tau(&scale, t),
-        .energy = known ? heavier * mass * scale.g * session->scale.h / 2 : heavier,
+        .energy = known ? heavier * mass * scale.g * query->scene->scale.h / 2 : heavier,
         .energy_unit = known       ? "J"
                        : cycle > 1 ? "mgh/2 of the first head"
                                    : "mgh/2",
@@ -27,22 +27,22 @@ struct walk_units walk_units(const struct session *session, int cycle)
 }
 
 /* Compares everything that an answer depends on with what the session had when the walk began. */
-static bool same_train(const struct walk *walk, const struct session *session)
+static bool same_train(const struct walk *walk, const struct scene *scene)
 {
-    const struct domq_train *a = &walk->train, *b = &session->train;
+    const struct domq_train *a = &walk->train, *b = &scene->train;
     return a->s == b->s && a->r == b->r && a->d == b->d && a->q == b->q && a->fuel == b->fuel &&
 #define SAME(name, member, status) a->member == b->member &&
            DOM_DYNAMICS(SAME)
 #undef SAME
-                   walk->tol == session->compute.tol &&
-           walk->compute.precision == session->compute.precision &&
-           walk->compute.method == session->compute.method;
+                   walk->tol == scene->compute.tol &&
+           walk->compute.precision == scene->compute.precision &&
+           walk->compute.method == scene->compute.method;
 }
 
-const struct walk *walk_now(const struct session *session)
+const struct walk *walk_now(const struct query *query)
 {
-    const struct walk *walk = &session->walk;
-    return walk->count > 0 && same_train(walk, session) ? walk : NULL;
+    const struct walk *walk = &query->scene->walk;
+    return walk->count > 0 && same_train(walk, query->scene) ? walk : NULL;
 }
 
 const char walk_no_start[] =
@@ -55,9 +55,9 @@ void columns_in_joules(struct answer *a)
             c->unit = "J";
 }
 
-void walk_columns_in(const struct session *session, struct answer *a)
+void walk_columns_in(const struct query *query, struct answer *a)
 {
-    if (session_mass(session) > 0)
+    if (scene_mass(query->scene) > 0)
         columns_in_joules(a);
 }
 
@@ -88,18 +88,18 @@ struct spoken {
     char text[WIDE_TEXT + 8];
 };
 
-static struct spoken spoken_omega(const struct session *session, domq_real omega)
+static struct spoken spoken_omega(const struct query *query, domq_real omega)
 {
     struct spoken s;
-    snprintf(s.text, sizeof s.text, "%.6g %s/s", (double)style_angle(&session->style, omega),
-             style_angle_unit(&session->style));
+    snprintf(s.text, sizeof s.text, "%.6g %s/s", (double)style_angle(&query->state->settings.style, omega),
+             style_angle_unit(&query->state->settings.style));
     return s;
 }
 
-static void say_launch(const struct session *session, const struct walk *w, const struct domq_state *s,
+static void say_launch(const struct query *query, const struct walk *w, const struct domq_state *s,
                        struct answer *a)
 {
-    struct walk_units u = walk_units(session, w->cycle);
+    struct walk_units u = walk_units(query, w->cycle);
     struct domq_launch l;
     struct domq_barrier b;
     struct impulses impulses = {.units = &u, .bounded = true};
@@ -116,8 +116,8 @@ static void say_launch(const struct session *session, const struct walk *w, cons
         "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From then "
         "on all move as one train, and the head turns with %s: %s omega(0) = (%s - %s) omega_1(theta_c), "
         "%s%s = %.6g (22; c4), (24; c6).",
-        spoken_omega(session, omega / l.velocity_ratio).text, measured(u.height, "m", 6).text,
-        spoken_omega(session, omega).text, inertia, inertia, own, inertia, rounds ? "/i(0)" : "",
+        spoken_omega(query, omega / l.velocity_ratio).text, measured(u.height, "m", 6).text,
+        spoken_omega(query, omega).text, inertia, inertia, own, inertia, rounds ? "/i(0)" : "",
         (double)(1 / (1 - l.velocity_ratio)));
     if (rubs)
         answer_say(a,
@@ -148,32 +148,34 @@ static void say_launch(const struct session *session, const struct walk *w, cons
                    "tilt of %.6g "
                    "%s%s, and it %s by %.6g %s (26; c8).",
                    measured_share(b.kinetic / b.barrier, 3).text, (double)(b.barrier * u.energy),
-                   u.energy_unit, (double)style_angle(&session->style, b.theta_m),
-                   style_angle_unit(&session->style), rubs ? ", friction on the way included" : "",
+                   u.energy_unit, (double)style_angle(&query->state->settings.style, b.theta_m),
+                   style_angle_unit(&query->state->settings.style),
+                   rubs ? ", friction on the way included" : "",
                    b.margin >= 0 ? "clears the barrier" : "misses the top",
                    (double)(quad(fabs)(b.margin) * u.energy), u.energy_unit);
 }
 
-static void say_top(const struct session *session, const struct walk *w, const struct domq_state *s,
+static void say_top(const struct query *query, const struct walk *w, const struct domq_state *s,
                     struct answer *a)
 {
-    struct walk_units u = walk_units(session, w->cycle);
+    struct walk_units u = walk_units(query, w->cycle);
     if (domq_law(&w->train)->dissipates) {
         answer_say(
             a,
             "The hardest tilt, theta_m = %.6g %s: the train has climbed %.6g %s, friction has taken %.6g, "
             "and %.6g %s of motion are left. From now on it gains more than friction takes (26; c8).",
-            (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-            (double)(s->climbed * u.energy), u.energy_unit, (double)(s->friction_work * u.energy),
-            (double)(s->kinetic * u.energy), u.energy_unit);
+            (double)style_angle(&query->state->settings.style, s->theta),
+            style_angle_unit(&query->state->settings.style), (double)(s->climbed * u.energy), u.energy_unit,
+            (double)(s->friction_work * u.energy), (double)(s->kinetic * u.energy), u.energy_unit);
         return;
     }
     answer_say(
         a,
         "Top of the barrier, theta_m = %.6g %s. The train is at its highest: it has climbed %.6g %s, and "
         "%.6g %s of motion are left, the margin. From now on it goes down (26; c8).",
-        (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-        (double)(s->climbed * u.energy), u.energy_unit, (double)(s->kinetic * u.energy), u.energy_unit);
+        (double)style_angle(&query->state->settings.style, s->theta),
+        style_angle_unit(&query->state->settings.style), (double)(s->climbed * u.energy), u.energy_unit,
+        (double)(s->kinetic * u.energy), u.energy_unit);
 }
 
 /* Returns the energy of position of a domino, h(theta), in m g h / 2 above the floor at its foot. */
@@ -184,10 +186,10 @@ static domq_real height_of(const struct domq_train *train, domq_real theta)
            (train->d - 2 * rho) * quad(sin)(from_plumb);
 }
 
-static void say_fall(const struct session *session, const struct walk *w, const struct domq_state *s,
+static void say_fall(const struct query *query, const struct walk *w, const struct domq_state *s,
                      struct answer *a)
 {
-    struct walk_units u = walk_units(session, w->cycle);
+    struct walk_units u = walk_units(query, w->cycle);
     struct domq_angles angles;
     size_t domino = w->events[w->event].domino;
     if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
@@ -198,17 +200,18 @@ static void say_fall(const struct session *session, const struct walk *w, const 
         "Domino %zu detaches from domino %zu, which has come to theta_leave = %.6g %s: the arm of its "
         "force is 0. It comes to rest at theta_f = %.6g %s with all that follow it, and pushes no more "
         "(%s41; A17%s42; A18). Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
-        domino, domino - 1, (double)style_angle(&session->style, angles.theta_leave),
-        style_angle_unit(&session->style), (double)style_angle(&session->style, angles.theta_f),
-        style_angle_unit(&session->style), w->train.rho != 0 ? "as in " : "",
+        domino, domino - 1, (double)style_angle(&query->state->settings.style, angles.theta_leave),
+        style_angle_unit(&query->state->settings.style),
+        (double)style_angle(&query->state->settings.style, angles.theta_f),
+        style_angle_unit(&query->state->settings.style), w->train.rho != 0 ? "as in " : "",
         w->train.rho != 0 ? " and " : "), (", (double)((0 - s->fallen) * u.energy), u.energy_unit,
         (double)(weight * height_of(&w->train, angles.theta_f) * u.energy));
 }
 
-static void say_stop(const struct session *session, const struct walk *w, const struct domq_state *s,
+static void say_stop(const struct query *query, const struct walk *w, const struct domq_state *s,
                      struct answer *a)
 {
-    struct walk_units u = walk_units(session, w->cycle);
+    struct walk_units u = walk_units(query, w->cycle);
     struct domq_barrier b;
     if (domq_barrier_find(&w->train, &w->compute, &b) != DOM_STOPS)
         return;
@@ -217,25 +220,26 @@ static void say_stop(const struct session *session, const struct walk *w, const 
         "The train stops at theta = %.6g %s: all its kinetic energy, %.6g %s, has gone into %s. The top "
         "of the barrier is at theta_m = %.6g %s, %.6g %s higher (26; c8). There is no next hit; 'why' says "
         "more.",
-        (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-        (double)(b.kinetic * u.energy), u.energy_unit,
+        (double)style_angle(&query->state->settings.style, s->theta),
+        style_angle_unit(&query->state->settings.style), (double)(b.kinetic * u.energy), u.energy_unit,
         domq_law(&w->train)->dissipates ? "the climb and friction" : "the climb",
-        (double)style_angle(&session->style, b.theta_m), style_angle_unit(&session->style),
-        (double)(-b.margin * u.energy), u.energy_unit);
+        (double)style_angle(&query->state->settings.style, b.theta_m),
+        style_angle_unit(&query->state->settings.style), (double)(-b.margin * u.energy), u.energy_unit);
 }
 
-static void say_hit(const struct session *session, const struct walk *w, const struct domq_state *s,
+static void say_hit(const struct query *query, const struct walk *w, const struct domq_state *s,
                     struct answer *a)
 {
-    struct walk_units u = walk_units(session, w->cycle), next = walk_units(session, w->cycle + 1);
+    struct walk_units u = walk_units(query, w->cycle), next = walk_units(query, w->cycle + 1);
     answer_say(a,
                "The head reaches the next domino, %s tall, at theta_c = %.6g %s: %s (2; a2). "
                "It turns "
                "with %s; the cycle has set free %.6g %s, the fuel P (25; c7), and lasted %.6g s.",
-               measured(next.height, "m", 6).text, (double)style_angle(&session->style, s->theta),
-               style_angle_unit(&session->style),
+               measured(next.height, "m", 6).text,
+               (double)style_angle(&query->state->settings.style, s->theta),
+               style_angle_unit(&query->state->settings.style),
                w->train.rho != 0 ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
-               spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text, (double)(-s->climbed * u.energy),
+               spoken_omega(query, quad(sqrt)(s->omegasq) / u.tau).text, (double)(-s->climbed * u.energy),
                u.energy_unit, (double)(s->time * u.tau));
     if (domq_law(&w->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
@@ -246,26 +250,26 @@ static void say_hit(const struct session *session, const struct walk *w, const s
                (double)(s->time * next.tau));
 }
 
-static void say_between(const struct session *session, const struct walk *w, const struct domq_state *s,
+static void say_between(const struct query *query, const struct walk *w, const struct domq_state *s,
                         struct answer *a)
 {
-    struct walk_units u = walk_units(session, w->cycle);
+    struct walk_units u = walk_units(query, w->cycle);
     bool climbs = s->acceleration < 0;
     answer_say(a, "On the way, theta = %.6g %s: the train %s, and the head turns with %s (21; c3).",
-               (double)style_angle(&session->style, s->theta), style_angle_unit(&session->style),
-               climbs ? "slows down" : "gathers speed",
-               spoken_omega(session, quad(sqrt)(s->omegasq) / u.tau).text);
+               (double)style_angle(&query->state->settings.style, s->theta),
+               style_angle_unit(&query->state->settings.style), climbs ? "slows down" : "gathers speed",
+               spoken_omega(query, quad(sqrt)(s->omegasq) / u.tau).text);
 }
 
-void walk_say(const struct session *session, const struct walk *walk, const struct domq_state *state,
+void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
               struct answer *answer)
 {
-    static void (*const say[])(const struct session *, const struct walk *, const struct domq_state *,
+    static void (*const say[])(const struct query *, const struct walk *, const struct domq_state *,
                                struct answer *) = {
         [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_FALL] = say_fall, [DOM_EVENT_TOP] = say_top,
         [DOM_EVENT_STOP] = say_stop,     [DOM_EVENT_HIT] = say_hit,
     };
     const struct domq_event *e = &walk->events[walk->event];
     answer_say(answer, "Cycle %d, event %d of %d", walk->cycle, walk->event + 1, walk->count);
-    (walk->theta == e->theta ? say[e->kind] : say_between)(session, walk, state, answer);
+    (walk->theta == e->theta ? say[e->kind] : say_between)(query, walk, state, answer);
 }

@@ -3,7 +3,7 @@
 #ifndef SHELL_WALK_H
 #define SHELL_WALK_H
 
-#include "session/session.h"
+#include "session/query.h"
 
 /* What a length, a time and an energy of the model are in the cycle of a walk. */
 struct walk_units {
@@ -15,22 +15,22 @@ struct walk_units {
     const char *weight_unit;
 };
 
-struct walk_units walk_units(const struct session *session, int cycle);
+struct walk_units walk_units(const struct query *query, int cycle);
 
 /* Returns the session's walk, or NULL where none has begun in the train that the session has now. */
-const struct walk *walk_now(const struct session *session);
+const struct walk *walk_now(const struct query *query);
 
 /* Gives the answer its columns with energies in J. */
 void columns_in_joules(struct answer *answer);
 
 /* Gives the answer its columns with energies in J if a mass is known. */
-void walk_columns_in(const struct session *session, struct answer *answer);
+void walk_columns_in(const struct query *query, struct answer *answer);
 
 /* Holds why no cycle begins. */
 extern const char walk_no_start[];
 
 /* Says the event in words, with the paper's symbols and the numbers of its equations. */
-void walk_say(const struct session *session, const struct walk *walk, const struct domq_state *state,
+void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
               struct answer *answer);
 
 #endif

@@ -37,7 +37,7 @@ static struct cell cell_angle(domq_real theta)
 
 /* Holds what cycle_row needs to write a row, and what it has seen. */
 struct cycle_table {
-    const struct session *session;
+    const struct query *query;
     struct answer *answer;
     struct domq_angles angles;
     struct domq_state last;
@@ -47,11 +47,12 @@ struct cycle_table {
 static bool cycle_row(const struct domq_state *s, const struct domq_event *event, void *context)
 {
     struct cycle_table *table = context;
-    const struct session *session = table->session;
-    struct walk_units u = walk_units(session, 1);
+    const struct query *query = table->query;
+    struct walk_units u = walk_units(query, 1);
     /* A domino that has detached lies at theta_f. */
     struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
-    table->status = domq_chain_walk(&session->train, &session->compute, s->theta, follower_seen, &f);
+    table->status =
+        domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_seen, &f);
     if (table->status != DOM_OK)
         return false;
     answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
@@ -69,31 +70,30 @@ const char *cycle_by(const void *context, int k)
     return names[k];
 }
 
-bool run_cycle(struct session *session, const struct call *call)
+bool run_cycle(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    struct answer *a = call->answer;
-    struct cycle_table table = {.session = session, .answer = a};
-    size_t rows = call->count > 0 ? (size_t)call->number[0] : 12;
-    enum dom_spacing by = call->count > 1 ? (enum dom_spacing)call->number[1] : DOM_BY_TIME;
-    walk_columns_in(session, a);
-    enum dom_status verdict = domq_angles_find(&session->train, &session->compute, &table.angles);
+    const struct domq_compute compute = query_compute(query);
+    struct cycle_table table = {.query = query, .answer = a};
+    size_t rows = query->given->count > 0 ? (size_t)query->given->number[0] : 12;
+    enum dom_spacing by = query->given->count > 1 ? (enum dom_spacing)query->given->number[1] : DOM_BY_TIME;
+    walk_columns_in(query, a);
+    enum dom_status verdict = domq_angles_find(&query->scene->train, &query->scene->compute, &table.angles);
     if (verdict == DOM_OK)
-        verdict = domq_cycle_walk(&session->train, &compute, rows, by, cycle_row, &table);
+        verdict = domq_cycle_walk(&query->scene->train, &compute, rows, by, cycle_row, &table);
     if (verdict == DOM_NO_FUEL) {
         struct cell none = cell_real(DOMQ_NAN);
         answer_row(a, ROW(cell_word(""), none, none, none, none, none, none, none), walk_no_start);
         return true;
     }
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
-        return session_status(session, table.status != DOM_OK ? table.status : verdict);
-    if (domq_law(&session->train)->dissipates)
+        return problem_status(problem, query->scene, table.status != DOM_OK ? table.status : verdict);
+    if (domq_law(&query->scene->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
-                   (double)(table.last.friction_work * walk_units(session, 1).energy),
-                   walk_units(session, 1).energy_unit);
+                   (double)(table.last.friction_work * walk_units(query, 1).energy),
+                   walk_units(query, 1).energy_unit);
     struct domq_least_force contact;
     if (answer_for_people(a) &&
-        domq_cycle_least_force(&session->train, &session->compute, &contact) == DOM_OK &&
+        domq_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK &&
         isfinite(contact.force))
         answer_say(a, "The smallest contact force is %.4g times the weight of its domino%s.",
                    (double)contact.force, contact.force > 0 ? ": the dominoes stay in contact" : "");

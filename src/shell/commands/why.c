@@ -27,7 +27,7 @@ static const struct column why_rubbing_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-void verdict_train_say(const struct session *session, struct answer *a, enum dom_status verdict,
+void verdict_train_say(const struct query *query, struct answer *a, enum dom_status verdict,
                        const struct domq_barrier *b)
 {
     if (verdict == DOM_NO_FUEL)
@@ -40,14 +40,14 @@ void verdict_train_say(const struct session *session, struct answer *a, enum dom
         answer_say(a, "The train %s: it has %s%s of the energy that it needs%s.\n",
                    verdict == DOM_OK ? "goes on" : "stops", verdict == DOM_OK ? "" : "only ",
                    measured_share(b->kinetic / b->barrier, 3).text,
-                   domq_law(&session->train)->dissipates ? " against its weight and friction" : "");
+                   domq_law(&query->scene->train)->dissipates ? " against its weight and friction" : "");
 }
 
-static void why_say(const struct session *session, struct answer *a, enum dom_status verdict,
+static void why_say(const struct query *query, struct answer *a, enum dom_status verdict,
                     const struct domq_barrier *b, const struct domq_limit *limit)
 {
-    const struct domq_train *t = &session->train;
-    verdict_train_say(session, a, verdict, b);
+    const struct domq_train *t = &query->scene->train;
+    verdict_train_say(query, a, verdict, b);
     if (verdict == DOM_NO_FUEL)
         answer_say(a,
                    "The dominoes that lean on each other are as high as upright ones, or the larger one in "
@@ -59,8 +59,8 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
                    "%.4g %s. "
                    "Its motion is the energy for that: K %s B (26; c8).",
                    domq_law(t)->dissipates ? "hardest" : "highest",
-                   (double)style_angle(&session->style, b->theta_m), style_angle_unit(&session->style),
-                   verdict == DOM_OK ? ">=" : "<");
+                   (double)style_angle(&query->state->settings.style, b->theta_m),
+                   style_angle_unit(&query->state->settings.style), verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_NONE)
         answer_say(a, "With a gap of %.6g heights not even equal dominoes go on.", (double)t->s);
     else if (limit->ends == DOM_END_REACH)
@@ -78,7 +78,7 @@ static void why_say(const struct session *session, struct answer *a, enum dom_st
 }
 
 /* Says whether dominoes stay in contact along the cycle, as the paper assumes. */
-static void contact_say(const struct session *session, struct answer *a, const struct domq_least_force *c)
+static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
 {
     bool holds = c->force > 0 && c->impulse > 0;
     if (!isfinite(c->force) || !isfinite(c->impulse))
@@ -89,8 +89,9 @@ static void contact_say(const struct session *session, struct answer *a, const s
             a,
             "The dominoes stay in contact, as the paper assumes: the smallest contact force is %s of the "
             "weight of domino %zu, which it pushes, at a tilt of %.4g %s.",
-            measured(c->force, "share", 3).text, c->domino, (double)style_angle(&session->style, c->theta),
-            style_angle_unit(&session->style));
+            measured(c->force, "share", 3).text, c->domino,
+            (double)style_angle(&query->state->settings.style, c->theta),
+            style_angle_unit(&query->state->settings.style));
     else if (c->force > 0)
         answer_say(a,
                    "The dominoes do not stay in contact, as the paper assumes: one of them would have to be "
@@ -101,33 +102,33 @@ static void contact_say(const struct session *session, struct answer *a, const s
             "The dominoes do not stay in contact, as the paper assumes: domino %zu would have to be "
             "pulled with %s of its weight, at a tilt of %.4g %s. From there on the answer does not hold.",
             c->domino, measured(quad(fabs)(c->force), "share", 3).text,
-            (double)style_angle(&session->style, c->theta), style_angle_unit(&session->style));
+            (double)style_angle(&query->state->settings.style, c->theta),
+            style_angle_unit(&query->state->settings.style));
 }
 
-bool run_why(struct session *session, const struct call *call)
+bool run_why(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = session_compute(session);
-    struct walk_units u = walk_units(session, 1);
+    const struct domq_compute compute = query_compute(query);
+    struct walk_units u = walk_units(query, 1);
     struct domq_launch l;
     struct domq_barrier b;
     struct domq_limit limit;
-    struct answer *a = call->answer;
-    enum dom_status verdict = domq_barrier_find(&session->train, &compute, &b), status = verdict;
+    enum dom_status verdict = domq_barrier_find(&query->scene->train, &compute, &b), status = verdict;
     if (verdict == DOM_OK || verdict == DOM_STOPS || verdict == DOM_NO_FUEL)
-        status = domq_launch_find(&session->train, &compute, &l);
+        status = domq_launch_find(&query->scene->train, &compute, &l);
     if (status == DOM_OK || status == DOM_NO_FUEL)
-        status = domq_limit_rmax(&session->train, &compute, &limit);
+        status = domq_limit_rmax(&query->scene->train, &compute, &limit);
     if (status != DOM_OK)
-        return session_status(session, status);
-    why_say(session, a, verdict, &b, &limit);
+        return problem_status(problem, query->scene, status);
+    why_say(query, a, verdict, &b, &limit);
     struct domq_least_force contact;
     if (answer_for_people(a) &&
-        domq_cycle_least_force(&session->train, &session->compute, &contact) == DOM_OK)
-        contact_say(session, a, &contact);
-    if (domq_law(&session->train)->dissipates)
+        domq_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK)
+        contact_say(query, a, &contact);
+    if (domq_law(&query->scene->train)->dissipates)
         a->columns = why_rubbing_columns;
-    walk_columns_in(session, a);
-    if (session->train.rho != 0)
+    walk_columns_in(query, a);
+    if (query->scene->train.rho != 0)
         answer_means(a, "J0", "inertia J(0): the collision takes the share i(0)/J(0) (22; c4)");
     return answer_cells(a,
                         cell_word(verdict == DOM_OK      ? "goes on"

@@ -11,32 +11,33 @@
 #define NO_MEMORY "out of memory"
 
 /* Returns true for a name that expressions know. */
-static bool is_value_name(const struct session *session, const char *word)
+static bool is_value_name(const struct state *state, const char *word)
 {
-    return names_exact(value_names, session, word) >= 0;
+    return names_exact(value_names, state, word) >= 0;
 }
 
 /* Returns true if the word after a value is a value itself. If not, the word is meant as a unit. */
-static bool known_word(struct session *session, struct reader *r, const char *at)
+static bool known_word(struct reader *r, const char *at)
 {
-    struct reader behind = {.session = session, .text = r->text, .at = at};
+    struct reader behind = {.query = r->query, .text = r->text, .at = at};
     char *word = read_word(&behind, false), shown[NAMES_SHOWN];
     size_t name = word ? strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
     if (word)
         word[name] = '\0';
-    bool known = word && (is_value_name(session, word) || strcmp(word, "to") == 0);
+    bool known = word && (is_value_name(r->query->state, word) || strcmp(word, "to") == 0);
     if (!known && word) {
         const char *close = names_closest(expression_units, NULL, word);
-        session->column = reader_column(r, at);
+        r->problem->place = reader_column(r, at);
         names_shown(word, shown);
         if (strcmp(word, "in") == 0)
-            session_error(session, "the unit 'in' must follow a number; 'to' converts, as in '4.8 cm to mm'");
+            problem_error(r->problem,
+                          "the unit 'in' must follow a number; 'to' converts, as in '4.8 cm to mm'");
         else if (close && strcmp(close, word) == 0)
-            session_error(session, "the unit '%s' must follow a number or a ')', as in '4.8 cm'", shown);
+            problem_error(r->problem, "the unit '%s' must follow a number or a ')', as in '4.8 cm'", shown);
         else if (close)
-            session_error(session, "'%s' is not a unit; did you mean '%s'?", shown, close);
+            problem_error(r->problem, "'%s' is not a unit; did you mean '%s'?", shown, close);
         else
-            session_error(session, "'%s' is not a unit and has no value", shown);
+            problem_error(r->problem, "'%s' is not a unit and has no value", shown);
     }
     free(word);
     return known;
@@ -51,24 +52,23 @@ static bool weighs(const struct argument *a)
 
 bool read_quantity(struct reader *r, const struct argument *a, struct quantity *q, domq_real *number)
 {
-    struct session *session = r->session;
+    struct lookup lookup = {.query = r->query, .problem = r->problem};
     struct expression e = {.text = r->at,
-                           .lookup = session_lookup,
-                           .context = session,
-                           .angle = session->style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1,
+                           .lookup = query_lookup,
+                           .context = &lookup,
+                           .angle = r->query->state->settings.style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1,
                            /* A grid goes on with these parameters; grams are what its masses have. */
                            .no_unit = !r->stops   ? NULL
                                       : weighs(a) ? "s"
                                                   : "sg"};
-    int begin = session->column;
-    long errors = session->errors;
+    int begin = r->problem->place;
     if (!expression_evaluate(&e, q)) {
-        session->column = reader_column(r, e.end);
-        if (session->errors > errors && e.message[0] == '\0')
+        r->problem->place = reader_column(r, e.end);
+        if (r->problem->kind != PROBLEM_NONE)
             return false;
         char shown[NAMES_SHOWN], word[NAMES_SHOWN];
         snprintf(word, sizeof word, "%.*s", (int)strcspn(e.end, " \t;"), e.end);
-        return session_report(session, e.of_value ? MESSAGE_NO_ANSWER : MESSAGE_ERROR,
+        return problem_report(r->problem, e.of_value ? PROBLEM_NO_ANSWER : PROBLEM_WRONG,
                               *word ? "%s at '%s': %s" : "%s%s: %s", a->name, names_shown(word, shown),
                               e.message);
     }
@@ -76,28 +76,28 @@ bool read_quantity(struct reader *r, const struct argument *a, struct quantity *
                  (r->stops && strchr(r->stops, *e.end));
     const char *compared = skip_blanks(e.end);
     if (strncmp(compared, "==", 2) == 0) {
-        session->column = reader_column(r, compared);
-        return session_error(session, "values are not compared by '=='; 'r = 2' gives r a value, and "
-                                      "'assert verdict' or 'solve r: rmax = 1.6' asks");
+        r->problem->place = reader_column(r, compared);
+        return problem_error(r->problem, "values are not compared by '=='; 'r = 2' gives r a value, and "
+                                         "'assert verdict' or 'solve r: rmax = 1.6' asks");
     }
     if (!ended) {
         char shown[NAMES_SHOWN];
-        session->column = reader_column(r, e.end);
+        r->problem->place = reader_column(r, e.end);
         if (*e.end == ',' && isdigit((unsigned char)e.end[1]))
-            return session_error(session, "%s ends before '%s'; decimals have a point, as in 0.5", a->name,
+            return problem_error(r->problem, "%s ends before '%s'; decimals have a point, as in 0.5", a->name,
                                  names_shown(e.end, shown));
         if (*e.end == '%')
-            return session_error(session, "%s ends before '%s'; write a share as 0.95 or 95/100", a->name,
+            return problem_error(r->problem, "%s ends before '%s'; write a share as 0.95 or 95/100", a->name,
                                  names_shown(e.end, shown));
-        return session_error(session, "%s ends before '%s'; here an operator or a blank is missing", a->name,
-                             names_shown(e.end, shown));
+        return problem_error(r->problem, "%s ends before '%s'; here an operator or a blank is missing",
+                             a->name, names_shown(e.end, shown));
     }
     const char *next = skip_blanks(e.end);
-    if (r->last && isalpha((unsigned char)*next) && next > e.end && !known_word(session, r, next))
+    if (r->last && isalpha((unsigned char)*next) && next > e.end && !known_word(r, next))
         return false;
     r->at = e.end;
-    session->column = begin;
-    return argument_check(session, a, *q, number);
+    r->problem->place = begin;
+    return argument_check(r->query, a, *q, number, r->problem);
 }
 
 bool read_value(struct reader *r, const struct parameter *p, int i, const char *name, domq_real *number)
@@ -110,7 +110,7 @@ bool read_value(struct reader *r, const struct parameter *p, int i, const char *
     bool wordlike = word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' && *word;
     if (word && p->words && i == 0) {
         snprintf(what, sizeof what, "value of %s", p->name);
-        k = p->words_only || (wordlike && !is_value_name(r->session, word))
+        k = p->words_only || (wordlike && !is_value_name(r->query->state, word))
                 ? names_find(parameter_words, p, what, word, message)
                 : names_exact(parameter_words, p, word);
     }
@@ -121,8 +121,8 @@ bool read_value(struct reader *r, const struct parameter *p, int i, const char *
     }
     if (*message) {
         char range[64];
-        parameter_range(r->session, p, 0, range, sizeof range);
-        return session_error(r->session, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
+        parameter_range(r->query->state, p, 0, range, sizeof range);
+        return problem_error(r->problem, p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
                              message, p->name, range);
     }
     r->at = begin;
@@ -156,77 +156,77 @@ bool read_choice(struct reader *r, const struct argument *a, char **word, domq_r
         snprintf(all + used, sizeof all - used, "%s%s", n ? ", " : "", name);
     }
     if (*word && !a->of)
-        return session_error(r->session, "'%s' has no value; %s is an angle in [0, theta_c], or one of: %s",
+        return problem_error(r->problem, "'%s' has no value; %s is an angle in [0, theta_c], or one of: %s",
                              names_shown(*word, shown), a->name, all);
     bool usual;
     const struct parameter *meant =
         *word && a->kind == ARGUMENT_EFFECT ? parameter_meant(*word, &usual) : NULL;
     if (meant && meant->effect && k != NAMES_CLOSE)
-        return session_error(r->session, "unknown %s '%s'; did you mean '%s'?", a->of,
+        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of,
                              names_shown(*word, shown), meant->name);
     if (*word && k != NAMES_CLOSE)
-        return session_error(r->session, "unknown %s '%s'; use one of: %s", a->of, names_shown(*word, shown),
+        return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->of, names_shown(*word, shown),
                              all);
-    return session_error(r->session, "%s", message);
+    return problem_error(r->problem, "%s", message);
 }
 
 /* Reads one of the names, as -1 - its number, or an angle. */
-static bool read_place(struct reader *r, const struct argument *a, struct call *call, int i)
+static bool read_place(struct reader *r, const struct argument *a, struct arguments *given, int i)
 {
     char message[NAMES_MESSAGE] = NO_MEMORY;
     const char *begin = r->at;
     char *name = read_word(r, false);
     bool letters = name && *name && name[strspn(name, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
-                   !is_value_name(r->session, name);
+                   !is_value_name(r->query->state, name);
     int place = !name     ? -1
                 : letters ? names_find(a->choices, NULL, a->of, name, message)
                           : names_exact(a->choices, NULL, name);
     r->at = place >= 0 ? r->at : begin;
     free(name);
     if (place >= 0) {
-        call->number[i] = -1 - place;
+        given->number[i] = -1 - place;
         return true;
     }
-    if (letters && read_choice(r, a, &call->word[i], &call->number[i]))
+    if (letters && read_choice(r, a, &given->word[i], &given->number[i]))
         return true;
-    return !letters && read_quantity(r, a, &call->quantity[i], &call->number[i]);
+    return !letters && read_quantity(r, a, &given->quantity[i], &given->number[i]);
 }
 
 /* Returns true if a word is a file's name, and not the beginning of an expression. */
-static bool names_file(const struct session *session, const char *word)
+static bool names_file(const struct state *state, const char *word)
 {
     size_t length = strlen(word);
     return strchr("\"./~", *word) || (length > 4 && strcmp(word + length - 4, ".csv") == 0) ||
-           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(session, word));
+           (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(state, word));
 }
 
 /* Skips what can be between a parameter and its value: 'set r = 2', 'set r to 2'. */
-static void skip_equals(struct reader *r, struct call *call, int i)
+static void skip_equals(struct reader *r, struct arguments *given, int i)
 {
     size_t n = *r->at == '=' ? 1 : strncmp(r->at, "to", 2) == 0 && isspace((unsigned char)r->at[2]) ? 2 : 0;
     r->at = skip_blanks(r->at + n);
-    r->session->column = call->column[i] = reader_column(r, r->at);
+    r->problem->place = given->column[i] = reader_column(r, r->at);
 }
 
 /* Reads a value for the parameter that the call names, or the file instead of its first value. */
-static bool read_setting(struct reader *r, const struct command *c, struct call *call, int i)
+static bool read_setting(struct reader *r, const struct command *c, struct arguments *given, int i)
 {
-    const struct parameter *p = call->parameter;
+    const struct parameter *p = given->parameter;
     const struct domq_effect_argument *of = parameter_value(p, i - 1);
     char usage[USAGE_SIZE], shown[NAMES_SHOWN], word[PATH_MAX];
     if (i == 1)
-        skip_equals(r, call, i);
+        skip_equals(r, given, i);
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
-    if (!of || call->word[1] || (i > 1 && parameter_word(p, call->number[1])))
-        return session_error(r->session, "'%s' is one argument too many; usage: %s%s",
+    if (!of || given->word[1] || (i > 1 && parameter_word(p, given->number[1])))
+        return problem_error(r->problem, "'%s' is one argument too many; usage: %s%s",
                              names_shown(word, shown), p->effect ? "effect " : "",
                              p->effect ? effect_usage(p->which, usage) : command_usage(c, usage));
-    if (of->or_file && names_file(r->session, word) && names_exact(parameter_words, p, word) < 0) {
-        call->word[i] = read_file(r);
-        return call->word[i] || session_error(r->session, "%s", unclosed);
+    if (of->or_file && names_file(r->query->state, word) && names_exact(parameter_words, p, word) < 0) {
+        given->word[i] = read_file(r);
+        return given->word[i] || problem_error(r->problem, "%s", unclosed);
     }
     r->last = !parameter_value(p, i);
-    return read_value(r, p, i - 1, of->name, &call->number[i]);
+    return read_value(r, p, i - 1, of->name, &given->number[i]);
 }
 
 /* Reads the name of a parameter or topic, which also ends before this letter; a '?' after it is skipped. */
@@ -243,80 +243,79 @@ static char *read_name(struct reader *r, const char *end)
 }
 
 /* Reads the name of an effect, which also ends before a '='. */
-static bool read_effect(struct reader *r, const struct argument *a, struct call *call, int i)
+static bool read_effect(struct reader *r, const struct argument *a, struct arguments *given, int i)
 {
     const char *stops = r->stops;
     r->stops = "=";
-    bool done = read_choice(r, a, &call->word[i], &call->number[i]);
+    bool done = read_choice(r, a, &given->word[i], &given->number[i]);
     r->stops = stops;
     return done;
 }
 
 /* Reads the name of a parameter or a topic; a variable of the session is one where no value follows. */
-static bool read_topic(struct reader *r, const struct argument *a, struct call *call, int i)
+static bool read_topic(struct reader *r, const struct argument *a, struct arguments *given, int i)
 {
     char message[NAMES_MESSAGE] = NO_MEMORY;
     bool topic = a->kind == ARGUMENT_TOPIC, valued = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE;
-    char *word = call->word[i] = read_name(r, valued ? "=" : "?");
-    const struct variable *v = word ? variable_find(&r->session->variables, word) : NULL;
+    char *word = given->word[i] = read_name(r, valued ? "=" : "?");
+    const struct variable *v = word ? variable_find(&r->query->state->variables, word) : NULL;
     if (v && valued)
-        return session_error(r->session, "'%s' is a variable; '%s = VALUE' changes it", word, word);
+        return problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it", word, word);
     if (v) {
-        call->variable = v;
+        given->variable = v;
         return true;
     }
     int k = word ? names_find(a->choices, NULL, a->of, word, message) : -1;
     if (k < 0 && topic && word && is_expression_topic(word))
         k = names_exact(a->choices, NULL, "print");
-    call->number[i] = k;
-    call->parameter = k >= 0 && !topic ? &session_parameters[k] : NULL;
+    given->number[i] = k;
+    given->parameter = k >= 0 && !topic ? &session_parameters[k] : NULL;
     bool usual;
     const struct parameter *meant = k < 0 && word ? parameter_meant(word, &usual) : NULL;
     if (meant && (usual || k == NAMES_UNKNOWN))
-        return session_error(r->session, "unknown %s '%s'; did you mean '%s'?", a->of, word, meant->name);
-    return k >= 0 || session_error(r->session, "%s", message);
+        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, word, meant->name);
+    return k >= 0 || problem_error(r->problem, "%s", message);
 }
 
-static bool read_argument(struct reader *r, const struct command *c, struct call *call)
+static bool read_argument(struct reader *r, const struct command *c, struct arguments *given)
 {
-    struct session *session = r->session;
-    int i = call->count;
+    int i = given->count;
     const struct argument *a = &c->argument[i];
-    session->column = call->column[i] = reader_column(r, r->at);
+    r->problem->place = given->column[i] = reader_column(r, r->at);
     r->last = i + 1 == ARGUMENTS_MAX || !c->argument[i + 1].kind || c->argument[i + 1].kind == ARGUMENT_UNIT;
     switch (a->kind) {
     case ARGUMENT_OF:
-        return read_value(r, parameter_find(a->of), 0, a->name, &call->number[i]);
+        return read_value(r, parameter_find(a->of), 0, a->name, &given->number[i]);
     case ARGUMENT_VALUE:
-        return read_setting(r, c, call, i);
+        return read_setting(r, c, given, i);
     case ARGUMENT_PARAMETER:
     case ARGUMENT_TOPIC:
-        return read_topic(r, a, call, i);
+        return read_topic(r, a, given, i);
     case ARGUMENT_CHOICE:
-        return read_choice(r, a, &call->word[i], &call->number[i]);
+        return read_choice(r, a, &given->word[i], &given->number[i]);
     case ARGUMENT_PLACE:
-        return read_place(r, a, call, i);
+        return read_place(r, a, given, i);
     case ARGUMENT_EFFECT:
-        if (!read_effect(r, a, call, i))
+        if (!read_effect(r, a, given, i))
             return false;
-        call->parameter = parameter_find(a->choices(NULL, (int)call->number[i]));
+        given->parameter = parameter_find(a->choices(NULL, (int)given->number[i]));
         return true;
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
-        call->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);
-        return call->word[i] ? *call->word[i] || session_error(session, "%s is missing", a->name)
-                             : session_error(session, "%s", unclosed);
+        given->word[i] = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);
+        return given->word[i] ? *given->word[i] || problem_error(r->problem, "%s is missing", a->name)
+                              : problem_error(r->problem, "%s", unclosed);
     case ARGUMENT_GRID:
     case ARGUMENT_COMMAND:
     case ARGUMENT_WORDS:
     case ARGUMENT_UNIT:
-        return a->read(r, call);
+        return a->read(r, given);
     case ARGUMENT_REST:
-        call->word[i] = strdup(r->at);
+        given->word[i] = strdup(r->at);
         r->at += strlen(r->at);
-        return call->word[i] != NULL;
+        return given->word[i] != NULL;
     default:
-        return read_quantity(r, a, &call->quantity[i], &call->number[i]);
+        return read_quantity(r, a, &given->quantity[i], &given->number[i]);
     }
 }
 
@@ -325,34 +324,33 @@ static bool no_check(const struct reader *r, const struct command *c)
 {
     char usage[USAGE_SIZE];
     return !c->holds || strncmp(r->at, "--check", 7) != 0 ||
-           session_error(r->session, "commands have no options; 'assert %s' is an error unless it is true",
+           problem_error(r->problem, "commands have no options; 'assert %s' is an error unless it is true",
                          command_usage(c, usage));
 }
 
-bool read_arguments(struct reader *r, const struct command *c, struct call *call)
+bool read_arguments(struct reader *r, const struct command *c, struct arguments *given)
 {
     char usage[USAGE_SIZE], shown[NAMES_SHOWN];
-    struct session *session = r->session;
-    for (call->count = 0; call->count < ARGUMENTS_MAX && c->argument[call->count].kind; call->count++) {
-        const struct argument *a = &c->argument[call->count];
+    for (given->count = 0; given->count < ARGUMENTS_MAX && c->argument[given->count].kind; given->count++) {
+        const struct argument *a = &c->argument[given->count];
         r->at = skip_blanks(r->at);
         if (a->kind != ARGUMENT_REST && (command_ends(r->at) || *r->at == '>' || *r->at == '|'))
             break;
-        if (!no_check(r, c) || !read_argument(r, c, call))
+        if (!no_check(r, c) || !read_argument(r, c, given))
             return false;
     }
     r->at = skip_blanks(r->at);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (!no_check(r, c))
         return false;
     if (*r->at == '|')
-        return session_error(session, "pipes are not supported; 'COMMAND > FILE' writes a file");
-    if (call->count < ARGUMENTS_MAX && c->argument[call->count].kind && !c->argument[call->count].optional)
-        return session_error(session, "%s is missing; usage: %s", c->argument[call->count].name,
+        return problem_error(r->problem, "pipes are not supported; 'COMMAND > FILE' writes a file");
+    if (given->count < ARGUMENTS_MAX && c->argument[given->count].kind && !c->argument[given->count].optional)
+        return problem_error(r->problem, "%s is missing; usage: %s", c->argument[given->count].name,
                              command_usage(c, usage));
     if (!command_ends(r->at) && *r->at != '>') {
         char *word = read_word(r, false);
-        session_error(session, "'%s' is one argument too many; usage: %s",
+        problem_error(r->problem, "'%s' is one argument too many; usage: %s",
                       names_shown(word ? word : "", shown), command_usage(c, usage));
         free(word);
         return false;
@@ -360,10 +358,10 @@ bool read_arguments(struct reader *r, const struct command *c, struct call *call
     return true;
 }
 
-void call_free(struct call *call)
+void arguments_free(struct arguments *given)
 {
     for (int i = 0; i < ARGUMENTS_MAX; i++)
-        free(call->word[i]);
-    if (call->own_free)
-        call->own_free(call->own);
+        free(given->word[i]);
+    if (given->own_free)
+        given->own_free(given->own);
 }

@@ -17,12 +17,12 @@ bool read_quantity(struct reader *reader, const struct argument *argument, struc
                    domq_real *number);
 
 /* Reads all arguments of a command, up to its end or a '>'.  Reports what is wrong and returns false. */
-bool read_arguments(struct reader *reader, const struct command *command, struct call *call);
+bool read_arguments(struct reader *reader, const struct command *command, struct arguments *given);
 
 /* Reads the name of a command.  Returns NULL after an error, which was reported. */
 const struct command *read_command(struct reader *reader);
 
-/* Frees the memory of a call. */
-void call_free(struct call *call);
+/* Frees the memory of arguments. */
+void arguments_free(struct arguments *given);
 
 #endif

@@ -71,24 +71,26 @@ const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
     return usage;
 }
 
-static bool tilt_check(struct session *session, const struct argument *a, struct quantity q,
-                       domq_real *number)
+static bool tilt_check(const struct query *query, const struct argument *a, struct quantity q,
+                       domq_real *number, struct problem *problem)
 {
     struct domq_angles angles;
     /* A number without a unit is in the session's unit of angles. */
-    domq_real theta = q.angle == 1 || session->style.angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
-    enum dom_status status = domq_angles_find(&session->train, &session->compute, &angles);
+    domq_real theta =
+        q.angle == 1 || query->state->settings.style.angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
+    enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     /* theta_c as an answer gave it, in degrees with all digits, may have been rounded up. */
-    domq_real slack = 2 * (domq_real)domq_arithmetic(session->compute.precision)->epsilon * angles.theta_c;
+    domq_real slack =
+        2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
-        return session_no_answer(session,
+        return problem_no_answer(problem,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
                                  "%.17g], 'thetac' is its end",
-                                 a->name, quad_shown(style_angle(&session->style, theta)).text,
-                                 style_angle_unit(&session->style), a->name,
-                                 (double)style_angle(&session->style, angles.theta_c));
+                                 a->name, quad_shown(style_angle(&query->state->settings.style, theta)).text,
+                                 style_angle_unit(&query->state->settings.style), a->name,
+                                 (double)style_angle(&query->state->settings.style, angles.theta_c));
     *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* no -0 */
     return true;
 }
@@ -98,7 +100,8 @@ static bool is_tilt(const struct argument *a)
     return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
 }
 
-bool argument_check(struct session *session, const struct argument *a, struct quantity q, domq_real *number)
+bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
+                    struct problem *problem)
 {
     char kind[64], wanted[64];
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
@@ -110,10 +113,10 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     /* s and d are over the height: a length is divided by that of the first domino. */
     bool over_height = p && strcmp(p->value[a->which].unit, "h") == 0;
     if (over_height && quantity_alike(q, (struct quantity){.length = 1}))
-        q = (struct quantity){.value = q.value / session->scale.h};
+        q = (struct quantity){.value = q.value / query->scene->scale.h};
     const char *example = expression_example(unit);
     if (!quantity_bare(q) && a->kind != ARGUMENT_ANY && !quantity_alike(q, unit))
-        return session_error(session, "%s is %s, not %s; enter %s%s%s", a->name,
+        return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name,
                              expression_kind(unit, wanted, sizeof wanted),
                              expression_kind(q, kind, sizeof kind),
                              example       ? "one such as '"
@@ -124,24 +127,24 @@ bool argument_check(struct session *session, const struct argument *a, struct qu
     if (a->kind == ARGUMENT_ANY)
         return true;
     if (is_tilt(a))
-        return tilt_check(session, a, q, number);
+        return tilt_check(query, a, q, number, problem);
     if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
-        return session_no_answer(session, "%s = %s is not a height; %s is a length in metres, larger than 0",
+        return problem_no_answer(problem, "%s = %s is not a height; %s is a length in metres, larger than 0",
                                  a->name, quad_shown(q.value).text, a->name);
     if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (domq_real)1e9))
-        return session_no_answer(session, "%s = %s is not a gap; %s is a length in metres, 0 or more",
+        return problem_no_answer(problem, "%s = %s is not a gap; %s is a length in metres, 0 or more",
                                  a->name, quad_shown(q.value).text, a->name);
-    int most = a->most ? a->most(session) : COUNT_MAX;
+    int most = a->most ? a->most(query->scene) : COUNT_MAX;
     if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == quad(floor)(q.value)))
-        return session_no_answer(session, "%s = %s is not a count; %s is an integer in 1 .. %d%s%s", a->name,
+        return problem_no_answer(problem, "%s = %s is not a count; %s is an integer in 1 .. %d%s%s", a->name,
                                  quad_shown(q.value).text, a->name, most, a->most ? ", " : "",
                                  a->most ? a->most_of : "");
     const struct domq_effect_argument *of = p ? &p->value[a->which] : NULL;
     if (p && strcmp(a->name, of->name) != 0 && !(q.value >= of->lowest && q.value <= of->highest))
-        return session_no_answer(session, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
+        return problem_no_answer(problem, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
                                  quad_shown(q.value).text, a->name, p->name, (double)of->lowest,
                                  (double)of->highest);
-    return !p || parameter_check(session, p, a->which, q.value);
+    return !p || parameter_check(query->state, p, a->which, q.value, problem);
 }
 
 /* Returns true for an argument that an expression gives, not a name, word, file or line. */
@@ -167,22 +170,19 @@ int command_values(const struct command *c, int *fewest)
     return c->columns && c->principal ? most : -1;
 }
 
-bool command_allowed(struct session *session, const struct command *c)
+bool command_allowed(const struct means *means, const struct command *c, struct problem *problem)
 {
-    return !(c->files && session->safe) ||
-           session_error(session, "a safe session cannot read or write files");
+    return !(c->files && means->safe) || problem_error(problem, "a safe session cannot read or write files");
 }
 
-bool command_keep(struct session *session, const struct command *c, struct call *call, struct cell *kept)
+bool command_keep(const struct query *query, const struct command *c, struct cell *kept,
+                  struct problem *problem)
 {
     struct answer answer = {
-        .style = session_style(session), .columns = c->columns, .rows = c->rows, .kept = kept};
-    call->answer = &answer;
+        .style = state_style(query->state), .columns = c->columns, .rows = c->rows, .kept = kept};
     for (int i = 0; i < ANSWER_CELLS; i++)
         kept[i] = (struct cell){.kind = CELL_NONE};
-    bool done = c->run(session, call);
-    call->answer = NULL;
-    return done;
+    return c->run(query, &answer, problem);
 }
 
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau)

@@ -8,6 +8,7 @@
 
 #include "language/names.h"
 #include "session/parameters.h"
+#include "session/query.h"
 
 /* What an argument is; it decides how it is read, what is wrong with it, and what completion offers. */
 enum argument_kind {
@@ -36,7 +37,8 @@ enum argument_kind {
 #define COUNT_MAX 10000000
 
 struct reader;
-struct call;
+struct arguments;
+struct session;
 
 struct argument {
     const char *name;
@@ -48,21 +50,21 @@ struct argument {
     names_list *choices; /* the names that it takes, or that completion offers for it */
     /* Reads ARGUMENT_GRID, ARGUMENT_COMMAND and ARGUMENT_WORDS; the context of choices of the last is the
      * word before the one that is completed. Where choices is value_names, it is a definition. */
-    bool (*read)(struct reader *reader, struct call *call);
+    bool (*read)(struct reader *reader, struct arguments *given);
     /* Unless NULL, returns true if the argument may follow the one before it, given as its choice or
      * place. */
     bool (*follows)(domq_real before);
     /* Unless NULL, returns what completion offers as the n-th word after the argument before this one, which
      * is given as its choice; NULL: nothing. */
     names_list *(*offers)(domq_real before, int n);
-    int (*most)(const struct session *session); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
-    const char *most_of;                        /* the name of what `most` limits */
+    int (*most)(const struct scene *scene); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
+    const char *most_of;                    /* the name of what `most` limits */
 };
 
 enum { ARGUMENTS_MAX = 3 };
 
-/* The arguments of one call, as they were read. */
-struct call {
+/* The arguments that a command is given, as they were read. */
+struct arguments {
     int count; /* number of arguments that were given */
     domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
@@ -72,9 +74,8 @@ struct call {
     const struct variable *variable; /* the one that ARGUMENT_PARAMETER, ARGUMENT_TOPIC or a definition names;
                                         NULL: none */
     int column[ARGUMENTS_MAX];       /* their places in the line, for messages */
-    void *own;                       /* what argument.read keeps for its command; call_free calls own_free */
+    void *own; /* what argument.read keeps for its command; arguments_free calls own_free */
     void (*own_free)(void *own);
-    struct answer *answer;
 };
 
 struct command {
@@ -100,9 +101,13 @@ struct command {
     bool pages;          /* gives a long text, which a terminal shows a page at a time */
     const char
         *shortest; /* the shortest beginning that means this command, though others begin so; or NULL */
-    bool (*run)(struct session *session, const struct call *call); /* false: an error was reported */
+    /* Answers the query, and gives its next state; or describes a problem and returns false. */
+    bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
+    /* The same for a command that acts on the session itself; run is then NULL. */
+    bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
+                struct problem *problem);
     /* Draws the answer into a file whose ending is that of a picture; NULL: the answer has none. */
-    bool (*picture)(struct session *session, const struct call *call);
+    bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
 };
 
 struct command_group {
@@ -123,11 +128,20 @@ const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *command_keys(const void *command, int k);
 
-/* Looks up a name of the session in expressions: a parameter, the last answer, a command with its key. */
-bool session_lookup(struct expression *expression, const char *name, const char *key,
-                    const struct quantity *arguments, int count, struct quantity *result);
+/* Where expressions find names: the query, the function that is being evaluated (NULL: none), and where a
+ * problem of an answer goes. */
+struct lookup {
+    const struct query *query;
+    const struct scope *scope;
+    struct problem *problem;
+};
 
-/* Lists for names.h every name that has a value in a session; without one (NULL) those of every session. */
+/* Looks up a name in expressions whose context is a struct lookup: a parameter, the last answer, a command
+ * with its key. */
+bool query_lookup(struct expression *expression, const char *name, const char *key,
+                  const struct quantity *arguments, int count, struct quantity *result);
+
+/* Lists for names.h every name that has a value in a state; without one (NULL) those that every state has. */
 const char *value_names(const void *context, int k);
 
 /* Returns the command with exactly this name, or NULL. */
@@ -142,8 +156,8 @@ int command_principal(const struct command *command);
 const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
 
 /* Checks a value for an argument of this kind, and stores it.  Reports what is wrong and returns false. */
-bool argument_check(struct session *session, const struct argument *argument, struct quantity quantity,
-                    domq_real *number);
+bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
+                    domq_real *number, struct problem *problem);
 
 /*
  * Returns the most arguments that a command may have as a name in expressions: those before the first that
@@ -153,11 +167,11 @@ bool argument_check(struct session *session, const struct argument *argument, st
 int command_values(const struct command *command, int *fewest);
 
 /* Reports an error where a safe session may not run the command, since it touches files. */
-bool command_allowed(struct session *session, const struct command *command);
+bool command_allowed(const struct means *means, const struct command *command, struct problem *problem);
 
 /* Runs a command whose arguments are read, as expressions do: the answer is kept, not written. */
-bool command_keep(struct session *session, const struct command *command, struct call *call,
-                  struct cell *kept);
+bool command_keep(const struct query *query, const struct command *command, struct cell *kept,
+                  struct problem *problem);
 
 /*
  * Runs every command of a text: lines, and ';' between commands; '#' begins a comment; '> FILE' and

@@ -45,7 +45,7 @@ static bool goes_on(const char *c)
 }
 
 /* Returns true if the line is an expression, perhaps a wrong one. */
-static bool is_expression(const struct session *session, const char *c)
+static bool is_expression(const struct state *state, const char *c)
 {
     char name[VARIABLE_NAME];
     size_t n = name_start(*c) ? name_length(c) : 0;
@@ -60,7 +60,7 @@ static bool is_expression(const struct session *session, const char *c)
     if (command)
         return command_values(command, &fewest) >= 0 && goes_on(next);
     bool alone = !parameter_find(name) && (command_ends(next) || *next == '>');
-    return names_exact(value_names, session, name) >= 0 && (alone || goes_on(next));
+    return names_exact(value_names, state, name) >= 0 && (alone || goes_on(next));
 }
 
 /* Returns the command that is called as a function, "quit()" or "print(2)", where it has no value; or NULL.
@@ -81,33 +81,34 @@ static const struct command *called(struct reader *r, const char *c, size_t n)
 }
 
 /* Returns true for what other calculators call their last values: '_', '%', '%1', 'ans2'. */
-static bool is_history(const struct session *session, const char *c, size_t n)
+static bool is_history(const struct state *state, const char *c, size_t n)
 {
     size_t name = n ? n : *c == '%' || *c == '$' ? 1 : 0;
     bool digits = n > 3 && strncmp(c, "ans", 3) == 0 && strspn(c + 3, "0123456789") == n - 3;
     char word[VARIABLE_NAME];
     name_copy(c, n, word, sizeof word);
-    return name > 0 && (digits || n == 0 || strspn(c, "_") == n) && !variable_find(&session->variables, word);
+    return name > 0 && (digits || n == 0 || strspn(c, "_") == n) && !variable_find(&state->variables, word);
 }
 
 /* Returns the command that an assignment means, or NULL after an error: there is nothing of this name. */
-static const struct command *assignment(struct session *session, const struct variable *v)
+static const struct command *assignment(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
     bool usual;
     const struct parameter *p = parameter_find(v->name);
     if (p && v->count == 0)
         return command_find("set");
-    if (variable_find(&session->variables, v->name))
+    if (variable_find(&r->query->state->variables, v->name))
         return command_find("let");
     int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
     if (k == NAMES_CLOSE)
-        session_error(session, "%s 'let %s = VALUE' defines a variable", message, v->name);
+        problem_error(r->problem, "%s 'let %s = VALUE' defines a variable", message, v->name);
     else if (v->count == 0 && (p = parameter_meant(v->name, &usual)) != NULL)
-        session_error(session, "'%s' is no parameter; did you mean '%s'? 'let %s = VALUE' defines a variable",
-                      v->name, p->name, v->name);
+        problem_error(r->problem,
+                      "'%s' is no parameter; did you mean '%s'? 'let %s = VALUE' defines a variable", v->name,
+                      p->name, v->name);
     else
-        session_error(session, "'%s' is no parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
+        problem_error(r->problem, "'%s' is no parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
                       v->count ? "(...)" : "", v->count ? "function" : "variable");
     return NULL;
 }
@@ -124,7 +125,7 @@ static const struct command *plain_command(struct reader *r, const char *c, size
         return NULL;
     const struct command *command = command_find(name);
     if (command) {
-        r->session->column = reader_column(r, c);
+        r->problem->place = reader_column(r, c);
         r->at = c + n;
     }
     return command;
@@ -133,7 +134,6 @@ static const struct command *plain_command(struct reader *r, const char *c, size
 const struct command *read_form(struct reader *r)
 {
     struct variable v;
-    struct session *session = r->session;
     const char *c = r->at;
     size_t n = name_start(*c) ? name_length(c) : 0;
     const struct command *plain = n > 0 ? plain_command(r, c, n) : NULL;
@@ -147,20 +147,20 @@ const struct command *read_form(struct reader *r)
     if (n > 0 && *next == '?' && command_ends(skip_blanks(next + strspn(next, "?"))))
         return command_find("help");
     if (definition_head(c, &v)) {
-        session->column = reader_column(r, c);
-        return assignment(session, &v);
+        r->problem->place = reader_column(r, c);
+        return assignment(r, &v);
     }
     if (n > 0 && strncmp(next, "==", 2) == 0)
         return command_find("print"); /* whose value says that there are no comparisons */
-    if (is_history(session, c, n)) {
-        session->column = reader_column(r, c);
-        session_error(session,
+    if (is_history(r->query->state, c, n)) {
+        r->problem->place = reader_column(r, c);
+        problem_error(r->problem,
                       "the last value is 'ans', as in '2*ans'; 'let x = ans' keeps it for later lines");
         return NULL;
     }
     if ((*c == '.' || *c == '\\') && name_start(c[1])) {
-        session->column = reader_column(r, c);
-        session_error(session,
+        r->problem->place = reader_column(r, c);
+        problem_error(r->problem,
                       "commands have no '%c' before their names; 'help' lists them, 'apropos WORD' finds one",
                       *c);
         return NULL;
@@ -169,10 +169,10 @@ const struct command *read_form(struct reader *r)
     if (command)
         return command;
     bool name = n < VARIABLE_NAME && definition_name(c, v.name) && (command_ends(next) || *next == '>');
-    const struct variable *known = name ? variable_find(&session->variables, v.name) : NULL;
+    const struct variable *known = name ? variable_find(&r->query->state->variables, v.name) : NULL;
     if (known && known->body)
         return command_find("show");
-    if (is_expression(session, c))
+    if (is_expression(r->query->state, c))
         return command_find("print");
     if (name && !command_find(v.name) && parameter_find(v.name))
         return command_find("show");

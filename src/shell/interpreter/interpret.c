@@ -25,7 +25,7 @@
 static void say_train(const struct session *session, struct answer *answer)
 {
     const char *note =
-        session_engine(session)
+        scene_has_engine(&session->state.scene)
             ? "(This is the endless train in the model, with feet on hinges and without bounce: "
               "'fall' and 'rowmax' run the row in the rigid-body engine.)"
             : "(This is " TRAIN_NOTE ")";
@@ -38,48 +38,58 @@ static void say_train(const struct session *session, struct answer *answer)
 }
 
 /* Runs a command whose arguments have been read. */
-static bool run_call(struct session *session, const struct command *c, struct call *call)
+static bool run_call(struct session *session, const struct command *c, const struct arguments *given,
+                     struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
     if (c->principal) /* without a principal column the cells are not kept */
         memset(kept, 0, sizeof kept);
+    struct query query = session_query(session);
+    query.given = given;
+    query.next = &session->state;
     struct answer answer = {
         .out = session->out,
-        .style = session_style(session),
+        .path = session->redirected,
+        .appended = session->appended,
+        .style = state_style(&session->state),
         .command = c->name,
-        .note = c->train && session->effect[DOM_EFFECT_row].on ? TRAIN_NOTE : NULL,
+        .note = c->train && session->state.scene.effect[DOM_EFFECT_row].on ? TRAIN_NOTE : NULL,
         .head = session->head,
         .columns = c->columns,
         .rows = c->rows,
         .gap = session->answered && session->source,
         .kept = c->principal ? kept : NULL,
     };
-    call->answer = &answer;
-    session->column = 0;
-    double begun = session->timing ? terminal_clock() : 0;
+    if (session->format)
+        answer.style.format = session->format;
+    problem->place = 0;
+    double begun = session->state.settings.timing ? terminal_clock() : 0;
     ticker_start();
     bool draws = session->format && c->picture && ending_of(session->redirected)->kind == ENDING_PICTURE;
     bool shown = c->draws && !c->files && answer.style.format->for_people && !session->redirected;
-    bool done = shown && !picture_fits(session, c->name) ? false
-                : draws                                  ? c->picture(session, call)
-                                                         : c->run(session, call);
+    bool done = shown && !picture_fits(&answer, c->name, problem) ? false
+                : c->act                                          ? c->act(session, given, &answer, problem)
+                : draws                                           ? c->picture(&query, &answer, problem)
+                                                                  : c->run(&query, &answer, problem);
     ticker_stop();
-    call->answer = NULL;
     session->fresh = session->fresh && done && !c->columns;
-    if (done && c->train && !answer.of_row && session->effect[DOM_EFFECT_row].on)
+    if (done && c->train && !answer.of_row && session->state.scene.effect[DOM_EFFECT_row].on)
         say_train(session, &answer);
     const char *unsaid = done ? answer_end(&answer) : NULL;
     if (unsaid)
         session_note(session, "%s", unsaid);
-    session->answered = session->answered || (done && c->columns);
+    session->answered = session->answered || (done && c->columns) || answer.told;
     session->wrote = answer.begun;
     session->write_error = answer.lost ? answer.lost : session->write_error;
-    if (done && c->principal) {
+    if (done && answer.printed) {
+        session->ans.printed = true;
+        session->ans.value = answer.value;
+    } else if (done && c->principal) {
         session->ans.printed = false;
         session->ans.command = c;
         memcpy(session->ans.cells, kept, sizeof kept);
     }
-    if (done && session->timing && c->columns) {
+    if (done && session->state.settings.timing && c->columns) {
         /* Programs that read csv or json find it where it does not disturb. */
         bool people = answer.style.format->for_people && !session->redirected;
         fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
@@ -88,28 +98,29 @@ static bool run_call(struct session *session, const struct command *c, struct ca
 }
 
 /* Runs a command whose answer may be longer than the terminal: a help page, or any answer at the prompt. */
-static bool run_paged(struct session *session, const struct command *c, struct call *call)
+static bool run_paged(struct session *session, const struct command *c, const struct arguments *given,
+                      struct problem *problem)
 {
     if (!c->pages && !(session->prompt_width && c->columns && !c->draws && !c->runs))
-        return run_call(session, c, call);
+        return run_call(session, c, given, problem);
     struct pager *pager;
     FILE *out = session->out;
-    long errors = session->errors;
-    session->out = pager_begin(&pager, out, !session->safe, session->compute.interrupt);
-    bool done = run_call(session, c, call);
+    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
+    session->out = pager_begin(&pager, out, !session->means.safe, interrupt);
+    bool done = run_call(session, c, given, problem);
     bool left = pager && ferror(session->out);
     session->out = out;
     pager_end(pager);
     if (left) { /* the answer was not lost: it was read as far as the reader wanted */
         session->write_error = 0;
-        if (dom_raised(session->compute.interrupt) && session->errors == errors)
-            session_status(session, DOM_INTERRUPTED);
+        if (dom_raised(interrupt))
+            problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     }
     return done;
 }
 
 /* Reports an error where the ending of a file does not fit what the command writes. */
-static bool ending_fits(struct session *session, const struct command *c, const char *path)
+static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
     const struct ending *ending = ending_of(path);
@@ -117,17 +128,17 @@ static bool ending_fits(struct session *session, const struct command *c, const 
     switch (ending->kind) {
     case ENDING_PICTURE:
         return draws ||
-               session_error(session,
+               problem_error(problem,
                              "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
                              names_shown(path, shown), c->name);
     case ENDING_DATA:
         return c->columns || c->runs || c->pages ||
-               session_error(session,
+               problem_error(problem,
                              "'%s' is the name of data, and '%s' answers with none; '%s > FILE.txt' "
                              "writes what it says",
                              names_shown(path, shown), c->name, c->name);
     case ENDING_OTHER:
-        return session_error(session, "no format has the ending of '%s'; use %s", names_shown(path, shown),
+        return problem_error(problem, "no format has the ending of '%s'; use %s", names_shown(path, shown),
                              c->draws     ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
                              : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png or .pdf"
                              : c->columns || c->runs ? ".csv, .json or .txt"
@@ -145,7 +156,7 @@ static void head_find(const struct session *session, const char *path, char head
     struct stat status;
     const struct format *format = session_answers(session);
     bool file = format->is_head && stat(path, &status) == 0 && S_ISREG(status.st_mode);
-    FILE *in = file ? io_read(path, session->compute.interrupt) : NULL;
+    FILE *in = file ? io_read(path, session->state.scene.compute.interrupt) : NULL;
     char *line = NULL;
     size_t size = 0;
     *head = '\0';
@@ -158,30 +169,31 @@ static void head_find(const struct session *session, const char *path, char head
 }
 
 /* Runs a command whose answer goes to the file after '>' or '>>', in the format of the file's ending. */
-static bool run_redirected(struct reader *r, const struct command *c, struct call *call)
+static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
+                           const struct arguments *given)
 {
-    struct session *session = r->session;
+    struct problem *problem = r->problem;
     struct redirect redirect;
     bool append = r->at[1] == '>';
     r->at = skip_blanks(r->at + (append ? 2 : 1));
-    session->column = reader_column(r, r->at);
+    problem->place = reader_column(r, r->at);
     char *path = read_file(r), shown[NAMES_SHOWN];
     r->at = skip_blanks(r->at);
     const char *wrong = NULL;
     bool done = false;
     if (!path)
-        session_error(session, "%s", unclosed);
+        problem_error(problem, "%s", unclosed);
     else if (!*path)
-        session_error(session, "the file after '>' is missing; for example 'show > FILE'");
+        problem_error(problem, "the file after '>' is missing; for example 'show > FILE'");
     else if (!command_ends(r->at))
-        session_error(session,
+        problem_error(problem,
                       "only one word can follow '>'; put a file name with blanks between double quotes");
-    else if (session->safe)
-        session_error(session, "a safe session cannot read or write files");
-    else if (!ending_fits(session, c, path))
+    else if (session->means.safe)
+        problem_error(problem, "a safe session cannot read or write files");
+    else if (!ending_fits(c, path, problem))
         done = false; /* which was reported */
-    else if ((wrong = redirect_open(&redirect, path, append, session->compute.interrupt)) != NULL)
-        session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    else if ((wrong = redirect_open(&redirect, path, append, session->state.scene.compute.interrupt)) != NULL)
+        problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
     else {
         FILE *out = session->out;
         const struct format *format = session->format;
@@ -202,7 +214,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
         *session->head = '\0';
         if (append)
             head_find(session, path, session->head);
-        done = run_call(session, c, call);
+        done = run_call(session, c, given, problem);
         session->out = out;
         session->redirected = redirected;
         session->format = format;
@@ -213,7 +225,7 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
             wrong = strerror(session->write_error);
         session->write_error = write_error;
         if (done && wrong)
-            done = session_error(session, "cannot write '%s': %s", names_shown(path, shown), wrong);
+            done = problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
     }
     free(path);
     return done;
@@ -225,43 +237,47 @@ static bool run_redirected(struct reader *r, const struct command *c, struct cal
  */
 static bool is_silent(const struct session *session, const struct command *c, bool file)
 {
-    const struct shard *shard = &session->shard;
+    const struct shard *shard = &session->means.shard;
     bool due = shard->parts == 0 || (shard->part == 1 && !c->rows);
     bool sourced = c->runs && c->argument[0].kind == ARGUMENT_FILE; /* which writes its answers before */
     return due && (file || sourced || !session->wrote);
 }
 
 /* Runs the command at the reader. */
-static void run_command(struct reader *r)
+static void run_command(struct session *session, struct reader *r)
 {
-    struct session *session = r->session;
     const char *begin = r->at;
-    long errors = session->errors;
+    struct problem problem = {.kind = PROBLEM_NONE};
+    struct query query = session_query(session);
+    r->query = &query;
+    r->problem = &problem;
     const struct command *c = read_form(r);
-    if (!c && session->errors == errors)
+    if (!c && problem.kind == PROBLEM_NONE)
         c = read_command(r);
     if (c) {
         /* A program that waits for an answer gets one also where there is none to give. */
         const struct format *format = session_answers(session);
-        session->command = c->name;
-        struct call call = {.count = 0};
+        session->command = problem.command = c->name;
+        struct arguments given = {.count = 0};
         /* A file that is sourced is one change. */
         bool changes = c->changes && session->depth == 0;
-        struct session *before = changes ? undo_begin(session) : NULL;
-        bool file = false, done = command_allowed(session, c) && read_arguments(r, c, &call);
+        struct state *before = changes ? undo_begin(session) : NULL;
+        bool file = false,
+             done = command_allowed(&session->means, c, &problem) && read_arguments(r, c, &given);
         if (done) {
             file = *r->at == '>';
-            done = file ? run_redirected(r, c, &call) : run_paged(session, c, &call);
+            done = file ? run_redirected(session, r, c, &given) : run_paged(session, c, &given, &problem);
         }
         bool same = session_answers(session) == format; /* 'set output' itself answers nothing */
         if (done && same && format->done && is_silent(session, c, file))
             format->done(session->out, c->name);
-        call_free(&call);
+        arguments_free(&given);
         if (changes)
             undo_keep(session, before, begin, (size_t)(text_end(begin, ";") - begin));
     }
+    if (problem.kind != PROBLEM_NONE)
+        session_problem(session, &problem);
     session->command = NULL;
-    session->column = 0;
 }
 
 /* Writes what is pending of the records, so that a crash loses nothing of them. */
@@ -270,7 +286,6 @@ static void records_flush(struct session *session)
     struct recording *r = &session->recording;
     fflush(session->standard);
     const char *wrong = record_flush(&r->log), *wrong_tee = record_flush(&r->tee);
-    session->column = 0;
     if (wrong || wrong_tee)
         session_error(session, "the record ends here, since its file cannot be written: %s",
                       wrong ? wrong : wrong_tee);
@@ -298,7 +313,7 @@ static void run_line(struct session *session, const char *line, size_t length)
         session_error(session, "out of memory");
         return;
     }
-    struct reader r = {.session = session, .text = &text, .at = text.line};
+    struct reader r = {.text = &text, .at = text.line};
     /* What a file commands is in that file. */
     bool logged = session->recording.log.file && session->depth == 0;
     if (logged)
@@ -311,7 +326,7 @@ static void run_line(struct session *session, const char *line, size_t length)
         const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
         if (begin < end) {
             r.at = begin;
-            run_command(&r);
+            run_command(session, &r);
             /* Where reading came to the end of the command, that is it: 'complete LINE' takes the rest, and
              * in the middle of a word a '"' is a letter. */
             end = r.at > end || command_ends(r.at) ? r.at : end;

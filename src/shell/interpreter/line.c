@@ -70,7 +70,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
     session->prompt_width = outer.prompt_width;
     session->command = outer.command;
     if (reason == ECANCELED) /* of the command that reads the stream, not of one of its lines */
-        session_status(session, DOM_INTERRUPTED);
+        session_error(session, "%s", dom_status_text(DOM_INTERRUPTED));
 }
 
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)

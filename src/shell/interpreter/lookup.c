@@ -36,9 +36,10 @@ static bool key_quantity(struct expression *e, const char *name, const char *key
 static bool command_quantity(struct expression *e, const struct command *c, const char *key,
                              const struct quantity *arguments, int count, struct quantity *result)
 {
-    struct session *session = e->context;
+    const struct lookup *lookup = e->context;
     struct cell cells[ANSWER_CELLS];
-    struct call call = {.count = count};
+    struct arguments given = {.count = count};
+    struct query query = *lookup->query;
     char usage[USAGE_SIZE];
     int fewest, most = command_values(c, &fewest);
     if (most < 0)
@@ -48,46 +49,47 @@ static bool command_quantity(struct expression *e, const struct command *c, cons
         return expression_fail(e, "%d value%s for '%s'", count, count == 1 ? "" : "s",
                                command_usage(c, usage));
     /* These report their own errors. */
-    if (!command_allowed(session, c))
+    if (!command_allowed(query.means, c, lookup->problem))
         return false;
     for (int i = 0; i < count; i++)
-        if (!argument_check(session, &c->argument[i], arguments[i], &call.number[i]))
+        if (!argument_check(&query, &c->argument[i], arguments[i], &given.number[i], lookup->problem))
             return false;
-    return command_keep(session, c, &call, cells) && key_quantity(e, c->name, key, c, cells, result);
+    query.given = &given;
+    query.next = NULL;
+    return command_keep(&query, c, cells, lookup->problem) && key_quantity(e, c->name, key, c, cells, result);
 }
 
 const char *value_names(const void *context, int k)
 {
-    const struct session *session = context;
+    const struct state *state = context;
     for (int n = 0; expression_names(NULL, n); n++)
         if (k-- == 0)
             return expression_names(NULL, n);
-    int own = session ? (int)session->variables.count : 0;
-    return k == 0                ? "ans"
-           : session && k <= own ? session->variables.list[k - 1].name
-                                 : topic_names(NULL, k - 1 - own);
+    int own = state ? (int)state->variables.count : 0;
+    return k == 0              ? "ans"
+           : state && k <= own ? state->variables.list[k - 1].name
+                               : topic_names(NULL, k - 1 - own);
 }
 
 /* Evaluates a function of the session; its own arguments are the only ones that its text knows. */
 static bool function_quantity(struct expression *e, const struct variable *f,
                               const struct quantity *arguments, int count, struct quantity *result)
 {
-    struct session *session = e->context;
+    const struct lookup *lookup = e->context;
     char head[VARIABLE_HEAD];
     if (count != f->count)
         return expression_fail(e, "'%s' takes %d value%s", variable_head(f, head), f->count,
                                f->count == 1 ? "" : "s");
-    for (const struct scope *outer = session->scope; outer; outer = outer->outer)
+    for (const struct scope *outer = lookup->scope; outer; outer = outer->outer)
         if (outer->function == f)
             return expression_fail(e, "'%s' uses itself", variable_head(f, head));
-    if (dom_raised(session->compute.interrupt))
-        return session_status(session, DOM_INTERRUPTED);
-    const struct scope scope = {.function = f, .argument = arguments, .outer = session->scope};
+    if (dom_raised(lookup->query->scene->compute.interrupt))
+        return problem_status(lookup->problem, lookup->query->scene, DOM_INTERRUPTED);
+    const struct scope scope = {.function = f, .argument = arguments, .outer = lookup->scope};
+    struct lookup inside = {.query = lookup->query, .scope = &scope, .problem = lookup->problem};
     struct expression body = {
-        .text = f->body, .lookup = session_lookup, .context = session, .angle = e->angle, .depth = e->depth};
-    session->scope = &scope;
+        .text = f->body, .lookup = query_lookup, .context = &inside, .angle = e->angle, .depth = e->depth};
     bool good = expression_evaluate(&body, result);
-    session->scope = scope.outer;
     if (!good && body.named)
         expression_message(e, body.of_value, "%s", body.message);
     else if (!good && body.message[0]) /* else it was reported */
@@ -107,13 +109,15 @@ static bool scope_quantity(const struct scope *scope, const char *name, struct q
     return false;
 }
 
-bool session_lookup(struct expression *e, const char *name, const char *key, const struct quantity *arguments,
-                    int count, struct quantity *result)
+bool query_lookup(struct expression *e, const char *name, const char *key, const struct quantity *arguments,
+                  int count, struct quantity *result)
 {
-    struct session *session = e->context;
-    if (!key && count == 0 && scope_quantity(session->scope, name, result))
+    const struct lookup *lookup = e->context;
+    const struct state *state = lookup->query->state;
+    const struct ans *ans = lookup->query->ans;
+    if (!key && count == 0 && scope_quantity(lookup->scope, name, result))
         return true;
-    const struct variable *v = key ? NULL : variable_find(&session->variables, name);
+    const struct variable *v = key ? NULL : variable_find(&state->variables, name);
     if (v && v->body)
         return function_quantity(e, v, arguments, count, result);
     if (v && count == 0) {
@@ -123,17 +127,16 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
     const struct parameter *p = parameter_find(name);
     if (p && parameter_is_number(p) && !key && count == 0) {
         *result = expression_unit(p->value->unit);
-        result->value *= parameter_get(session, p);
+        result->value *= parameter_get(state, p);
         return true;
     }
-    if (strcmp(name, "ans") == 0 && count == 0 && !key && session->ans.printed) {
-        *result = session->ans.value;
+    if (strcmp(name, "ans") == 0 && count == 0 && !key && ans->printed) {
+        *result = ans->value;
         return true;
     }
     if (strcmp(name, "ans") == 0 && count == 0)
-        return session->ans.command
-                   ? key_quantity(e, name, key, session->ans.command, session->ans.cells, result)
-                   : expression_fail(e, "there is no earlier answer");
+        return ans->command ? key_quantity(e, name, key, ans->command, ans->cells, result)
+                            : expression_fail(e, "there is no earlier answer");
     const struct command *c = command_find(name);
     if (c && c->principal)
         return command_quantity(e, c, key, arguments, count, result);
@@ -144,8 +147,8 @@ bool session_lookup(struct expression *e, const char *name, const char *key, con
                                name);
     bool usual;
     const struct parameter *meant = parameter_meant(name, &usual);
-    const char *close = names_closest(value_names, session, name);
-    if (meant && (usual || !close) && names_exact(value_names, session, meant->name) >= 0)
+    const char *close = names_closest(value_names, state, name);
+    if (meant && (usual || !close) && names_exact(value_names, state, meant->name) >= 0)
         close = meant->name;
     return expression_fail(
         e, close && strcmp(close, name) != 0 ? "'%s' has no value; did you mean '%s'?" : "'%s' has no value",

@@ -34,35 +34,34 @@ static const char *synonym_command(const char *word)
 }
 
 /* Reports that there is no such command, with what was meant as far as that is known. */
-static void command_unknown(struct session *session, const char *name, int k, char message[NAMES_MESSAGE])
+static void command_unknown(struct reader *r, const char *name, int k, char message[NAMES_MESSAGE])
 {
     const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
     bool usual;
     const struct parameter *p = parameter_meant(name, &usual);
     char plain[2 * NAMES_MESSAGE], shown[NAMES_SHOWN];
     snprintf(plain, sizeof plain, "unknown command '%s'", names_shown(name, shown));
-    if (variable_find(&session->variables, name))
-        session_error(session, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
+    if (variable_find(&r->query->state->variables, name))
+        problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
     else if (!meant && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
-        session_error(session, "'%s' is a function; its values are in parentheses, as in '%s(2)'", name,
+        problem_error(r->problem, "'%s' is a function; its values are in parentheses, as in '%s(2)'", name,
                       name);
     else if (p && (usual || (!meant && !p->setting && k == NAMES_UNKNOWN)) && !effect_hint(name, message) &&
              parameter_hint(name, plain, sizeof plain))
-        session_error(session, "%s", plain);
+        problem_error(r->problem, "%s", plain);
     else if (effect_hint(name, message) || (!meant && k != NAMES_UNKNOWN))
-        session_error(session, "%s", message);
+        problem_error(r->problem, "%s", message);
     else if (meant)
-        session_error(session, "%s; did you mean '%s'?", message, meant);
+        problem_error(r->problem, "%s; did you mean '%s'?", message, meant);
     else
-        session_error(session, "%s; 'help' lists the commands", message);
+        problem_error(r->problem, "%s; 'help' lists the commands", message);
 }
 
 const struct command *read_command(struct reader *r)
 {
-    struct session *session = r->session;
     char message[NAMES_MESSAGE] = "out of memory";
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     size_t length = strcspn(r->at, " \t\r\f\v;>");
     char exact[VARIABLE_NAME];
     const struct command *typed = name_copy(r->at, length, exact, sizeof exact) ? command_find(exact) : NULL;
@@ -83,9 +82,9 @@ const struct command *read_command(struct reader *r)
                  name, name, name);
     }
     if (k < 0 && !name)
-        session_error(session, "%s", message);
+        problem_error(r->problem, "%s", message);
     else if (k < 0)
-        command_unknown(session, name, k, message);
+        command_unknown(r, name, k, message);
     free(name);
     return k < 0 ? NULL : command_find(command_names(NULL, k));
 }

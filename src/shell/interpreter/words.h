@@ -8,7 +8,8 @@
 
 /* The place of reading in a line that is being run. */
 struct reader {
-    struct session *session;
+    const struct query *query; /* gives values to names */
+    struct problem *problem;
     const struct text *text;
     const char *at;
     const char *stops; /* in a grid: characters that also end a word or value; else NULL */

@@ -3,9 +3,10 @@
 #include "io/terminal.h"
 #include "parallel/workers.h"
 
-bool points_answer(struct session *session, struct answer *a, const struct points *points, bool *by_point)
+bool points_answer(const struct query *query, struct problem *problem, struct answer *a,
+                   const struct points *points, bool *by_point)
 {
-    struct range part = session_part(session, points->total);
+    struct range part = means_part(query->means, points->total);
     struct workers w = {
         .first = part.first,
         .points = part.count,
@@ -13,10 +14,10 @@ bool points_answer(struct session *session, struct answer *a, const struct point
         .own = points->own,
         .size = points->size,
         .gather = points->gather,
-        .count = workers_count(session->threads, part.count),
+        .count = workers_count(query->state->settings.threads, part.count),
         .out = a->out,
         .progress = !(a->out && terminal_width(a->out)), /* rows on the terminal are progress enough */
-        .interrupt = session->compute.interrupt,
+        .interrupt = query->scene->compute.interrupt,
     };
     struct workers_end end = workers_run(&w);
     *by_point = end.how == WORKERS_ENDED;
@@ -24,6 +25,7 @@ bool points_answer(struct session *session, struct answer *a, const struct point
     if (end.how == WORKERS_LOST)
         a->lost = a->lost ? a->lost : end.error;
     if (end.how == WORKERS_INTERRUPTED || end.how == WORKERS_NO_MEMORY)
-        return session_status(session, end.how == WORKERS_INTERRUPTED ? DOM_INTERRUPTED : DOM_NO_MEMORY);
+        return problem_status(problem, query->scene,
+                              end.how == WORKERS_INTERRUPTED ? DOM_INTERRUPTED : DOM_NO_MEMORY);
     return !*by_point;
 }

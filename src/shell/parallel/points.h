@@ -3,7 +3,7 @@
 #ifndef SHELL_POINTS_H
 #define SHELL_POINTS_H
 
-#include "session/session.h"
+#include "session/query.h"
 
 struct points {
     size_t total; /* of the whole, of which session_part takes its part */
@@ -21,7 +21,7 @@ struct points {
  * Writes the answer. Returns true if all is written, or if there is no reader any more; false if an error was
  * reported, or a point ended the answer: then *by_point is set, and own is as that worker left it.
  */
-bool points_answer(struct session *session, struct answer *answer, const struct points *points,
-                   bool *by_point);
+bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
+                   const struct points *points, bool *by_point);
 
 #endif

@@ -7,7 +7,7 @@
 #define SHELL_CHART_H
 
 #include "picture/canvas.h"
-#include "session/session.h"
+#include "session/query.h"
 
 enum chart_kind {
     CHART_LINE,
@@ -80,10 +80,10 @@ void chart_range(struct chart *chart, struct chart_curve *curve, double x, doubl
 void chart_event(struct chart *chart, double x, const char *name);
 
 /* Reports an error, before any work is done, if the picture cannot be drawn where the answer goes. */
-bool chart_ready(struct session *session);
+bool chart_ready(struct answer *a, struct problem *problem);
 
 /* Draws the chart and gives it back; false: an error was reported. */
-bool chart_show(struct session *session, struct chart *chart);
+bool chart_show(const struct query *query, struct answer *a, struct problem *problem, struct chart *chart);
 
 /* ---- For the files that draw ---- */
 

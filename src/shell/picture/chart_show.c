@@ -3,34 +3,35 @@
 #include "picture/graphics.h"
 #include "picture/picture.h"
 
-bool chart_ready(struct session *session)
+bool chart_ready(struct answer *a, struct problem *problem)
 {
-    return picture_is_text(session) || picture_ready(session);
+    return picture_is_text(a) || picture_ready(a, problem);
 }
 
-static bool chart_file(struct session *session, const struct chart *c)
+static bool chart_file(const struct query *query, struct answer *a, struct problem *problem,
+                       const struct chart *c)
 {
     struct picture picture;
-    if (!picture_begin(session, &picture))
+    if (!picture_begin(a, problem, &picture))
         return false;
     chart_script(c, picture.script);
-    return picture_end(session, &picture, true);
+    return picture_end(query, problem, &picture, true);
 }
 
-bool chart_show(struct session *session, struct chart *c)
+bool chart_show(const struct query *query, struct answer *a, struct problem *problem, struct chart *c)
 {
     bool shown = false;
     int width, height;
     if (c->failed) {
-        session_status(session, DOM_NO_MEMORY);
-    } else if (chart_fit(c), !picture_is_text(session)) {
-        shown = chart_file(session, c);
-    } else if (!session->redirected && graphics_of(session->out) != GRAPHICS_NONE && picture_possible()) {
-        shown = graphics_show(session, c);
+        problem_status(problem, query->scene, DOM_NO_MEMORY);
+    } else if (chart_fit(c), !picture_is_text(a)) {
+        shown = chart_file(query, a, problem, c);
+    } else if (!a->path && graphics_of(a->out) != GRAPHICS_NONE && picture_possible()) {
+        shown = graphics_show(query, a, problem, c);
     } else {
-        picture_room(session, &width, &height);
-        shown = chart_text(c, look_of(session->out), width, height, session->out) ||
-                session_status(session, DOM_NO_MEMORY);
+        picture_room(a, &width, &height);
+        shown = chart_text(c, look_of(a->out), width, height, a->out) ||
+                problem_status(problem, query->scene, DOM_NO_MEMORY);
     }
     chart_free(c);
     return shown;

@@ -133,27 +133,28 @@ static bool kitty_write(FILE *png, FILE *out)
     return !ferror(png);
 }
 
-bool graphics_show(struct session *session, const struct chart *chart)
+bool graphics_show(const struct query *query, struct answer *a, struct problem *problem,
+                   const struct chart *chart)
 {
     struct picture picture;
     char terminal[128];
     int width, height;
-    bool kitty = graphics_of(session->out) == GRAPHICS_KITTY;
+    bool kitty = graphics_of(a->out) == GRAPHICS_KITTY;
     FILE *png = kitty ? tmpfile() : NULL;
     if (kitty && !png)
-        return session_error(session, "cannot draw: %s", strerror(errno));
-    picture_size(session->out, &width, &height);
+        return problem_error(problem, "cannot draw: %s", strerror(errno));
+    picture_size(a->out, &width, &height);
     snprintf(terminal, sizeof terminal, "%s size %d,%d font 'sans,%d'",
              kitty ? "pngcairo" : "sixelgd truecolor", width, height, width > 700 ? 13 : 10);
-    bool drawn = picture_on(session, &picture, kitty ? png : session->out, terminal);
+    bool drawn = picture_on(problem, &picture, kitty ? png : a->out, terminal);
     if (drawn) {
         chart_script(chart, picture.script);
-        drawn = picture_end(session, &picture, true);
+        drawn = picture_end(query, problem, &picture, true);
     }
     if (drawn && kitty)
-        drawn = kitty_write(png, session->out);
+        drawn = kitty_write(png, a->out);
     else if (drawn)
-        putc('\n', session->out);
+        putc('\n', a->out);
     if (png)
         fclose(png);
     return drawn;

@@ -15,6 +15,7 @@ enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 enum graphics graphics_of(FILE *stream);
 
 /* Draws the chart into the terminal of the session; false: an error was reported. */
-bool graphics_show(struct session *session, const struct chart *chart);
+bool graphics_show(const struct query *query, struct answer *a, struct problem *problem,
+                   const struct chart *chart);
 
 #endif

@@ -27,42 +27,43 @@ static const struct movie_kind *kind_of(const char *path)
     return NULL;
 }
 
-bool movie_named(struct session *session, const char *path)
+bool movie_named(struct answer *a, struct problem *problem, const char *path)
 {
     char shown[NAMES_SHOWN];
     const struct movie_kind *kind = kind_of(path);
-    if (session->redirected)
-        return session_error(
-            session,
+    if (a->path)
+        return problem_error(
+            problem,
             "the animation is written into FILE, so that '>' has no answer to write; leave out the '>'");
     if (!kind)
-        return session_error(session,
+        return problem_error(problem,
                              "'%s' is not the name of an animation: use the ending .gif, .webm or .mp4",
                              names_shown(path, shown));
     return !kind->ffmpeg || program_there("ffmpeg") ||
-           session_error(
-               session,
+           problem_error(
+               problem,
                "%s needs ffmpeg, which is not installed: 'apt install ffmpeg', or a name that ends in .gif",
                kind->ending);
 }
 
-bool movie_begin(struct session *session, struct movie *m, const char *path, int width, int height, int delay)
+bool movie_begin(const struct query *query, struct answer *a, struct problem *problem, struct movie *m,
+                 const char *path, int width, int height, int delay)
 {
-    if (!movie_named(session, path))
+    if (!movie_named(a, problem, path))
         return false;
     names_shown(path, m->shown);
     m->kind = kind_of(path);
     m->delay = delay;
     m->frames = NULL;
-    const char *wrong = redirect_open(&m->redirect, path, false, session->compute.interrupt);
+    const char *wrong = redirect_open(&m->redirect, path, false, query->scene->compute.interrupt);
     if (wrong)
-        return session_error(session, "cannot write '%s': %s", m->shown, wrong);
+        return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
     if (m->kind->ffmpeg && !(m->frames = tmpfile())) {
         (void)redirect_close(&m->redirect, false);
-        return session_error(session, "cannot draw: %s", strerror(errno));
+        return problem_error(problem, "cannot draw: %s", strerror(errno));
     }
     height += m->kind->ffmpeg ? height % 2 : 0; /* its formats halve the dots of colours */
-    if (!picture_animation(session, &m->picture, m->frames ? m->frames : m->redirect.file, width, height,
+    if (!picture_animation(problem, &m->picture, m->frames ? m->frames : m->redirect.file, width, height,
                            delay)) {
         if (m->frames)
             fclose(m->frames);
@@ -80,7 +81,7 @@ bool movie_begin(struct session *session, struct movie *m, const char *path, int
     return true;
 }
 
-static bool movie_convert(struct session *session, struct movie *m)
+static bool movie_convert(const struct query *query, struct problem *problem, struct movie *m)
 {
     char rate[32], line[256] = "";
     const char *argv[ARGUMENTS] = {"ffmpeg", "-hide_banner", "-loglevel",  "error", "-f", "image2pipe",
@@ -94,28 +95,28 @@ static bool movie_convert(struct session *session, struct movie *m)
     argv[n] = "file:/proc/self/fd/1"; /* a NULL follows */
     FILE *complaints = tmpfile();
     if (!complaints)
-        return session_error(session, "cannot draw: %s", strerror(errno));
-    int wrong = program_run(session, (char *const *)argv, m->frames, m->redirect.file, complaints);
+        return problem_error(problem, "cannot draw: %s", strerror(errno));
+    int wrong = program_run(query, (char *const *)argv, m->frames, m->redirect.file, complaints);
     rewind(complaints);
     while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n") == strlen(line))
         ;
     fclose(complaints);
     line[strcspn(line, "\n")] = '\0';
-    if (wrong && dom_raised(session->compute.interrupt))
-        return session_status(session, DOM_INTERRUPTED);
+    if (wrong && dom_raised(query->scene->compute.interrupt))
+        return problem_status(problem, query->scene, DOM_INTERRUPTED);
     if (wrong > 0)
-        return session_error(session, "cannot run ffmpeg: %s", strerror(wrong));
+        return problem_error(problem, "cannot run ffmpeg: %s", strerror(wrong));
     return !wrong ||
-           session_error(session, "ffmpeg did not make '%s': %s", m->shown, *line ? line : "it was stopped");
+           problem_error(problem, "ffmpeg did not make '%s': %s", m->shown, *line ? line : "it was stopped");
 }
 
-bool movie_end(struct session *session, struct movie *m, bool whole)
+bool movie_end(const struct query *query, struct problem *problem, struct movie *m, bool whole)
 {
-    bool drawn = picture_end(session, &m->picture, whole);
+    bool drawn = picture_end(query, problem, &m->picture, whole);
     if (drawn && m->frames)
-        drawn = movie_convert(session, m);
+        drawn = movie_convert(query, problem, m);
     if (m->frames)
         fclose(m->frames);
     const char *wrong = redirect_close(&m->redirect, drawn);
-    return drawn && (!wrong || session_error(session, "cannot write '%s': %s", m->shown, wrong));
+    return drawn && (!wrong || problem_error(problem, "cannot write '%s': %s", m->shown, wrong));
 }

@@ -15,25 +15,25 @@
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
 
-bool picture_is_text(const struct session *session)
+bool picture_is_text(const struct answer *a)
 {
-    return !session->redirected || ending_of(session->redirected)->kind != ENDING_PICTURE;
+    return !a->path || ending_of(a->path)->kind != ENDING_PICTURE;
 }
 
-void picture_room(const struct session *session, int *width, int *height)
+void picture_room(const struct answer *a, int *width, int *height)
 {
-    terminal_size(session->out, width, height);
+    terminal_size(a->out, width, height);
     *width = *width >= LEAST_WIDTH ? *width - 1 : TEXT_WIDTH;
     *height = *height >= LEAST_HEIGHT ? *height - 1 : TEXT_HEIGHT;
     *height = *height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : *height; /* no taller than wide */
 }
 
-bool picture_fits(struct session *session, const char *command)
+bool picture_fits(const struct answer *a, const char *command, struct problem *problem)
 {
     int width, height;
-    terminal_size(session->out, &width, &height);
+    terminal_size(a->out, &width, &height);
     return width == 0 || height == 0 || (width >= LEAST_WIDTH && height >= LEAST_HEIGHT) ||
-           session_error(session,
+           problem_error(problem,
                          "the terminal has %d x %d characters, and a picture needs %d x %d; enlarge it, or "
                          "enter '%s > %s.txt'",
                          width, height, LEAST_WIDTH, LEAST_HEIGHT, command, command);
@@ -57,33 +57,33 @@ bool picture_possible(void)
     return program_there("gnuplot");
 }
 
-static bool gnuplot_ready(struct session *session)
+static bool gnuplot_ready(struct problem *problem)
 {
     return picture_possible() ||
-           session_error(session, "pictures need gnuplot, which is not installed: 'apt install "
+           problem_error(problem, "pictures need gnuplot, which is not installed: 'apt install "
                                   "gnuplot-nox'; 'set output csv' gives the data");
 }
 
-bool picture_ready(struct session *session)
+bool picture_ready(struct answer *a, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    if (session->appended)
-        return session_error(session, "'%s' holds one picture, and '>>' cannot add another; '>' replaces it",
-                             names_shown(session->redirected, shown));
-    return gnuplot_ready(session);
+    if (a->appended)
+        return problem_error(problem, "'%s' holds one picture, and '>>' cannot add another; '>' replaces it",
+                             names_shown(a->path, shown));
+    return gnuplot_ready(problem);
 }
 
 /* The script up to what every picture has in common. */
-static bool script_begin(struct session *session, struct picture *picture, const char *terminal)
+static bool script_begin(struct problem *problem, struct picture *picture, const char *terminal)
 {
     /* Lines also differ by their points and dashes, for print and for colour-blind readers. */
     static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555"};
     static const int points[] = {1, 2, 6, 4, 8, 10};
-    if (!gnuplot_ready(session))
+    if (!gnuplot_ready(problem))
         return false;
     picture->script = tmpfile();
     if (!picture->script)
-        return session_error(session, "cannot draw: %s", strerror(errno));
+        return problem_error(problem, "cannot draw: %s", strerror(errno));
     fprintf(picture->script, "set encoding utf8\nset terminal %s\n", terminal);
     for (int k = 0; k < 6; k++)
         fprintf(picture->script, "set linetype %d lc rgb '%s' lw 2 dt %d pt %d ps 1\n", k + 1, colours[k],
@@ -96,78 +96,76 @@ static bool script_begin(struct session *session, struct picture *picture, const
     return true;
 }
 
-bool picture_begin(struct session *session, struct picture *picture)
+bool picture_begin(struct answer *a, struct problem *problem, struct picture *picture)
 {
     char terminal[128];
-    bool text = picture_is_text(session);
+    bool text = picture_is_text(a);
     int width, height;
-    if (!text && !picture_ready(session))
+    if (!text && !picture_ready(a, problem))
         return false;
-    picture_room(session, &width, &height);
+    picture_room(a, &width, &height);
     if (text)
         snprintf(terminal, sizeof terminal, "dumb size %d,%d noenhanced", width, height);
     else
-        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(session->redirected)->terminal);
-    *picture = (struct picture){.out = session->out,
-                                .text = text,
-                                .theta = text ? "theta" : "\u03b8",
-                                .omega = text ? "omega" : "\u03c9"};
-    return script_begin(session, picture, terminal);
+        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(a->path)->terminal);
+    *picture = (struct picture){
+        .out = a->out, .text = text, .theta = text ? "theta" : "\u03b8", .omega = text ? "omega" : "\u03c9"};
+    return script_begin(problem, picture, terminal);
 }
 
-bool picture_on(struct session *session, struct picture *picture, FILE *out, const char *terminal)
+bool picture_on(struct problem *problem, struct picture *picture, FILE *out, const char *terminal)
 {
     *picture = (struct picture){.out = out, .theta = "\u03b8", .omega = "\u03c9"};
-    return script_begin(session, picture, terminal);
+    return script_begin(problem, picture, terminal);
 }
 
-bool picture_animation(struct session *session, struct picture *picture, FILE *out, int width, int height,
+bool picture_animation(struct problem *problem, struct picture *picture, FILE *out, int width, int height,
                        int delay)
 {
     char terminal[128];
     snprintf(terminal, sizeof terminal, "gif animate delay %d loop 0 size %d,%d noenhanced optimize", delay,
              width, height);
     *picture = (struct picture){.out = out, .theta = "theta", .omega = "omega"};
-    return script_begin(session, picture, terminal);
+    return script_begin(problem, picture, terminal);
 }
 
-bool picture_comes_to(struct session *session, domq_real theta)
+bool picture_comes_to(const struct query *query, struct problem *problem, domq_real theta)
 {
     struct domq_value omegasq, stop = {.value = DOMQ_NAN};
-    const struct output_style *style = &session->style;
-    enum dom_status status = domq_cycle_omegasq(&session->train, &session->compute, theta, &omegasq);
+    const struct output_style *style = &query->state->settings.style;
+    enum dom_status status =
+        domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
-        return session_error(session, "no domino effect: the fuel P is not positive, nothing moves; 'fuel' "
+        return problem_error(problem, "no domino effect: the fuel P is not positive, nothing moves; 'fuel' "
                                       "says why, 'rmax' how large r may be");
     if (status == DOM_STOPS)
-        status = domq_cycle_stop(&session->train, &session->compute, &stop);
+        status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     /* The end may have been rounded up to the 6 digits of a table: a picture does not show the difference. */
     if (stop.value < theta * (1 - (domq_real)1e-5))
-        return session_error(
-            session, "the train does not come to T = %.10g %s: it stops at %.10g %s, below the barrier",
+        return problem_error(
+            problem, "the train does not come to T = %.10g %s: it stops at %.10g %s, below the barrier",
             (double)style_angle(style, theta), style_angle_unit(style),
             (double)style_angle(style, stop.value), style_angle_unit(style));
     return true;
 }
 
 /* Waits for a program, and ends it after an interrupt: by itself it would continue at a ^C. */
-static int program_wait(const struct session *session, pid_t child)
+static int program_wait(const struct query *query, pid_t child)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
     int status = 0;
     pid_t ended;
     while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
-        if (dom_raised(session->compute.interrupt))
+        if (dom_raised(query->scene->compute.interrupt))
             kill(-child, SIGKILL); /* the whole group */
         nanosleep(&moment, NULL);
     }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
 }
 
-int program_run(const struct session *session, char *const argv[], FILE *script, FILE *drawing,
-                FILE *complaints)
+int program_run(const struct query *query, char *const argv[], FILE *script, FILE *drawing, FILE *complaints)
 {
     extern char **environ;
     posix_spawn_file_actions_t actions;
@@ -190,14 +188,14 @@ int program_run(const struct session *session, char *const argv[], FILE *script,
     int failed = posix_spawnp(&child, argv[0], &actions, &attributes, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
-    return failed ? failed : program_wait(session, child);
+    return failed ? failed : program_wait(query, child);
 }
 
-static int gnuplot_run(const struct session *session, FILE *script, FILE *drawing, FILE *complaints)
+static int gnuplot_run(const struct query *query, FILE *script, FILE *drawing, FILE *complaints)
 {
     char *const argv[] = {"gnuplot", "-d", "-", NULL};
     /* gnuplot tries the terminal of the environment before it reads the script, and ends without it. */
-    return setenv("GNUTERM", "unknown", 1) == 0 ? program_run(session, argv, script, drawing, complaints)
+    return setenv("GNUTERM", "unknown", 1) == 0 ? program_run(query, argv, script, drawing, complaints)
                                                 : errno;
 }
 
@@ -224,39 +222,40 @@ static void drawing_copy(FILE *drawing, FILE *out, bool text)
         fwrite(block, 1, n, out);
 }
 
-static bool draw(struct session *session, const struct picture *picture, FILE *drawing, FILE *complaints)
+static bool draw(const struct query *query, struct problem *problem, const struct picture *picture,
+                 FILE *drawing, FILE *complaints)
 {
     char line[256] = "";
     errno = 0;
     if (fflush(picture->script) != 0 || ferror(picture->script))
-        return session_error(session, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
-    int wrong = gnuplot_run(session, picture->script, drawing, complaints);
+        return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
+    int wrong = gnuplot_run(query, picture->script, drawing, complaints);
     if (wrong > 0)
-        return session_error(session, "cannot run gnuplot: %s", strerror(wrong));
-    if (wrong && dom_raised(session->compute.interrupt))
-        return session_status(session, DOM_INTERRUPTED);
+        return problem_error(problem, "cannot run gnuplot: %s", strerror(wrong));
+    if (wrong && dom_raised(query->scene->compute.interrupt))
+        return problem_status(problem, query->scene, DOM_INTERRUPTED);
     rewind(complaints);
     while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n^") == strlen(line))
         ;
     line[strcspn(line, "\n")] = '\0';
     if (wrong)
-        return session_error(session, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
+        return problem_error(problem, "gnuplot did not draw it: %s", *line ? line : "it was stopped");
     fseek(drawing, 0, SEEK_END);
     long size = ftell(drawing);
     if (size >= 0 && (wrong = drawing_room(drawing, size)) != 0)
-        return session_error(session, "cannot draw: %s", strerror(wrong));
+        return problem_error(problem, "cannot draw: %s", strerror(wrong));
     if (size <= 0)
-        return session_error(session, "gnuplot drew nothing");
+        return problem_error(problem, "gnuplot drew nothing");
     ticker_stop();
     drawing_copy(drawing, picture->out, picture->text);
     return true;
 }
 
-bool picture_end(struct session *session, struct picture *picture, bool whole)
+bool picture_end(const struct query *query, struct problem *problem, struct picture *picture, bool whole)
 {
     FILE *drawing = whole ? tmpfile() : NULL, *complaints = drawing ? tmpfile() : NULL;
-    bool drawn = complaints ? draw(session, picture, drawing, complaints)
-                            : whole && session_error(session, "cannot draw: %s", strerror(errno));
+    bool drawn = complaints ? draw(query, problem, picture, drawing, complaints)
+                            : whole && problem_error(problem, "cannot draw: %s", strerror(errno));
     if (drawing)
         fclose(drawing);
     if (complaints)

@@ -59,7 +59,7 @@ static struct point touch(const struct drawn *own, const struct drawn *leader)
                  -(double)quad(sin)((domq_real)leader->theta));
 }
 
-static bool scene_full(const struct scene *scene)
+static bool scene_full(const struct stage *scene)
 {
     const struct drawn *last = &scene->domino[scene->count - 1];
     return scene->count == DOMINOES || last->height < SMALLEST || last->foot < scene->left;
@@ -67,14 +67,14 @@ static bool scene_full(const struct scene *scene)
 
 /* What a walk down the train fills. */
 struct filling {
-    struct scene *scene;
+    struct stage *scene;
     double s, r, d, rho;
     bool leans; /* the next one on the last one */
 };
 
-static void scene_add(struct filling *f, double theta)
+static void stage_add(struct filling *f, double theta)
 {
-    struct scene *scene = f->scene;
+    struct stage *scene = f->scene;
     struct drawn *leader = &scene->domino[scene->count - 1];
     struct drawn own =
         drawn_at(scene->count - 1, leader->height / f->r, leader->foot - (f->s + f->d) * leader->height,
@@ -90,15 +90,15 @@ static bool scene_link(const struct domq_link *link, void *context)
 {
     struct filling *f = context;
     if (link->i > 0)
-        scene_add(f, (double)link->theta);
+        stage_add(f, (double)link->theta);
     else
         f->scene->domino[f->scene->count++] = drawn_at(0, 1, 0, (double)link->theta, f->d, f->rho);
     f->leans = isfinite(link->arm_a);
     return !scene_full(f->scene);
 }
 
-enum dom_status scene_make(const struct domq_train *train, const struct domq_compute *compute,
-                           domq_real theta, double behind, struct scene *scene)
+enum dom_status stage_make(const struct domq_train *train, const struct domq_compute *compute,
+                           domq_real theta, double behind, struct stage *scene)
 {
     struct domq_compute fine = *compute;
     struct domq_angles angles;
@@ -121,7 +121,7 @@ enum dom_status scene_make(const struct domq_train *train, const struct domq_com
     if (status != DOM_OK)
         return status;
     while (!scene_full(scene)) {
-        scene_add(&f, (double)angles.theta_f); /* these lie, as far as anybody can see */
+        stage_add(&f, (double)angles.theta_f); /* these lie, as far as anybody can see */
         f.leans = f.leans && !angles.detaches;
     }
     if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {
@@ -135,7 +135,7 @@ enum dom_status scene_make(const struct domq_train *train, const struct domq_com
 
 static bool scene_force(const struct domq_force *f, void *context)
 {
-    struct scene *scene = context;
+    struct stage *scene = context;
     if (f->i + 1 >= (size_t)scene->count)
         return false;
     struct drawn *k = &scene->domino[f->i + 1];
@@ -147,7 +147,7 @@ static bool scene_force(const struct domq_force *f, void *context)
 }
 
 enum dom_status scene_forces(const struct domq_train *train, const struct domq_compute *compute,
-                             domq_real theta, struct scene *scene)
+                             domq_real theta, struct stage *scene)
 {
     return domq_cycle_forces(train, compute, theta, scene_force, scene);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The dominoes of a train as they stand and lean: hinges, corners, contacts, and how gnuplot draws them. */
-#ifndef SHELL_SCENE_H
-#define SHELL_SCENE_H
+#ifndef SHELL_STAGE_H
+#define SHELL_STAGE_H
 
 #include "domino_quad.h"
 #include <stdio.h>
@@ -28,7 +28,7 @@ struct drawn {
     double force, of_own; /* of that contact, in m g of the head and of this domino; NaN: not known */
 };
 
-struct scene {
+struct stage {
     struct drawn domino[DOMINOES]; /* the next one, the head, its followers */
     int count;
     double left, right, top; /* of the view */
@@ -51,12 +51,12 @@ int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
  * The train at one tilt, with the next domino in front; as far back as `behind` heights, 0 for what fits a
  * picture.  0 <= theta <= theta_c.
  */
-enum dom_status scene_make(const struct domq_train *train, const struct domq_compute *compute,
-                           domq_real theta, double behind, struct scene *scene);
+enum dom_status stage_make(const struct domq_train *train, const struct domq_compute *compute,
+                           domq_real theta, double behind, struct stage *scene);
 
 /* Adds the contact forces to the scene. Statuses as domq_cycle_forces. */
 enum dom_status scene_forces(const struct domq_train *train, const struct domq_compute *compute,
-                             domq_real theta, struct scene *scene);
+                             domq_real theta, struct stage *scene);
 
 /* Where a scene is in the picture, and how large: an animation's heads grow and go on. */
 struct place {

@@ -23,7 +23,7 @@ static void mark_command(const struct session *session, const char *line, const 
     snprintf(word, sizeof word, "%.*s", (int)length, at);
     bool alone = at[length] == '\0' || strchr(" \t;:", at[length]);
     const char *rest = skip_blanks(at + length);
-    bool other = parameter_find(word) || variable_find(&session->variables, word);
+    bool other = parameter_find(word) || variable_find(&session->state.variables, word);
     if (length == 0 || length >= sizeof word || !alone || *rest == '=' ||
         (names_exact(command_names, NULL, word) < 0 &&
          (other || names_find(command_names, NULL, "command", word, message) < 0)))

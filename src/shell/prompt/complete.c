@@ -168,8 +168,8 @@ struct completion {
  */
 static bool accepted(const struct completion *c, const char *word)
 {
-    struct session session = *c->session;
-    struct captured_error error = {.column = 0};
+    struct means means = c->session->means;
+    struct problem problem = {.kind = PROBLEM_NONE};
     struct text text;
     char *line = NULL;
     int length = asprintf(&line, "%.*s%s", (int)(c->typed->last - c->typed->line), c->typed->line, word);
@@ -177,14 +177,18 @@ static bool accepted(const struct completion *c, const char *word)
         free(length < 0 ? NULL : line);
         return false;
     }
-    session.captured_error = &error;
-    session.out = NULL;
-    struct reader r = {.session = &session, .text = &text, .at = text.line};
-    struct call call = {.count = 0};
+    const struct query query = {.state = &c->session->state,
+                                .scene = &c->session->state.scene,
+                                .ans = &c->session->ans,
+                                .means = &means};
+    means.note = NULL;
+    struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line};
+    struct arguments given = {.count = 0};
     const struct command *command = read_command(&r);
-    bool whole = command && read_arguments(&r, command, &call);
-    bool missing = !whole && *error.text && error.column >= text_column(&text, text.line + strlen(text.line));
-    call_free(&call);
+    bool whole = command && read_arguments(&r, command, &given);
+    bool missing = !whole && problem.kind != PROBLEM_NONE &&
+                   problem.column >= text_column(&text, text.line + strlen(text.line));
+    arguments_free(&given);
     text_free(&text);
     free(line);
     return whole || missing;
@@ -229,7 +233,7 @@ static bool of_kind(const struct argument *a, const char *name, const char *unit
  */
 static void emit_variables(const struct completion *c, const struct argument *a, bool any)
 {
-    const struct variables *all = &c->session->variables;
+    const struct variables *all = &c->session->state.variables;
     for (size_t i = 0; i < all->count; i++) {
         const struct variable *v = &all->list[i];
         bool fits = !a || any ||
@@ -258,7 +262,7 @@ static void lone_keep(const char *candidate, void *context)
 static void values_list(const struct completion *c, const struct argument *a)
 {
     bool any = !c->alone || (a->kind == ARGUMENT_ANY && !a->of);
-    bool row = c->session->effect[DOM_EFFECT_row].on;
+    bool row = c->session->state.scene.effect[DOM_EFFECT_row].on;
     const char *name;
     int fewest;
     for (const struct parameter *p = session_parameters; p->name; p++)

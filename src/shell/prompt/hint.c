@@ -55,7 +55,7 @@ static void usage_rest(const struct session *session, const char *line, char usa
         if (a->kind == ARGUMENT_VALUE && t.parameter && !value)
             return;
         if (value && !t.parameter->effect) { /* which is named already */
-            parameter_range(session, t.parameter, 0, range, sizeof range);
+            parameter_range(&session->state, t.parameter, 0, range, sizeof range);
             name = range;
         }
         n +=
@@ -71,8 +71,9 @@ static bool possible(const struct session *session)
                                RL_STATE_METANEXT | RL_STATE_VIMOTION;
     const char *clear = rl_get_termcap("ce");
     bool moved = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
-    return session->hints && terminal_colour(session->out) && clear && strncmp(clear, "\033[", 2) == 0 &&
-           rl_end > 0 && rl_point == rl_end && !RL_ISSTATE(busy) && !moved && !rl_done;
+    return session->state.settings.hints && terminal_colour(session->out) && clear &&
+           strncmp(clear, "\033[", 2) == 0 && rl_end > 0 && rl_point == rl_end && !RL_ISSTATE(busy) &&
+           !moved && !rl_done;
 }
 
 void hint_show(const struct session *session)

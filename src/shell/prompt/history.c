@@ -69,7 +69,7 @@ static long lines_read(FILE *in)
 
 void history_load(struct session *session)
 {
-    const volatile sig_atomic_t *interrupt = session->compute.interrupt;
+    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     const char *own = getenv("DOMINO_HISTORY");
     struct stat status;
     using_history();
@@ -153,7 +153,7 @@ static void file_add(struct session *session, const char *text)
 {
     struct stat status;
     make_folders(history_file);
-    int file = file_open(session->compute.interrupt);
+    int file = file_open(session->state.scene.compute.interrupt);
     if (file < 0) {
         cannot(session, strerror(errno));
         return;

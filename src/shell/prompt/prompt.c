@@ -108,7 +108,7 @@ static char *line_whole(struct session *session, char *text)
 /* Keeps the session from ending with changes of the row that are in no file, once. */
 static void leave_ask(struct session *session)
 {
-    if (asked || !row_unsaved(session))
+    if (asked || !row_unsaved(&session->state.scene))
         return;
     asked = true;
     session->quit = false;
@@ -195,7 +195,7 @@ void line_prompt(struct session *session)
     sigaction(SIGTTOU, &ignore, &ttou);
     prompt_session = complete_session = session;
     session->source = NULL;
-    session->compute.interrupt = &interrupted;
+    session->state.scene.compute.interrupt = &interrupted;
     history_load(session);
     readline_begin();
     fprintf(session->out,
@@ -233,7 +233,7 @@ void line_prompt(struct session *session)
     rl_callback_handler_remove();
     free(begun);
     begun = NULL;
-    session->compute.interrupt = NULL;
+    session->state.scene.compute.interrupt = NULL;
     session->prompt_width = 0;
     for (int i = 0; i < WATCHED; i++)
         sigaction(watched[i], &before[i], NULL);

@@ -36,17 +36,17 @@ const char *effect_usage(int name, char usage[EFFECT_USAGE])
     return usage;
 }
 
-const char *effect_file(const struct session *session, int name)
+const char *effect_file(const struct scene *scene, int name)
 {
-    bool listed = effect_at(name)->argument[0].or_file && session->effect[name].on;
-    return listed && session->listed.domino ? session->listed.path : NULL;
+    bool listed = effect_at(name)->argument[0].or_file && scene->effect[name].on;
+    return listed && scene->listed.domino ? scene->listed.path : NULL;
 }
 
-const char *effect_setting(const struct session *session, int name, char setting[EFFECT_SETTING])
+const char *effect_setting(const struct scene *scene, int name, char setting[EFFECT_SETTING])
 {
-    const struct effect_state *state = &session->effect[name];
+    const struct effect_state *state = &scene->effect[name];
     const struct domq_effect *e = effect_at(name);
-    const char *path = effect_file(session, name), *slash = path ? strrchr(path, '/') : NULL;
+    const char *path = effect_file(scene, name), *slash = path ? strrchr(path, '/') : NULL;
     snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : state->on ? "" : "off");
     for (int i = 0, n = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         const struct domq_effect_argument *of = &e->argument[i];
@@ -87,15 +87,15 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE])
     return example;
 }
 
-char *session_beside(const struct session *session, const char *path)
+char *means_beside(const struct means *means, const char *path)
 {
-    const char *slash = session->source ? strrchr(session->source, '/') : NULL;
+    const char *slash = means->script ? strrchr(means->script, '/') : NULL;
     if (!slash || *path == '/' || access(path, F_OK) == 0)
         return strdup(path);
-    size_t length = (size_t)(slash - session->source) + 1;
+    size_t length = (size_t)(slash - means->script) + 1;
     char *beside = malloc(length + strlen(path) + 1);
     if (beside) {
-        memcpy(beside, session->source, length);
+        memcpy(beside, means->script, length);
         memcpy(beside + length, path, strlen(path) + 1);
     }
     return beside;
@@ -108,43 +108,43 @@ static bool needs_row(int k)
 }
 
 /* Writes what is on and needs the row, as ", with push and placement". */
-static void row_needed(const struct session *session, char *text, size_t size)
+static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     int n = 0;
     text[0] = '\0';
     for (int k = 0; k < EFFECT_COUNT && n < (int)size; k++)
-        if (session->effect[k].on && needs_row(k))
+        if (scene->effect[k].on && needs_row(k))
             n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ", effect_at(k)->name);
 }
 
 /* Turns off the row and all effects that need it. */
-static void row_drop(struct session *session)
+static void row_drop(struct scene *scene)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (k == DOM_EFFECT_row || needs_row(k))
-            session->effect[k] = (struct effect_state){.on = false};
-    listed_free(&session->listed);
-    effects_apply(session);
+            scene->effect[k] = (struct effect_state){.on = false};
+    listed_free(&scene->listed);
+    effects_apply(scene);
 }
 
 /* Reads the row from a file. After an error no row is on, since the earlier one is not what was asked for. */
-static bool row_from_file(struct session *session, const char *name)
+static bool row_from_file(struct scene *scene, const char *name, const struct means *means,
+                          struct problem *problem)
 {
     struct listed_row file = {.domino = NULL};
     char then[EFFECT_SETTING + 160] = "", setting[EFFECT_SETTING], needed[64], shown[NAMES_SHOWN],
                                *kept = NULL;
-    row_needed(session, needed, sizeof needed);
-    if (session->effect[DOM_EFFECT_row].on)
+    row_needed(scene, needed, sizeof needed);
+    if (scene->effect[DOM_EFFECT_row].on)
         snprintf(then, sizeof then, "; the earlier row (%s%s) is now off%s",
-                 session->listed.domino ? "" : "N = ", effect_setting(session, DOM_EFFECT_row, setting),
-                 needed);
-    if (session->safe) {
-        session_error(session,
+                 scene->listed.domino ? "" : "N = ", effect_setting(scene, DOM_EFFECT_row, setting), needed);
+    if (means->safe) {
+        problem_error(problem,
                       "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'%s",
                       names_shown(name, shown), then);
     } else {
-        char *path = session_beside(session, name);
-        bool read = path && rowfile_read(session, path, then, &file);
+        char *path = means_beside(means, name);
+        bool read = path && rowfile_read(scene, path, then, &file, means, problem);
         /* The full path, for 'save' in another folder; a pipe has no other path. */
         kept = read ? realpath(path, NULL) : NULL;
         if (read && !kept)
@@ -152,41 +152,42 @@ static bool row_from_file(struct session *session, const char *name)
         else
             free(path);
         if (!path)
-            session_error(session, "%s%s", dom_status_text(DOM_NO_MEMORY), then);
+            problem_error(problem, "%s%s", dom_status_text(DOM_NO_MEMORY), then);
     }
     if (!kept) {
-        row_drop(session);
+        row_drop(scene);
         return false;
     }
-    listed_free(&session->listed);
+    listed_free(&scene->listed);
     file.path = kept;
-    session->listed = file;
+    scene->listed = file;
     return true;
 }
 
-bool effect_needs(struct session *session, int name)
+bool effect_needs(const struct scene *scene, int name, struct problem *problem)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        if (effect_at(name)->needs >> k & 1 && !session->effect[k].on)
-            return session_error(session, "'effect %s' needs a %s; first enter 'effect %s %s'",
+        if (effect_at(name)->needs >> k & 1 && !scene->effect[k].on)
+            return problem_error(problem, "'effect %s' needs a %s; first enter 'effect %s %s'",
                                  effect_at(name)->name, effect_at(k)->name, effect_at(k)->name,
                                  effect_at(k)->argument[0].name);
-    return name >= DOM_DYNAMICS_COUNT || effect_at(name)->cancels || session->train.fuel != DOM_FUEL_PAPER ||
-           session_error(session, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
+    return name >= DOM_DYNAMICS_COUNT || effect_at(name)->cancels || scene->train.fuel != DOM_FUEL_PAPER ||
+           problem_error(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
                          effect_at(name)->name);
 }
 
 /* Stores the state of an effect, and forgets the row of a file that it replaces. */
-static bool effect_store(struct session *session, int name, struct effect_state state, bool from_file)
+static bool effect_store(struct scene *scene, int name, struct effect_state state, bool from_file)
 {
     if (effect_at(name)->argument[0].or_file && !from_file)
-        listed_free(&session->listed);
-    session->effect[name] = state;
-    effects_apply(session);
+        listed_free(&scene->listed);
+    scene->effect[name] = state;
+    effects_apply(scene);
     return true;
 }
 
-static bool turn_on(struct session *session, int name, const domq_real *value, int given, const char *path)
+static bool turn_on(struct scene *scene, int name, const domq_real *value, int given, const char *path,
+                    const struct means *means, struct problem *problem)
 {
     const struct domq_effect *e = effect_at(name);
     struct effect_state state = {.on = true};
@@ -194,52 +195,53 @@ static bool turn_on(struct session *session, int name, const domq_real *value, i
     bool usual = given > 0 && value[0] == EFFECT_ON;
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         if (i >= given && !e->argument[i].optional && !usual)
-            return session_error(session, "%s, the %s, is missing; for example 'effect %s %s%s%s'",
+            return problem_error(problem, "%s, the %s, is missing; for example 'effect %s %s%s%s'",
                                  e->argument[i].name, e->argument[i].meaning, e->name,
                                  quad_text(e->argument[i].usual, 4, usual_value),
                                  *e->argument[i].unit ? " " : "", e->argument[i].unit);
         state.value[i] = i < given && !usual ? value[i] : e->argument[i].usual;
     }
-    return effect_needs(session, name) && (!path || row_from_file(session, path)) &&
-           effect_store(session, name, state, path);
+    return effect_needs(scene, name, problem) && (!path || row_from_file(scene, path, means, problem)) &&
+           effect_store(scene, name, state, path);
 }
 
-static bool turn_off(struct session *session, int name)
+static bool turn_off(struct scene *scene, int name, struct problem *problem)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        if (session->effect[k].on && effect_at(k)->needs >> name & 1)
-            return session_error(session, "'effect %s' needs the %s; first enter 'effect %s off'",
+        if (scene->effect[k].on && effect_at(k)->needs >> name & 1)
+            return problem_error(problem, "'effect %s' needs the %s; first enter 'effect %s off'",
                                  effect_at(k)->name, effect_at(name)->name, effect_at(k)->name);
-    return effect_store(session, name, (struct effect_state){.on = false}, false);
+    return effect_store(scene, name, (struct effect_state){.on = false}, false);
 }
 
-bool effect_turn(struct session *session, int name, const domq_real *value, int given, const char *path)
+bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, const char *path,
+                 const struct means *means, struct problem *problem)
 {
     if (given > 0 && value[0] == EFFECT_OFF)
-        return turn_off(session, name);
-    bool stays = given > 0 && value[0] == EFFECT_ON && session->effect[name].on;
-    return stays || turn_on(session, name, value, given, path);
+        return turn_off(scene, name, problem);
+    bool stays = given > 0 && value[0] == EFFECT_ON && scene->effect[name].on;
+    return stays || turn_on(scene, name, value, given, path, means, problem);
 }
 
-void effect_put(struct session *session, int name, domq_real value)
+void effect_put(struct scene *scene, int name, domq_real value)
 {
-    struct effect_state *state = &session->effect[name];
+    struct effect_state *state = &scene->effect[name];
     for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS; i++)
         state->value[i] = effect_at(name)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
     if (effect_at(name)->argument[0].or_file)
-        session->listed = (struct listed_row){.domino = NULL};
-    effects_apply(session);
+        scene->listed = (struct listed_row){.domino = NULL};
+    effects_apply(scene);
 }
 
-bool effects_savable(struct session *session)
+bool effects_savable(const struct scene *scene, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    const char *path = session->listed.domino ? session->listed.path : "";
+    const char *path = scene->listed.domino ? scene->listed.path : "";
     for (const char *c = path; *c; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
-            return session_error(session,
+            return problem_error(problem,
                                  "cannot save: the name of the row's file, '%s', has a control character; "
                                  "rename the file, or enter 'effect row off'",
                                  names_shown(path, shown));
@@ -255,137 +257,137 @@ static void save_name(const char *path, FILE *out)
     putc('"', out);
 }
 
-void effect_save(const struct session *session, int name, FILE *out)
+void effect_save(const struct scene *scene, int name, FILE *out)
 {
     const struct domq_effect *e = effect_at(name);
-    const char *path = effect_file(session, name);
+    const char *path = effect_file(scene, name);
     char number[WIDE_TEXT];
-    fprintf(out, session->effect[name].on ? "effect %s" : "effect %s off", e->name);
+    fprintf(out, scene->effect[name].on ? "effect %s" : "effect %s off", e->name);
     if (path)
         save_name(path, out);
-    for (int i = 0; !path && session->effect[name].on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
-        fprintf(out, " %s", quad_exact(session->effect[name].value[i], number));
+    for (int i = 0; !path && scene->effect[name].on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+        fprintf(out, " %s", quad_exact(scene->effect[name].value[i], number));
     putc('\n', out);
-    for (size_t i = 0; e->argument[0].or_file && i < session->listed.changes; i++)
-        fprintf(out, "place %zu %s m\n", session->listed.placed[i].k,
-                quad_exact(session->listed.placed[i].gap, number));
+    for (size_t i = 0; e->argument[0].or_file && i < scene->listed.changes; i++)
+        fprintf(out, "place %zu %s m\n", scene->listed.placed[i].k,
+                quad_exact(scene->listed.placed[i].gap, number));
 }
 
 /* ---- The row ---- */
 
-bool scene_weighed(const struct session *session)
+bool scene_weighed(const struct scene *scene)
 {
-    return session_mass(session) > 0 || (session->listed.domino && session->listed.weighed);
+    return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.weighed);
 }
 
 /* Scales masses of which only the ratios are known: the first is the session's, or such that its m g h / 2
  * is 1. */
-static void row_weigh(const struct session *session, struct domq_domino *domino, size_t count)
+static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
-    domq_real mass = session_block_mass(session, domino[0].height, domino[0].thickness);
-    domq_real first = mass > 0 ? mass : 2 / (session->scale.g * domino[0].height),
-              by = first / domino[0].mass;
+    domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
+    domq_real first = mass > 0 ? mass : 2 / (scene->scale.g * domino[0].height), by = first / domino[0].mass;
     for (size_t k = 0; k < count; k++)
         domino[k].mass *= by;
 }
 
-void scene_row_fill(const struct session *session, struct domq_domino *domino, size_t count)
+void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
-    const struct listed_row *listed = &session->listed;
+    const struct listed_row *listed = &scene->listed;
     if (listed->domino)
         memcpy(domino, listed->domino, count * sizeof *domino);
     else
-        domq_row_of_train(&session->train, &session->scale, 1, domino, count);
+        domq_row_of_train(&scene->train, &scene->scale, 1, domino, count);
     for (size_t i = 0; i < listed->changes; i++)
         domino[listed->placed[i].k - 1].gap = listed->placed[i].gap;
     for (size_t k = 0; listed->width && k < count; k++)
-        domino[k].mass *= session_filled(session, domino[k].height, domino[k].thickness, listed->width[k]);
+        domino[k].mass *= scene_filled(scene, domino[k].height, domino[k].thickness, listed->width[k]);
     if (!listed->domino || !listed->weighed)
-        row_weigh(session, domino, count);
+        row_weigh(scene, domino, count);
 }
 
 /* Reports an error if the walls have no room in a domino. */
-static bool walls_fit(struct session *session, const struct domq_domino *domino, size_t count)
+static bool walls_fit(const struct scene *scene, const struct domq_domino *domino, size_t count,
+                      struct problem *problem)
 {
     struct domq_box box;
     for (size_t k = 0; k < count; k++)
         if (domq_box_find(domino[k].height, domino[k].thickness, domino[k].height / 2,
-                          session->train.walls * session->scale.h, &box) != DOM_OK)
-            return session_no_room(session, k + 1, domino[k].thickness);
+                          scene->train.walls * scene->scale.h, &box) != DOM_OK)
+            return problem_no_room(problem, scene, k + 1, domino[k].thickness);
     return true;
 }
 
-bool scene_row_list(struct session *session, struct scene_row *scene)
+bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem)
 {
-    const struct listed_row *listed = &session->listed;
-    const struct effect_state *effect = session->effect;
-    scene->domino = NULL;
+    const struct listed_row *listed = &scene->listed;
+    const struct effect_state *effect = scene->effect;
+    row->domino = NULL;
     if (!effect[DOM_EFFECT_row].on) {
-        session_error(session, "there is no row; first enter 'effect row N' or 'effect row FILE'");
+        problem_error(problem, "there is no row; first enter 'effect row N' or 'effect row FILE'");
         return false;
     }
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
-    scene->domino = malloc(count * sizeof *scene->domino);
-    if (!scene->domino) {
-        session_status(session, DOM_NO_MEMORY);
+    row->domino = malloc(count * sizeof *row->domino);
+    if (!row->domino) {
+        problem_status(problem, scene, DOM_NO_MEMORY);
         return false;
     }
-    scene_row_fill(session, scene->domino, count);
-    if (session->train.walls > 0 && !walls_fit(session, scene->domino, count)) {
-        free(scene->domino);
-        scene->domino = NULL;
+    scene_row_fill(scene, row->domino, count);
+    if (scene->train.walls > 0 && !walls_fit(scene, row->domino, count, problem)) {
+        free(row->domino);
+        row->domino = NULL;
         return false;
     }
-    scene->row = (struct domq_row){
-        .domino = scene->domino,
+    row->row = (struct domq_row){
+        .domino = row->domino,
         .count = count,
-        .g = session->scale.g,
+        .g = scene->scale.g,
         .push = effect[DOM_EFFECT_push].on ? effect[DOM_EFFECT_push].value[0] : DOMQ_NAN,
-#define VALUE(name, member, status) .member = session->train.member,
+#define VALUE(name, member, status) .member = scene->train.member,
         DOM_DYNAMICS(VALUE)
 #undef VALUE
             .floor = effect[DOM_EFFECT_floor].on,
     };
-    scene->row.walls *= session->scale.h; /* from h to m */
-    scene->compute = session->compute;
+    row->row.walls *= scene->scale.h; /* from h to m */
+    row->compute = scene->compute;
     return true;
 }
 
 /* The share to which a search asks the engine. */
 #define ENGINE_TOL ((domq_real)1 / 10000)
 
-bool scene_row_make(struct session *session, struct scene_row *scene)
+bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem)
 {
-    if (!scene_row_list(session, scene) || !session_engine(session))
-        return scene->domino;
-    if (!scene_engine_make(session, scene->row.count, &scene->engine)) {
-        free(scene->domino);
+    if (!scene_row_list(scene, row, problem) || !scene_has_engine(scene))
+        return row->domino;
+    if (!scene_engine_make(scene, row->row.count, &row->engine, problem)) {
+        free(row->domino);
         return false;
     }
-    scene->row.engine = &scene->engine.engine;
-    scene->compute.tol = quad_larger(scene->compute.tol, ENGINE_TOL);
+    row->row.engine = &row->engine.engine;
+    row->compute.tol = quad_larger(row->compute.tol, ENGINE_TOL);
     return true;
 }
 
-bool scene_row_place(struct session *session, size_t k, domq_real gap)
+bool scene_row_place(struct scene *scene, size_t k, domq_real gap, struct problem *problem)
 {
-    struct scene_row scene;
-    struct listed_row *listed = &session->listed;
-    if (!scene_row_list(session, &scene))
+    struct scene_row row;
+    struct listed_row *listed = &scene->listed;
+    if (!scene_row_list(scene, &row, problem))
         return false;
-    size_t count = scene.row.count, i = 0;
-    free(scene.domino);
+    size_t count = row.row.count, i = 0;
+    free(row.domino);
     if (count < 2)
-        return session_error(session, "a row of one domino has no gap; enter 'effect row N' with a larger N");
+        return problem_error(problem, "a row of one domino has no gap; enter 'effect row N' with a larger N");
     if (k < 2 || k > count)
-        return session_error(session, "there is no gap before domino %zu; K is 2 .. %zu in this row", k,
+        return problem_error(problem, "there is no gap before domino %zu; K is 2 .. %zu in this row", k,
                              count);
     while (i < listed->changes && listed->placed[i].k != k)
         i++;
     struct placed *more =
         i < listed->changes ? listed->placed : realloc(listed->placed, (i + 1) * sizeof *listed->placed);
     if (!more)
-        return session_status(session, DOM_NO_MEMORY);
+        return problem_status(problem, scene, DOM_NO_MEMORY);
     listed->placed = more;
     listed->placed[i] = (struct placed){k, gap};
     listed->changes += i == listed->changes;

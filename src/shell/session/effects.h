@@ -5,7 +5,7 @@
 
 #include "language/names.h"
 #include "session/engine.h"
-#include "session/session.h"
+#include "session/query.h"
 #include <math.h>
 
 /* Values of an effect besides its numbers: off; and on, which keeps its values or takes the usual ones. */
@@ -24,10 +24,10 @@ const char *effect_usage(int name, char usage[EFFECT_USAGE]);
 
 /* Writes what the effect is set to: "0.2", "1 m, 0.1", "record.csv", "off". */
 enum { EFFECT_SETTING = 256 }; /* room for the longest name of a file */
-const char *effect_setting(const struct session *session, int name, char setting[EFFECT_SETTING]);
+const char *effect_setting(const struct scene *scene, int name, char setting[EFFECT_SETTING]);
 
 /* Returns the file that replaces the first value of the effect, or NULL. */
-const char *effect_file(const struct session *session, int name);
+const char *effect_file(const struct scene *scene, int name);
 
 /* Writes commands that show the effect. */
 enum { EFFECT_EXAMPLE = 128 };
@@ -38,27 +38,28 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE]);
  * replaces the first value.  Returns false after an error, and changes nothing then; but after an error in
  * the file of a row, the row and the effects that need one are off, and the message says so.
  */
-bool effect_turn(struct session *session, int name, const domq_real *value, int given, const char *path);
+bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, const char *path,
+                 const struct means *means, struct problem *problem);
 
 /* Sets the first value of an effect, or EFFECT_OFF, in a copy of a session; the row, borrowed, is not freed.
  */
-void effect_put(struct session *session, int name, domq_real value);
+void effect_put(struct scene *scene, int name, domq_real value);
 
 /* Reports an error if an effect that this one needs is off, or one that it cannot be combined with is on. */
-bool effect_needs(struct session *session, int name);
+bool effect_needs(const struct scene *scene, int name, struct problem *problem);
 
 /*
  * Reports an error if a saved session could not name the file of the row: a control character in it, such as
  * a new line, would begin another command.  All other names are read back byte for byte.
  */
-bool effects_savable(struct session *session);
+bool effects_savable(const struct scene *scene, struct problem *problem);
 
 /* Writes the commands that turn the effect off, or on with its values and the changed gaps of its row. */
-void effect_save(const struct session *session, int name, FILE *out);
+void effect_save(const struct scene *scene, int name, FILE *out);
 
 /* Returns a file's path as named, or, where there is none, beside the script that names it; free() it. NULL:
  * no memory. */
-char *session_beside(const struct session *session, const char *path);
+char *means_beside(const struct means *means, const char *path);
 
 /* ---- The row ---- */
 
@@ -76,18 +77,18 @@ struct scene_row {
  * Makes the row of the scene, which the rigid-body engine runs if the session asks for it. Reports an error
  * if there is no row, no memory, or no engine.
  */
-bool scene_row_make(struct session *session, struct scene_row *row);
+bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* The same for a row that is not run. */
-bool scene_row_list(struct session *session, struct scene_row *row);
+bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Writes the row of the session, with changed gaps and with masses, to domino[0] ... domino[count - 1]. */
-void scene_row_fill(const struct session *session, struct domq_domino *domino, size_t count);
+void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
 /* Returns true if masses are known: energies are then in J, else in m g h / 2 of the first domino. */
-bool scene_weighed(const struct session *session);
+bool scene_weighed(const struct scene *scene);
 
 /* Changes the gap before domino k, counted from 1, until another row is entered. */
-bool scene_row_place(struct session *session, size_t k, domq_real gap);
+bool scene_row_place(struct scene *scene, size_t k, domq_real gap, struct problem *problem);
 
 #endif

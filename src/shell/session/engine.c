@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/engine.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-bool session_engine(const struct session *session)
+bool scene_has_engine(const struct scene *scene)
 {
-    bool wanted = session->method == METHOD_ENGINE;
+    bool wanted = scene->method == METHOD_ENGINE;
     for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
-        wanted = wanted || session->effect[k].on;
-    return wanted && session->effect[DOM_EFFECT_row].on;
+        wanted = wanted || scene->effect[k].on;
+    return wanted && scene->effect[DOM_EFFECT_row].on;
 }
 
-const char *session_engine_why(const struct session *session)
+const char *scene_engine_why(const struct scene *scene)
 {
     static char why[EFFECT_COUNT][24];
     for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
-        if (session->effect[k].on) {
+        if (scene->effect[k].on) {
             snprintf(why[k], sizeof why[k], "%s is on", effect_at(k)->name);
             return why[k];
         }
@@ -294,39 +295,39 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
 /* ---- What the engine can do ---- */
 
 /* Reports an error for an effect that is on, and that the engine lacks. */
-static bool effects_check(struct session *session)
+static bool effects_check(const struct scene *scene, struct problem *problem)
 {
     static const char *const known[] = {"friction", "slope", "edges", "walls", "row", "push", "placement"};
     for (int k = 0; k < EFFECT_COUNT; k++) {
-        bool knows = !session->effect[k].on || k >= DOM_EFFECT_COUNT;
+        bool knows = !scene->effect[k].on || k >= DOM_EFFECT_COUNT;
         for (size_t i = 0; i < sizeof known / sizeof *known; i++)
             knows = knows || strcmp(known[i], effect_at(k)->name) == 0;
         if (!knows)
-            return session_error(
-                session,
+            return problem_error(
+                problem,
                 "the rigid-body engine, which runs this row since %s, does not include %s; first "
                 "enter 'effect %s off'",
-                session_engine_why(session), effect_at(k)->name, effect_at(k)->name);
+                scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
     }
     return true;
 }
 
-bool scene_engine_make(struct session *session, size_t count, struct scene_engine *engine)
+bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
+                       struct problem *problem)
 {
-    const struct effect_state *feet = &session->effect[EFFECT_feet],
-                              *bounce = &session->effect[EFFECT_bounce];
-    const char *why = session_engine_why(session);
-    if (!effects_check(session))
+    const struct effect_state *feet = &scene->effect[EFFECT_feet], *bounce = &scene->effect[EFFECT_bounce];
+    const char *why = scene_engine_why(scene);
+    if (!effects_check(scene, problem))
         return false;
     if (count > ENGINE_MOST)
-        return session_error(
-            session,
+        return problem_error(
+            problem,
             "a row of %zu dominoes is too long for the rigid-body engine, which runs it since %s; it "
             "takes up to %d, for example 'effect row 20'",
             count, why, ENGINE_MOST);
     if (!engine_version())
-        return session_error(
-            session,
+        return problem_error(
+            problem,
             "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian enter 'apt-get "
             "install libchipmunk7'",
             why);

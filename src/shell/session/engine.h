@@ -7,7 +7,7 @@
 #define SHELL_ENGINE_H
 
 #include "engine/engine.h"
-#include "session/session.h"
+#include "session/scene.h"
 
 /* What 'method' may be. */
 enum { METHOD_MODEL, METHOD_ENGINE };
@@ -27,16 +27,17 @@ struct scene_engine {
 };
 
 /* Returns true if the engine runs the rows of this session. */
-bool session_engine(const struct session *session);
+bool scene_has_engine(const struct scene *scene);
 
 /* Returns why: "feet is on", "method is engine". */
-const char *session_engine_why(const struct session *session);
+const char *scene_engine_why(const struct scene *scene);
 
 /*
  * Prepares the engine. Reports an error if it is not installed, or if a row of so many dominoes or an effect
  * that is on is not for it.
  */
-bool scene_engine_make(struct session *session, size_t count, struct scene_engine *engine);
+bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
+                       struct problem *problem);
 
 /* Runs a row once with coarse steps, for its cost. */
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);

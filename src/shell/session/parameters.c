@@ -55,40 +55,41 @@ static domq_real tol_floor(const struct domq_arithmetic *arithmetic)
     return arithmetic->tol_floor;
 }
 
-static bool fuel_check(struct session *session, domq_real fuel)
+static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {
-    const struct domq_effect *effect = domq_dynamics(&session->train);
+    const struct domq_effect *effect = domq_dynamics(&state->scene.train);
     return fuel != DOM_FUEL_PAPER || !effect ||
-           session_error(session, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
+           problem_error(problem, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
                          effect->name, effect->name);
 }
 
-static bool precision_check(struct session *session, domq_real precision)
+static bool precision_check(const struct state *state, domq_real precision, struct problem *problem)
 {
+    (void)state;
     const struct domq_arithmetic *arithmetic = domq_arithmetic((enum dom_precision)precision);
     return arithmetic->bits > 0 ||
-           session_error(session, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
+           problem_error(problem, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
 }
 
 /* Returns the lowest value at the session's precision. */
-static domq_real parameter_lowest(const struct session *session, const struct parameter *p)
+static domq_real parameter_lowest(const struct state *state, const struct parameter *p)
 {
-    return p->lowest_of ? p->lowest_of(domq_arithmetic(session->compute.precision)) : p->value->lowest;
+    return p->lowest_of ? p->lowest_of(domq_arithmetic(state->scene.compute.precision)) : p->value->lowest;
 }
 
 /* Sets the precision; a tol that was the old default becomes the new one, and one below the new floor that.
  */
-static void precision_put(struct session *session, domq_real precision)
+static void precision_put(struct state *state, domq_real precision)
 {
-    enum dom_precision before = session->compute.precision;
+    enum dom_precision before = state->scene.compute.precision;
     for (const struct parameter *p = session_parameters; p->name; p++) {
         if (!p->fallback_of)
             continue;
-        session->compute.precision = before;
-        domq_real value = parameter_get(session, p), was = parameter_fallback(session, p);
-        session->compute.precision = (enum dom_precision)precision;
-        value = value == was ? parameter_fallback(session, p) : value;
-        parameter_put(session, p, p->lowest_of ? quad_larger(value, parameter_lowest(session, p)) : value);
+        state->scene.compute.precision = before;
+        domq_real value = parameter_get(state, p), was = parameter_fallback(state, p);
+        state->scene.compute.precision = (enum dom_precision)precision;
+        value = value == was ? parameter_fallback(state, p) : value;
+        parameter_put(state, p, p->lowest_of ? quad_larger(value, parameter_lowest(state, p)) : value);
     }
 }
 
@@ -116,14 +117,14 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
 /* A row's first members: where it is stored, and its value. */
 #define ROW(name_, member, unit_, meaning_, ...) \
-    .name = name_, .offset = offsetof(struct session, member), \
+    .name = name_, .offset = offsetof(struct state, member), \
     .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
 #define NUMBER(of, name_, default_, lowest_, highest_, unit_, meaning_) \
     {ROW(#name_, of.name_, unit_, meaning_, .usual = (domq_real)(default_), .lowest = (domq_real)(lowest_), \
          .highest = (domq_real)(highest_)), MORE_##name_},
-#define TRAIN_NUMBER(...) NUMBER(train, __VA_ARGS__)
-#define COMPUTE_NUMBER(...) NUMBER(compute, __VA_ARGS__)
-#define SCALE_NUMBER(...) NUMBER(scale, __VA_ARGS__)
+#define TRAIN_NUMBER(...) NUMBER(scene.train, __VA_ARGS__)
+#define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
+#define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
 #define DYNAMICS(name, member, status) EFFECT(name)
 #define EFFECT(name) EFFECT_ROW(name, domq_effect_##name, DOM_EFFECT_##name)
 #define ENGINE_EFFECT(name) EFFECT_ROW(name, engine_effect_##name, EFFECT_##name)
@@ -134,48 +135,48 @@ const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
-    {ROW("mass", mass, "kg", "mass of the first domino; 0 for none: energies in m g h/2", .highest = 1e9),
+    {ROW("mass", scene.mass, "kg", "mass of the first domino; 0 for none: energies in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
-    {ROW("density", density, "kg/m^3", "density of the first domino, solid, half as wide as tall; 0 for none",
+    {ROW("density", scene.density, "kg/m^3", "density of the first domino, solid, half as wide as tall; 0 for none",
          .highest = 1e9),
      .synonyms = "wood weight material"},
-    {ROW("fuel", train.fuel, "", "energy balance, or the paper's closed form of (25; c7)", .usual = DOM_FUEL_EXACT),
+    {ROW("fuel", scene.train.fuel, "", "energy balance, or the paper's closed form of (25; c7)", .usual = DOM_FUEL_EXACT),
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
-    {ROW("precision", compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+    {ROW("precision", scene.compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
      .synonyms = "accuracy digits float double quad",
      .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .put = precision_put},
-    {ROW("method", method, "", "what runs rows: the model, or a rigid-body engine", .usual = METHOD_MODEL),
+    {ROW("method", scene.method, "", "what runs rows: the model, or a rigid-body engine", .usual = METHOD_MODEL),
      .synonyms = "engine chipmunk simulation second opinion compare check",
      .words = WORD_LIST({"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}), .words_only = true,
      .help = method_help},
-    {ROW("seed", seed, "", "start of the random numbers: the same seed, the same rows", .highest = (domq_real)4294967295.0,
+    {ROW("seed", scene.seed, "", "start of the random numbers: the same seed, the same rows", .highest = (domq_real)4294967295.0,
          .usual = SEED_DEFAULT, .whole = true),
      .synonyms = "random chance"},
-    {ROW("threads", threads, "", "threads of curves, sweeps and studies; 0: one a processor",
+    {ROW("threads", settings.threads, "", "threads of curves, sweeps and studies; 0: one a processor",
          .highest = 256, .whole = true),
      .synonyms = "parallel cores processors cpu fast", .setting = true},
-    {ROW("output", style.output, "", "how answers are written", .usual = 0),
+    {ROW("output", settings.style.output, "", "how answers are written", .usual = 0),
      .synonyms = "format csv json spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
-    {ROW("header", style.header, "", "whether csv begins with the names of its columns", .usual = 1),
+    {ROW("header", settings.style.header, "", "whether csv begins with the names of its columns", .usual = 1),
      .synonyms = "csv columns names first line",
      .words = SWITCH, .words_only = true, .setting = true},
-    {ROW("digits", style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
+    {ROW("digits", settings.style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
          .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
      .synonyms = "decimals accuracy", .setting = true},
-    {ROW("angle", style.angle, "", "unit of angles, in input and answers", .usual = ANGLE_RAD),
+    {ROW("angle", settings.style.angle, "", "unit of angles, in input and answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ROW("errors", style.errors, "", "whether each number has a bound of its error", .usual = 0),
+    {ROW("errors", settings.style.errors, "", "whether each number has a bound of its error", .usual = 0),
      .synonyms = "accuracy uncertainty precision bounds",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
-    {ROW("timing", timing, "", "whether each answer ends with its time", .usual = 0),
+    {ROW("timing", settings.timing, "", "whether each answer ends with its time", .usual = 0),
      .synonyms = "seconds speed fast",
      .words = SWITCH, .words_only = true, .setting = true},
-    {ROW("hints", hints, "", "whether the prompt shows how a line may go on", .usual = 1),
+    {ROW("hints", settings.hints, "", "whether the prompt shows how a line may go on", .usual = 1),
      .synonyms = "suggestion grey prompt history usage",
      .words = SWITCH, .words_only = true, .setting = true, .help = hints_help},
     DOM_DYNAMICS(DYNAMICS)
@@ -238,31 +239,31 @@ bool parameter_is_number(const struct parameter *p)
     return !p->words_only && !p->effect;
 }
 
-domq_real parameter_get(const struct session *session, const struct parameter *p)
+domq_real parameter_get(const struct state *state, const struct parameter *p)
 {
-    const struct effect_state *state = &session->effect[p->which];
-    const char *place = (const char *)session + p->offset;
+    const struct effect_state *effect = &state->scene.effect[p->which];
+    const char *place = (const char *)state + p->offset;
     if (p->effect)
-        return state->on ? state->value[0] : EFFECT_OFF;
+        return effect->on ? effect->value[0] : EFFECT_OFF;
     if (!p->words_only)
         return *(const domq_real *)(const void *)place;
     return *(const unsigned *)(const void *)place;
 }
 
-domq_real parameter_fallback(const struct session *session, const struct parameter *p)
+domq_real parameter_fallback(const struct state *state, const struct parameter *p)
 {
     return p->effect        ? EFFECT_OFF
-           : p->fallback_of ? p->fallback_of(domq_arithmetic(session->compute.precision))
+           : p->fallback_of ? p->fallback_of(domq_arithmetic(state->scene.compute.precision))
                             : p->value->usual;
 }
 
-void parameter_put(struct session *session, const struct parameter *p, domq_real value)
+void parameter_put(struct state *state, const struct parameter *p, domq_real value)
 {
-    char *place = (char *)session + p->offset;
+    char *place = (char *)state + p->offset;
     if (p->put)
-        p->put(session, value);
+        p->put(state, value);
     if (p->effect)
-        effect_put(session, p->which, value);
+        effect_put(&state->scene, p->which, value);
     else if (p->words_only)
         *(unsigned *)(void *)place = (unsigned)value;
     else
@@ -273,42 +274,43 @@ _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) =
                    sizeof(enum dom_precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned");
 
-bool parameter_set(struct session *session, const struct parameter *p, const domq_real *value, int given,
-                   const char *path)
+bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
+                   const char *path, const struct means *means, struct problem *problem)
 {
     if (p->effect)
-        return effect_turn(session, p->which, value, given, path);
-    if (p->check && !p->check(session, value[0]))
+        return effect_turn(&state->scene, p->which, value, given, path, means, problem);
+    if (p->check && !p->check(state, value[0], problem))
         return false;
-    parameter_put(session, p, value[0]);
+    parameter_put(state, p, value[0]);
     return true;
 }
 
 /* Returns the place of a parameter among those that are set one after the other. */
-static int rank(const struct session *session, const struct parameter *p)
+static int rank(const struct state *state, const struct parameter *p)
 {
     if (p->effect)
-        return session->effect[p->which].on ? 5 : !p->effect->needs; /* what needs another one is off first */
+        return state->scene.effect[p->which].on ? 5
+                                                : !p->effect->needs; /* what needs another one is off first */
     return !p->words_only ? 4 : p->setting ? 2 : 3;
 }
 
-const struct parameter *parameter_in_order(const struct session *session, int k)
+const struct parameter *parameter_in_order(const struct state *state, int k)
 {
     for (int at = 0; at <= 5; at++)
         for (const struct parameter *p = session_parameters; p->name; p++)
-            if (rank(session, p) == at && k-- == 0)
+            if (rank(state, p) == at && k-- == 0)
                 return p;
     return NULL;
 }
 
-void parameter_save(const struct session *session, const struct parameter *p, FILE *out)
+void parameter_save(const struct state *state, const struct parameter *p, FILE *out)
 {
     char value[WIDE_TEXT];
     if (p->effect) {
-        effect_save(session, p->which, out);
+        effect_save(&state->scene, p->which, out);
         return;
     }
-    parameter_text(p, parameter_get(session, p), WIDE_DIGITS, value, sizeof value);
+    parameter_text(p, parameter_get(state, p), WIDE_DIGITS, value, sizeof value);
     fprintf(out, "set %s %s\n", p->name, value);
 }
 
@@ -320,12 +322,12 @@ const char *parameter_word(const struct parameter *p, domq_real value)
     return NULL;
 }
 
-void parameter_range(const struct session *session, const struct parameter *p, int i, char *text, size_t size)
+void parameter_range(const struct state *state, const struct parameter *p, int i, char *text, size_t size)
 {
     int digits = p->value[i].whole ? 15 : 6; /* a whole number is shown whole */
     if (!p->words_only)
         snprintf(text, size, "%.*g .. %.*g", digits,
-                 (double)(i ? p->value[i].lowest : parameter_lowest(session, p)), digits,
+                 (double)(i ? p->value[i].lowest : parameter_lowest(state, p)), digits,
                  (double)p->value[i].highest);
     size_t used = 0;
     for (const struct word *w = p->words; p->words_only && w->name && used < size; w++)
@@ -343,29 +345,30 @@ void parameter_text(const struct parameter *p, domq_real value, int digits, char
                                      : quad_text(value, digits < 15 ? digits : 15, number));
 }
 
-bool parameter_check(struct session *session, const struct parameter *p, int i, domq_real value)
+bool parameter_check(const struct state *state, const struct parameter *p, int i, domq_real value,
+                     struct problem *problem)
 {
     char range[64], meaning[96] = "";
     const struct domq_effect_argument *of = &p->value[i];
-    const struct domq_arithmetic *arithmetic = domq_arithmetic(session->compute.precision);
-    domq_real lowest = i ? of->lowest : parameter_lowest(session, p);
+    const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
+    domq_real lowest = i ? of->lowest : parameter_lowest(state, p);
     bool broken = of->whole && value != quad(floor)(value);
     /* The doubles of the table are the nearest to decimals: both are inside. */
     if (!broken && (value >= lowest || (p->lowest_of && (double)value >= (double)lowest)) &&
         value <= of->highest)
         return true;
-    parameter_range(session, p, i, range, sizeof range);
+    parameter_range(state, p, i, range, sizeof range);
     if (broken)
-        return session_no_answer(session, "%s = %s is not a whole number; %s is a whole number in %s",
+        return problem_no_answer(problem, "%s = %s is not a whole number; %s is a whole number in %s",
                                  of->name, quad_shown(value).text, of->name, range);
     if (p->lowest_of && value > 0 && value < lowest)
-        return session_no_answer(
-            session, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
+        return problem_no_answer(
+            problem, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
             quad_shown(value).text, arithmetic->name, p->name, range,
-            session->compute.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
+            state->scene.compute.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
     if (p->effect)
         snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
-    return session_no_answer(session, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,
+    return problem_no_answer(problem, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,
                              quad_shown(value).text, of->name, meaning, range, *of->unit ? " " : "", of->unit,
                              p->words && !p->effect ? ", or one of its words" : "");
 }
@@ -382,14 +385,14 @@ static int tol_digits(domq_real tol)
     return digits;
 }
 
-struct output_style session_style(const struct session *session)
+struct output_style state_style(const struct state *state)
 {
-    struct output_style style = session->style;
-    int bits = domq_arithmetic(session->compute.precision)->bits;
-    style.format = session_answers(session);
-    style.precision = session->compute.precision;
+    struct output_style style = state->settings.style;
+    int bits = domq_arithmetic(state->scene.compute.precision)->bits;
+    style.format = format_at(style.output);
+    style.precision = state->scene.compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = tol_digits(session->compute.tol);
+    style.tol_digits = tol_digits(state->scene.compute.tol);
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }

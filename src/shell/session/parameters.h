@@ -8,7 +8,7 @@
 #define SHELL_PARAMETERS_H
 
 #include "session/effects.h"
-#include "session/session.h"
+#include "session/query.h"
 
 /* A name for a value: hollow = 3, exact = 0. */
 struct word {
@@ -28,16 +28,16 @@ struct parameter {
     bool words_only;                  /* stored as an unsigned */
     bool setting;                     /* of the calculator, not of the model: reset without a name keeps it */
     const char *moves;                /* a parameter that a change of this one may change too; or NULL */
-    size_t offset;                    /* in struct session; not of an effect */
+    size_t offset;                    /* in struct state; not of an effect */
 
     /* Hooks; NULL where nothing is special. */
     /* Return the default and the lowest value, where the arithmetic of the session's precision decides. */
     domq_real (*fallback_of)(const struct domq_arithmetic *arithmetic);
     domq_real (*lowest_of)(const struct domq_arithmetic *arithmetic);
-    /* Reports an error where the session cannot take the value, though it is in the range. */
-    bool (*check)(struct session *session, domq_real value);
+    /* Describes a problem where the state cannot take the value, though it is in the range. */
+    bool (*check)(const struct state *state, domq_real value, struct problem *problem);
     /* Stores the value and changes what follows from it. */
-    void (*put)(struct session *session, domq_real value);
+    void (*put)(struct state *state, domq_real value);
 };
 
 /* All parameters in the order of show, then the effects; ends with a NULL name. */
@@ -67,48 +67,49 @@ const char *parameter_synonyms(const struct parameter *parameter);
 bool parameter_is_number(const struct parameter *parameter);
 
 /* Returns the value, the first one of an effect; EFFECT_OFF for an effect that is off. */
-domq_real parameter_get(const struct session *session, const struct parameter *parameter);
+domq_real parameter_get(const struct state *state, const struct parameter *parameter);
 
 /* Returns the default at the session's precision; EFFECT_OFF for an effect. */
-domq_real parameter_fallback(const struct session *session, const struct parameter *parameter);
+domq_real parameter_fallback(const struct state *state, const struct parameter *parameter);
 
 /*
  * Stores a value that is in the range, and what follows from it, into a session that may be a copy: what the
  * copy shares with others is not freed.
  */
-void parameter_put(struct session *session, const struct parameter *parameter, domq_real value);
+void parameter_put(struct state *state, const struct parameter *parameter, domq_real value);
 
 /*
  * Gives a parameter these values, which are in their ranges, as 'set' does; path, unless NULL, is a file
  * instead of the first value. Returns false after an error, see effect_turn.
  */
-bool parameter_set(struct session *session, const struct parameter *parameter, const domq_real *value,
-                   int given, const char *path);
+bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
+                   const char *path, const struct means *means, struct problem *problem);
 
 /*
  * Returns the parameters in an order in which 'set' can take them, NULL after the last: first the effects
  * that are off, then how answers are written, then words, since the smallest tol depends on the precision,
  * then numbers, and then the effects that are on.
  */
-const struct parameter *parameter_in_order(const struct session *session, int k);
+const struct parameter *parameter_in_order(const struct state *state, int k);
 
 /* Writes the command that gives the parameter the value that it has in the session. */
-void parameter_save(const struct session *session, const struct parameter *parameter, FILE *out);
+void parameter_save(const struct state *state, const struct parameter *parameter, FILE *out);
 
 /* Reports an error unless the i-th value may be this one. */
-bool parameter_check(struct session *session, const struct parameter *parameter, int i, domq_real value);
+bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
+                     struct problem *problem);
 
 /* Returns the name of a value that has one, else NULL. */
 const char *parameter_word(const struct parameter *parameter, domq_real value);
 
 /* Writes the range of the i-th value: "1e-12 .. 1", or "exact|paper". */
-void parameter_range(const struct session *session, const struct parameter *parameter, int i, char *text,
+void parameter_range(const struct state *state, const struct parameter *parameter, int i, char *text,
                      size_t size);
 
 /* Writes a value as 'set' reads it. */
 void parameter_text(const struct parameter *parameter, domq_real value, int digits, char *text, size_t size);
 
-/* Returns the style of the session's answers. */
-struct output_style session_style(const struct session *session);
+/* Returns the style of answers, in the format that 'set output' has chosen. */
+struct output_style state_style(const struct state *state);
 
 #endif

@@ -46,7 +46,9 @@ static const struct kind {
 enum { CELLS = 64, LINE_MOST = 65536, FILE_MOST = 64 << 20, DOMINOES_MOST = 100000 };
 
 struct reader {
-    struct session *session;
+    const struct scene *scene;
+    const struct means *means;
+    struct problem *problem;
     const char *path;
     FILE *in;
     long line;
@@ -107,7 +109,7 @@ report(const struct reader *r, const char *at, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    session_error(r->session, "%s:%ld:%d: %s%s", r->path, r->line, at ? text_column(&r->text, at) : 1,
+    problem_error(r->problem, "%s:%ld:%d: %s%s", r->path, r->line, at ? text_column(&r->text, at) : 1,
                   message, r->then);
 }
 
@@ -265,12 +267,12 @@ static bool head_read(struct reader *r)
     for (int k = 0; k < KINDS; k++)
         if (kinds[k].required && r->column[k] == 0)
             return wrong(r, NULL, "the column '%s' is missing; the first line names " COLUMNS, kinds[k].name);
-    if (r->column[RADIUS] > 0 && !r->session->effect[DOM_EFFECT_edges].on)
-        session_note(r->session, "%s:%ld: the radii are used while the effect edges is on: 'effect edges on'",
-                     r->path, r->line);
+    if (r->column[RADIUS] > 0 && !r->scene->effect[DOM_EFFECT_edges].on)
+        means_note(r->means, "%s:%ld: the radii are used while the effect edges is on: 'effect edges on'",
+                   r->path, r->line);
     if (*r->unused)
-        session_note(r->session, "%s:%ld: not used: the columns %s; those that are: " COLUMNS, r->path,
-                     r->line, r->unused);
+        means_note(r->means, "%s:%ld: not used: the columns %s; those that are: " COLUMNS, r->path, r->line,
+                   r->unused);
     return true;
 }
 
@@ -424,17 +426,22 @@ static bool lines_read(struct reader *r, struct listed_row *rows)
     }
 }
 
-bool rowfile_read(struct session *session, const char *path, const char *then, struct listed_row *rows)
+bool rowfile_read(const struct scene *scene, const char *path, const char *then, struct listed_row *rows,
+                  const struct means *means, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    struct reader r = {.session = session, .then = then, .in = io_read(path, session->compute.interrupt)};
+    struct reader r = {.scene = scene,
+                       .means = means,
+                       .problem = problem,
+                       .then = then,
+                       .in = io_read(path, scene->compute.interrupt)};
     *rows = (struct listed_row){.domino = NULL};
     if (r.in && !(r.buffer = malloc(LINE_MOST))) {
         fclose(r.in);
         r.in = NULL;
     }
     if (!r.in)
-        return session_error(session, "cannot read '%s': %s%s", names_shown(path, shown), strerror(errno),
+        return problem_error(problem, "cannot read '%s': %s%s", names_shown(path, shown), strerror(errno),
                              then);
     /* A name must not hide the rest of a message, nor break its line. */
     r.path = strlen(path) > 255 || strpbrk(path, "\n\r\t\033") ? names_shown(path, shown) : path;

@@ -21,7 +21,7 @@
 #ifndef SHELL_ROWFILE_H
 #define SHELL_ROWFILE_H
 
-#include "session/session.h"
+#include "session/query.h"
 
 /*
  * Reads the dominoes in the order of the file; the gap of the first is 0.  Masses that are not known are
@@ -29,6 +29,7 @@
  * the file, the line, the column (character, from 1), the reason and `then`, the consequence of the error.
  * Free the rows with listed_free.
  */
-bool rowfile_read(struct session *session, const char *path, const char *then, struct listed_row *rows);
+bool rowfile_read(const struct scene *scene, const char *path, const char *then, struct listed_row *rows,
+                  const struct means *means, struct problem *problem);
 
 #endif

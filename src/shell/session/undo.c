@@ -7,7 +7,7 @@
 enum { STEPS = 100, HELD_MOST = 4000000 /* dominoes and changed gaps of all steps */ };
 
 struct step {
-    struct session *state;
+    struct state *state;
     char text[NAMES_SHOWN];
 };
 
@@ -19,23 +19,23 @@ struct undo {
     } back, forward;
 };
 
-static void state_free(struct session *state)
+static void state_free(struct state *state)
 {
     if (state) {
-        listed_free(&state->listed);
+        listed_free(&state->scene.listed);
         variables_free(&state->variables);
     }
     free(state);
 }
 
-struct session *undo_begin(struct session *session)
+struct state *undo_begin(struct session *session)
 {
-    struct session *state = malloc(sizeof *state);
+    struct state *state = malloc(sizeof *state);
     if (!state)
         return NULL;
-    *state = *session;
-    bool shared = listed_share(&state->listed, &session->listed);
-    if (variables_copy(&state->variables, &session->variables) && shared)
+    *state = session->state;
+    bool shared = listed_share(&state->scene.listed, &session->state.scene.listed);
+    if (variables_copy(&state->variables, &session->state.variables) && shared)
         return state;
     state_free(state);
     return NULL;
@@ -49,31 +49,26 @@ static bool row_equal(const struct listed_row *a, const struct listed_row *b)
     return equal;
 }
 
-static bool state_equal(const struct session *a, const struct session *b)
+static bool state_equal(const struct state *a, const struct state *b)
 {
     for (const struct parameter *p = session_parameters; p->name; p++) {
         if (parameter_get(a, p) != parameter_get(b, p))
             return false;
-        for (int i = 1; p->effect && a->effect[p->which].on && parameter_value(p, i); i++)
-            if (a->effect[p->which].value[i] != b->effect[p->which].value[i])
+        for (int i = 1; p->effect && a->scene.effect[p->which].on && parameter_value(p, i); i++)
+            if (a->scene.effect[p->which].value[i] != b->scene.effect[p->which].value[i])
                 return false;
     }
-    return row_equal(&a->listed, &b->listed) && variables_equal(&a->variables, &b->variables);
+    return row_equal(&a->scene.listed, &b->scene.listed) && variables_equal(&a->variables, &b->variables);
 }
 
-/* Moves a state into the session; what the session held is freed. */
-static void state_put(struct session *session, struct session *state)
+/* Moves a state into the session, whose walk goes on; what the session held is freed. */
+static void state_put(struct session *session, struct state *state)
 {
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!p->effect)
-            memcpy((char *)session + p->offset, (char *)state + p->offset,
-                   p->words_only ? sizeof(unsigned) : sizeof(domq_real));
-    listed_free(&session->listed);
-    variables_free(&session->variables);
-    memcpy(session->effect, state->effect, sizeof session->effect);
-    session->listed = state->listed;
-    session->variables = state->variables;
-    effects_apply(session);
+    const struct walk walk = session->state.scene.walk;
+    listed_free(&session->state.scene.listed);
+    variables_free(&session->state.variables);
+    session->state = *state;
+    session->state.scene.walk = walk;
     free(state);
 }
 
@@ -91,7 +86,7 @@ static void drop_all(struct stack *stack)
 }
 
 /* Adds a step, and drops the oldest where there are too many, or too much is held. */
-static void push(struct stack *stack, struct session *state, const char *text)
+static void push(struct stack *stack, struct state *state, const char *text)
 {
     size_t held = 0;
     if (stack->count == STEPS)
@@ -100,9 +95,9 @@ static void push(struct stack *stack, struct session *state, const char *text)
     step->state = state;
     memmove(step->text, text, strlen(text) + 1);
     for (int i = 0; i < stack->count; i++)
-        held += stack->step[i].state->listed.count + stack->step[i].state->listed.changes;
+        held += stack->step[i].state->scene.listed.count + stack->step[i].state->scene.listed.changes;
     for (; held > HELD_MOST && stack->count > 1; drop_oldest(stack))
-        held -= stack->step[0].state->listed.count + stack->step[0].state->listed.changes;
+        held -= stack->step[0].state->scene.listed.count + stack->step[0].state->scene.listed.changes;
 }
 
 static void undo_free(struct undo *undo)
@@ -112,14 +107,14 @@ static void undo_free(struct undo *undo)
     free(undo);
 }
 
-void undo_keep(struct session *session, struct session *before, const char *text, size_t length)
+void undo_keep(struct session *session, struct state *before, const char *text, size_t length)
 {
     char shown[NAMES_SHOWN];
     char *copy = strndup(text, length);
-    if (before && copy && !state_equal(session, before) && !session->undo)
+    if (before && copy && !state_equal(&session->state, before) && !session->undo)
         session->undo = calloc(1, sizeof *session->undo);
     session->undo_free = undo_free;
-    if (before && copy && session->undo && !state_equal(session, before)) {
+    if (before && copy && session->undo && !state_equal(&session->state, before)) {
         drop_all(&session->undo->forward);
         push(&session->undo->back, before, names_shown(copy, shown));
     } else
@@ -131,7 +126,7 @@ const char *undo_step(struct session *session, bool back, char text[NAMES_SHOWN]
 {
     struct undo *undo = session->undo;
     struct stack *from = !undo ? NULL : back ? &undo->back : &undo->forward;
-    struct session *now = from && from->count > 0 ? undo_begin(session) : NULL;
+    struct state *now = from && from->count > 0 ? undo_begin(session) : NULL;
     if (!now)
         return NULL;
     struct step *step = &from->step[--from->count];

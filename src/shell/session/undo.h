@@ -7,10 +7,10 @@
 #include "session/session.h"
 
 /* Returns the state of a session before a command, for undo_keep; NULL: no memory, and no step is kept. */
-struct session *undo_begin(struct session *session);
+struct state *undo_begin(struct session *session);
 
 /* Keeps the state as a step if the command, whose text is given, changed it since; else frees it. */
-void undo_keep(struct session *session, struct session *before, const char *text, size_t length);
+void undo_keep(struct session *session, struct state *before, const char *text, size_t length);
 
 /* Goes one step back, or forward again.  Returns the text of its command, or NULL: there is no step. */
 const char *undo_step(struct session *session, bool back, char text[NAMES_SHOWN]);

@@ -49,7 +49,7 @@ static void canvas_fill(struct canvas *c, const struct drawn *k, double d, doubl
         }
 }
 
-static void canvas_make(struct canvas *c, const struct scene *scene, double d, int width, int height)
+static void canvas_make(struct canvas *c, const struct stage *scene, double d, int width, int height)
 {
     c->width = width;
     c->height = height;
@@ -120,12 +120,12 @@ enum { TITLE_SIZE = 256 };
 
 /* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale"; the radius of rounded
  * edges takes the place of the last words. */
-static const char *title_text(const struct session *session, domq_real theta, const char *letter,
+static const char *title_text(const struct query *query, domq_real theta, const char *letter,
                               char text[TITLE_SIZE])
 {
-    const struct domq_train *t = &session->train;
-    const struct walk *walk = walk_now(session);
-    struct walk_units units = walk_units(session, walk ? walk->cycle : 1);
+    const struct domq_train *t = &query->scene->train;
+    const struct walk *walk = walk_now(query);
+    struct walk_units units = walk_units(query, walk ? walk->cycle : 1);
     char last[40] = "to scale";
     if (t->rho != 0)
         snprintf(last, sizeof last, "edges %.4g h", (double)t->rho);
@@ -136,7 +136,7 @@ static const char *title_text(const struct session *session, domq_real theta, co
 }
 
 /* How tall the next one is, where the picture cuts it off. */
-static const char *next_cut(const struct scene *scene, char text[32])
+static const char *next_cut(const struct stage *scene, char text[32])
 {
     double height = scene->domino[0].height;
     text[0] = '\0';
@@ -154,7 +154,7 @@ static bool force_lost(const struct drawn *k)
 }
 
 /* "0: 0.12, 1: 0.14". */
-static void forces_write(const struct scene *scene, int width, FILE *out)
+static void forces_write(const struct stage *scene, int width, FILE *out)
 {
     char text[TITLE_SIZE];
     int at = snprintf(text, sizeof text, "contact forces, in weights of the one that is pushed:");
@@ -169,17 +169,19 @@ static void forces_write(const struct scene *scene, int width, FILE *out)
     putc('\n', out);
 }
 
-static void draw_text(struct session *session, domq_real theta, const struct scene *scene, bool forces)
+static void draw_text(const struct query *query, struct answer *a, domq_real theta, const struct stage *scene,
+                      bool forces)
 {
     static struct canvas canvas;
     char text[TITLE_SIZE], cut[32];
-    FILE *out = session->out;
+    FILE *out = a->out;
     int width, height;
     ticker_stop();
-    picture_room(session, &width, &height);
+    picture_room(a, &width, &height);
     width = width < WIDTH_MOST ? width : WIDTH_MOST;
-    canvas_make(&canvas, scene, (double)session->train.d, width - TEXT_LEFT, height - TEXT_BELOW - forces);
-    output_wrapped(out, title_text(session, theta, "theta", text), 0, width);
+    canvas_make(&canvas, scene, (double)query->scene->train.d, width - TEXT_LEFT,
+                height - TEXT_BELOW - forces);
+    output_wrapped(out, title_text(query, theta, "theta", text), 0, width);
     putc('\n', out);
     canvas_write(&canvas, out);
     snprintf(text, sizeof text, "0: head; 1, 2, ...: its followers; #: the next%s; @: contact",
@@ -206,7 +208,7 @@ static void script_arrow(FILE *script, const struct drawn *k, double length)
                 k->of_own, from.x, from.y);
 }
 
-static void script_arrows(FILE *script, const struct scene *scene)
+static void script_arrows(FILE *script, const struct stage *scene)
 {
     double largest = 0;
     for (int k = 1; k < scene->count; k++)
@@ -217,26 +219,27 @@ static void script_arrows(FILE *script, const struct scene *scene)
             script_arrow(script, &scene->domino[k], 0.4 * scene->domino[k].of_own / largest);
 }
 
-static bool draw_file(struct session *session, domq_real theta, const struct scene *scene, bool forces)
+static bool draw_file(const struct query *query, struct answer *a, struct problem *problem, domq_real theta,
+                      const struct stage *scene, bool forces)
 {
     char text[TITLE_SIZE], cut[32];
     struct picture picture;
-    if (!picture_begin(session, &picture))
+    if (!picture_begin(a, problem, &picture))
         return false;
     FILE *out = picture.script;
     script_axes(out, scene->left, scene->right, scene->top);
     fprintf(out, "set title \"%s\\n0: head; 1, 2, ...: its followers; grey: the next%s; dots: contacts%s\"\n",
-            title_text(session, theta, picture.theta, text), next_cut(scene, cut),
+            title_text(query, theta, picture.theta, text), next_cut(scene, cut),
             forces ? "\\narrows: the push at a contact, in weights of the domino that is pushed" : "");
     for (int k = scene->count - 1; k >= 0; k--)
         script_domino(out, &scene->domino[k], (struct place){1, 0},
-                      scene->domino[k].height * (double)session->train.d > 0.025 * scene->top
+                      scene->domino[k].height * (double)query->scene->train.d > 0.025 * scene->top
                           ? scene->left
                           : (double)INFINITY);
     if (forces)
         script_arrows(out, scene);
     fprintf(out, "plot NaN\n");
-    return picture_end(session, &picture, true);
+    return picture_end(query, problem, &picture, true);
 }
 
 static const struct column draw_columns[] = {
@@ -262,7 +265,7 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-static void draw_rows(struct answer *answer, const struct scene *scene, enum dom_status forces)
+static void draw_rows(struct answer *answer, const struct stage *scene, enum dom_status forces)
 {
     answer->style.errors = 0; /* a picture needs no bounds */
     for (int n = 0; n < scene->count; n++) {
@@ -280,41 +283,41 @@ static void draw_rows(struct answer *answer, const struct scene *scene, enum dom
     }
 }
 
-static bool run_draw(struct session *session, const struct call *call)
+static bool run_draw(const struct query *query, struct answer *a, struct problem *problem)
 {
-    static struct scene scene;
+    static struct stage scene;
     static const struct draw_what nothing;
-    const struct draw_what *what = call->own ? call->own : &nothing;
+    const struct draw_what *what = query->given->own ? query->given->own : &nothing;
     bool of_row = what->at != ROW_STANDS || !(what->train || what->forces || what->tilted);
-    if (what->at != ROW_STANDS && !session->effect[DOM_EFFECT_row].on) {
-        session->column = call->column[0];
-        return session_error(session, "'draw at' shows a moment of a row; first enter 'effect row N', for "
+    if (what->at != ROW_STANDS && !query->scene->effect[DOM_EFFECT_row].on) {
+        problem->place = query->given->column[0];
+        return problem_error(problem, "'draw at' shows a moment of a row; first enter 'effect row N', for "
                                       "example 'effect row 10'");
     }
-    if (of_row && session->effect[DOM_EFFECT_row].on)
-        return draw_row(session, call, what);
-    call->answer->of_row = what->train; /* it was asked for */
+    if (of_row && query->scene->effect[DOM_EFFECT_row].on)
+        return draw_row(query, a, problem, what);
+    a->of_row = what->train; /* it was asked for */
     /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
-    const struct walk *walk = what->tilted ? NULL : walk_now(session);
-    const struct domq_compute *compute = walk ? &walk->compute : &session->compute;
+    const struct walk *walk = what->tilted ? NULL : walk_now(query);
+    const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     domq_real theta = walk ? walk->theta : what->theta;
-    bool people = answer_for_people(call->answer);
-    if (!walk && !picture_comes_to(session, theta))
+    bool people = answer_for_people(a);
+    if (!walk && !picture_comes_to(query, problem, theta))
         return false;
-    enum dom_status status = scene_make(&session->train, compute, theta, 0, &scene);
+    enum dom_status status = stage_make(&query->scene->train, compute, theta, 0, &scene);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     /* Data has forces where there are any; the margin may be too small for them. */
     if (what->forces || !people)
-        status = scene_forces(&session->train, compute, theta, &scene);
+        status = scene_forces(&query->scene->train, compute, theta, &scene);
     if (status != DOM_OK && what->forces)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     if (!people)
-        draw_rows(call->answer, &scene, status);
-    else if (picture_is_text(session))
-        draw_text(session, theta, &scene, what->forces);
+        draw_rows(a, &scene, status);
+    else if (picture_is_text(a))
+        draw_text(query, a, theta, &scene, what->forces);
     else
-        return draw_file(session, theta, &scene, what->forces);
+        return draw_file(query, a, problem, theta, &scene, what->forces);
     return true;
 }
 

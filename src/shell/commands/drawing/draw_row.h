@@ -5,6 +5,7 @@
 #include "commands/drawing/draw_words.h"
 
 /* Draws the session's row. False: an error was reported. */
-bool draw_row(struct session *session, const struct call *call, const struct draw_what *what);
+bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
+              const struct draw_what *what);
 
 #endif

@@ -71,14 +71,14 @@ static bool stray_word(struct reader *r)
     size_t n = strspn(r->at, "abcdefghijklmnopqrstuvwxyz");
     snprintf(word, sizeof word, "%.*s", (int)(n < 63 ? n : 63), r->at);
     return n > 0 && (isspace((unsigned char)r->at[n]) || r->at[n] == '>' || command_ends(r->at + n)) &&
-           names_exact(value_names, r->session, word) < 0;
+           names_exact(value_names, r->query->state, word) < 0;
 }
 
 static bool wrong_word(struct reader *r, const char *what, const char *usage)
 {
     char shown[NAMES_SHOWN];
     char *word = read_word(r, false);
-    session_error(r->session, "'%s' %s; %s", names_shown(word ? word : "", shown), what, usage);
+    problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : "", shown), what, usage);
     free(word);
     return false;
 }
@@ -90,14 +90,14 @@ static const char unknown[] = "is neither a value nor one of the words",
 static bool value(struct reader *r, const char *name, enum argument_kind kind, struct quantity *q,
                   domq_real *number)
 {
-    r->session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     return more(r) ? read_quantity(r, &(struct argument){.name = name, .kind = kind}, q, number)
-                   : session_error(r->session, "%s is missing", name);
+                   : problem_error(r->problem, "%s is missing", name);
 }
 
 static bool nothing_more(struct reader *r, const char *usage)
 {
-    r->session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     return !more(r) || wrong_word(r, too_many, usage);
 }
 
@@ -107,11 +107,10 @@ static const char draw_usage[] =
 /* Reads the moment that follows 'at'. */
 static bool read_at(struct reader *r, struct draw_what *what)
 {
-    struct session *session = r->session;
     struct quantity q = {.value = 0};
-    what->column = session->column = reader_column(r, skip_blanks(r->at));
+    what->column = r->problem->place = reader_column(r, skip_blanks(r->at));
     if (!more(r))
-        return session_error(session, "the moment is missing; %s", draw_usage);
+        return problem_error(r->problem, "the moment is missing; %s", draw_usage);
     what->at = ROW_AT_TIME;
     if (word_is(r, "end")) {
         what->at = ROW_AT_END;
@@ -119,10 +118,11 @@ static bool read_at(struct reader *r, struct draw_what *what)
     }
     if (word_is(r, "domino")) {
         what->at = ROW_AT_DOMINO;
-        session->column = reader_column(r, skip_blanks(r->at));
+        r->problem->place = reader_column(r, skip_blanks(r->at));
         return more(r)
                    ? value(r, "the domino", ARGUMENT_ANY, &q, &what->domino) && nothing_more(r, draw_usage)
-                   : session_error(session, "the number of the domino is missing, as in 'draw at domino 8'");
+                   : problem_error(r->problem,
+                                   "the number of the domino is missing, as in 'draw at domino 8'");
     }
     if (stray_word(r))
         return wrong_word(r, unknown, draw_usage);
@@ -131,29 +131,28 @@ static bool read_at(struct reader *r, struct draw_what *what)
         return false;
     if (!quantity_plain(q) && !quantity_alike(q, (struct quantity){.time = 1})) {
         char kind[64];
-        return session_error(session, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
+        return problem_error(r->problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
                              expression_kind(q, kind, sizeof kind));
     }
     return nothing_more(r, draw_usage);
 }
 
-bool draw_read(struct reader *r, struct call *call)
+bool draw_read(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
     struct draw_what *what = calloc(1, sizeof *what);
     struct quantity q = {.value = 0};
-    call->own = what;
-    call->own_free = free;
+    given->own = what;
+    given->own_free = free;
     if (!what)
-        return session_status(session, DOM_NO_MEMORY);
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
     if (word_is(r, "at"))
         return read_at(r, what);
     what->train = word_is(r, "train");
     while (more(r)) {
-        session->column = reader_column(r, r->at);
+        r->problem->place = reader_column(r, r->at);
         r->last = false;
         if (what->forces && word_is(r, "forces"))
-            return session_error(session, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
+            return problem_error(r->problem, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
         if (what->forces)
             return wrong_word(r, too_many, draw_usage);
         if (word_is(r, "forces"))
@@ -171,18 +170,17 @@ bool draw_read(struct reader *r, struct call *call)
 static const char film_usage[] =
     "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
 
-bool film_read(struct reader *r, struct call *call)
+bool film_read(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
     struct film_what *what = calloc(1, sizeof *what);
     struct quantity q = {.value = 0};
-    call->own = what;
-    call->own_free = free;
+    given->own = what;
+    given->own_free = free;
     if (!what)
-        return session_status(session, DOM_NO_MEMORY);
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
     *what = (struct film_what){.speed = 1, .rate = 25};
     while (more(r)) {
-        session->column = reader_column(r, r->at);
+        r->problem->place = reader_column(r, r->at);
         r->last = false;
         bool speed = word_is(r, "speed"), rate = !speed && word_is(r, "rate");
         if (speed || rate) {
@@ -192,19 +190,19 @@ bool film_read(struct reader *r, struct call *call)
             domq_real got = speed ? what->speed : what->rate;
             /* A rate may be said as 20/s. */
             if (!quantity_bare(q) && !(rate && quantity_alike(q, (struct quantity){.time = -1})))
-                return session_error(session, "%s is a plain number", speed ? "the speed" : "the rate");
+                return problem_error(r->problem, "%s is a plain number", speed ? "the speed" : "the rate");
             if (!(speed ? got >= (domq_real)0.001 && got <= 1000 : got >= 1 && got <= 50))
-                return session_error(
-                    session, speed
-                                 ? "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast"
-                                 : "the rate is a number of frames in a second in 1 .. 50");
+                return problem_error(
+                    r->problem,
+                    speed ? "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast"
+                          : "the rate is a number of frames in a second in 1 .. 50");
         } else if (!what->train && word_is(r, "train")) {
             what->train = true;
         } else if (what->counted || stray_word(r)) {
             return wrong_word(r, what->counted ? too_many : unknown, film_usage);
         } else {
             what->counted = true;
-            what->column = session->column;
+            what->column = r->problem->place;
             if (!value(r, "N", ARGUMENT_ANY, &q, &what->cycles))
                 return false;
         }

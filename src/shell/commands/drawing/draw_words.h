@@ -29,8 +29,8 @@ struct film_what {
 };
 
 /* Read the words of a call; the structures are the call's. */
-bool draw_read(struct reader *reader, struct call *call);
-bool film_read(struct reader *reader, struct call *call);
+bool draw_read(struct reader *reader, struct arguments *call);
+bool film_read(struct reader *reader, struct arguments *call);
 
 /* Lists for names.h the words that may follow the word that is the context. */
 const char *draw_names(const void *before, int k);

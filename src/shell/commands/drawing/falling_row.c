@@ -38,19 +38,19 @@ static void row_place(struct falling_row *row)
     }
 }
 
-bool falling_row_make(struct session *session, struct falling_row *row)
+bool falling_row_make(const struct query *query, struct problem *problem, struct falling_row *row)
 {
     const domq_real ever = (domq_real)HUGE_VAL;
     *row = (struct falling_row){.end = (double)NAN};
-    if (!scene_row_make(session, &row->scene))
+    if (!scene_row_make(query->scene, &row->scene, problem))
         return false;
     row->count = row->scene.row.count;
     row->tipped = isnan(row->scene.row.push);
     row->scene.row.floor = false; /* no picture shows it */
     row->at = calloc(4 * row->count, sizeof *row->at);
-    if (!row->at || !report_begin(session, &row->scene)) {
+    if (!row->at || !report_begin(query, problem, &row->scene)) {
         falling_row_free(row);
-        return session_status(session, DOM_NO_MEMORY);
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
     }
     row->hit = row->at + row->count;
     row->share = row->hit + row->count;
@@ -65,7 +65,7 @@ bool falling_row_make(struct session *session, struct falling_row *row)
     if (status == DOM_OK)
         return true;
     falling_row_free(row);
-    return row_status(session, status);
+    return row_status(query, problem, status);
 }
 
 void falling_row_free(struct falling_row *row)

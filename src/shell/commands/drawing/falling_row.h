@@ -23,7 +23,7 @@ struct falling_row {
 };
 
 /* Makes the row, and runs it. False: an error was reported, and nothing is to be freed. */
-bool falling_row_make(struct session *session, struct falling_row *row);
+bool falling_row_make(const struct query *query, struct problem *problem, struct falling_row *row);
 void falling_row_free(struct falling_row *row);
 
 /* Returns the time from which on a row that is tipped over its edge is seen to move; 0 for one that is

@@ -53,23 +53,23 @@ static int cycles_within(double r, double grown_most, int most)
 }
 
 /* Reports an error unless the picture can show so many cycles: the first head can still be seen. */
-static bool cycles_check(struct session *session, const struct film_what *what)
+static bool cycles_check(const struct query *query, struct problem *problem, const struct film_what *what)
 {
-    int most = cycles_within((double)session->train.r, GROWN_MOST, CYCLES_MOST);
+    int most = cycles_within((double)query->scene->train.r, GROWN_MOST, CYCLES_MOST);
     if (what->cycles >= 1 && what->cycles <= most && what->cycles == quad(floor)(what->cycles))
         return true;
-    session->column = what->column;
-    return session_no_answer(session,
+    problem->place = what->column;
+    return problem_no_answer(problem,
                              "N = %s is not a count; N is an integer in 1 .. %d, the most cycles that one "
                              "picture can show at this r",
                              quad_shown(what->cycles).text, most);
 }
 
-static bool film_make(struct session *session, const struct call *call, struct film *film)
+static bool film_make(const struct query *query, struct problem *problem, struct film *film)
 {
     struct domq_event events[DOM_EVENTS_MAX];
     int count = 0;
-    *film = (struct film){.train = session->train, .compute = session->compute};
+    *film = (struct film){.train = query->scene->train, .compute = query->scene->compute};
     const struct domq_train *t = &film->train;
     /* More than that no eye sees. */
     film->compute.precision = DOM_DOUBLE;
@@ -77,20 +77,20 @@ static bool film_make(struct session *session, const struct call *call, struct f
     film->r = (double)t->r;
     film->d = (double)t->d;
     film->pitch = (double)(t->s + t->d);
-    film->tau = (double)domq_scale_tau(&session->scale, t);
+    film->tau = (double)domq_scale_tau(&query->scene->scale, t);
     /* As many as show the growth, and no smaller first head than can be seen. */
-    const struct film_what *what = call->own;
-    if (what && what->counted && !cycles_check(session, what))
+    const struct film_what *what = query->given->own;
+    if (what && what->counted && !cycles_check(query, problem, what))
         return false;
     film->cycles = what && what->counted ? (int)what->cycles : cycles_within(film->r, 4, 5);
     enum dom_status status = domq_cycle_events(t, &film->compute, events, &count);
     if (status == DOM_NO_MARGIN)
-        return session_error(
-            session, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r has an end");
+        return problem_error(
+            problem, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r has an end");
     if (status == DOM_NO_FUEL)
-        return picture_comes_to(session, 0);
+        return picture_comes_to(query, problem, 0);
     if (status != DOM_OK && status != DOM_STOPS)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     film->stops = status == DOM_STOPS;
     film->cycles = film->stops ? 1 : film->cycles;
     film->duration = (double)events[count - 1].time;
@@ -128,7 +128,7 @@ static void script_waiting(FILE *script, const struct film *film, struct place a
 }
 
 static void script_frame(FILE *script, const struct film *film, const struct moment *m, int frame,
-                         const struct scene *scene)
+                         const struct stage *scene)
 {
     double slower = FRAMES_DELAY / 100.0 / (film->step * film->tau);
     bool ends = frame == film->frames;
@@ -145,35 +145,37 @@ static void script_frame(FILE *script, const struct film *film, const struct mom
     fprintf(script, "plot NaN\n");
 }
 
-static bool film_script(struct session *session, const struct film *film, FILE *script)
+static bool film_script(const struct query *query, struct problem *problem, const struct film *film,
+                        FILE *script)
 {
-    static struct scene scene;
+    static struct stage scene;
     struct progress progress = {0, 0};
     script_axes(script, film->left, film->right, film->top);
     fprintf(script, "set xlabel 'x [h]; h = %.4g mm, the height of the first head; 0: the head'\n",
-            (double)(1000 * session->scale.h));
+            (double)(1000 * query->scene->scale.h));
     for (int frame = 0; frame <= film->frames; frame++) {
         struct moment m;
         domq_real theta;
         enum dom_status status = frame_tilt(film, frame, &m, &theta);
         double behind = (m.place.shift - film->left) / m.place.scale + 0.1;
         if (status == DOM_OK)
-            status = scene_make(&film->train, &film->compute, theta, behind, &scene);
+            status = stage_make(&film->train, &film->compute, theta, behind, &scene);
         progress_show(&progress, status == DOM_OK ? (frame + 1.0) / (film->frames + 1) : 1);
         if (status != DOM_OK)
-            return session_status(session, status);
+            return problem_status(problem, query->scene, status);
         script_frame(script, film, &m, frame, &scene);
     }
     return true;
 }
 
-static bool film_file(struct session *session, const struct film *film, const char *path)
+static bool film_file(const struct query *query, struct answer *a, struct problem *problem,
+                      const struct film *film, const char *path)
 {
     struct movie movie;
     int height = (int)(FRAMES_WIDTH * film->top / (film->right - film->left)) + 80;
     height = height < 240 ? 240 : height > 520 ? 520 : height;
-    return movie_begin(session, &movie, path, FRAMES_WIDTH, height, FRAMES_DELAY) &&
-           movie_end(session, &movie, film_script(session, film, movie.picture.script));
+    return movie_begin(query, a, problem, &movie, path, FRAMES_WIDTH, height, FRAMES_DELAY) &&
+           movie_end(query, problem, &movie, film_script(query, problem, film, movie.picture.script));
 }
 
 const struct column animate_columns[] = {
@@ -183,7 +185,8 @@ const struct column animate_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool film_rows(struct session *session, const struct film *film, struct answer *answer)
+static bool film_rows(const struct query *query, struct problem *problem, const struct film *film,
+                      struct answer *answer)
 {
     answer->style.errors = 0;
     for (int frame = 0; frame <= film->frames; frame++) {
@@ -191,26 +194,26 @@ static bool film_rows(struct session *session, const struct film *film, struct a
         domq_real theta;
         enum dom_status status = frame_tilt(film, frame, &m, &theta);
         if (status != DOM_OK)
-            return session_status(session, status);
+            return problem_status(problem, query->scene, status);
         answer_cells(answer, cell_real((domq_real)film->step * film->tau * frame), cell_count(m.cycle + 1),
                      cell_real(theta));
     }
     return true;
 }
 
-bool run_animate(struct session *session, const struct call *call)
+bool run_animate(const struct query *query, struct answer *a, struct problem *problem)
 {
     static const struct film_what usual = {.speed = 1, .rate = 25};
-    const struct film_what *what = call->own ? call->own : &usual;
+    const struct film_what *what = query->given->own ? query->given->own : &usual;
     struct film film;
-    if (session->effect[DOM_EFFECT_row].on && !what->train && !what->counted)
-        return animate_row(session, call, what);
+    if (query->scene->effect[DOM_EFFECT_row].on && !what->train && !what->counted)
+        return animate_row(query, a, problem, what);
     if (what->timed)
-        return session_error(session,
+        return problem_error(problem,
                              "'speed' and 'rate' are of a row; first enter 'effect row N', for example "
                              "'effect row 10'");
-    call->answer->of_row = what->train;
-    return film_make(session, call, &film) &&
-           (answer_for_people(call->answer) ? film_file(session, &film, call->word[0])
-                                            : film_rows(session, &film, call->answer));
+    a->of_row = what->train;
+    return film_make(query, problem, &film) &&
+           (answer_for_people(a) ? film_file(query, a, problem, &film, query->given->word[0])
+                                 : film_rows(query, problem, &film, a));
 }

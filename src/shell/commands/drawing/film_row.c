@@ -14,7 +14,8 @@ enum { FRAMES_MOST = 3000, FILM_HEIGHT_LEAST = 170, FILM_HEIGHT_MOST = 420 };
 #define HELD     1  /* s, of the last frame */
 
 struct row_film {
-    struct session *session;
+    const struct query *query;
+    struct problem *problem;
     struct falling_row row;
     const struct film_what *what;
     int delay;         /* between frames, in hundredths of a second */
@@ -112,13 +113,13 @@ static bool film_times(struct row_film *f)
     const struct falling_row *row = &f->row;
     double begins = falling_row_begins(row), step = f->delay / 100.0 * (double)f->what->speed;
     if (!isfinite(row->end))
-        return session_no_answer(f->session,
+        return problem_no_answer(f->problem,
                                  "one domino comes so close to a stop that later times have no value");
     double moving = (double)quad(ceil)((domq_real)((row->end - begins) / step - 1e-9));
     size_t held = (size_t)(HELD * 100 / f->delay);
     if (moving + (double)held > FRAMES_MOST)
-        return session_no_answer(
-            f->session,
+        return problem_no_answer(
+            f->problem,
             "that would be %.0f frames, and at most %d are drawn; a larger speed, 'speed "
             "%.3g', or a smaller rate makes fewer",
             moving, FRAMES_MOST, (double)f->what->speed * 1.05 * (moving + (double)held) / FRAMES_MOST);
@@ -126,7 +127,7 @@ static bool film_times(struct row_film *f)
     f->time = malloc(f->frames * sizeof *f->time);
     f->tilt = malloc(row->count * sizeof *f->tilt);
     if (!f->time || !f->tilt)
-        return session_status(f->session, DOM_NO_MEMORY);
+        return problem_status(f->problem, f->query->scene, DOM_NO_MEMORY);
     for (size_t k = 0; k < f->frames; k++)
         f->time[k] = k < (size_t)moving ? (domq_real)(begins + step * (double)k) : (domq_real)HUGE_VAL;
     return true;
@@ -136,26 +137,29 @@ static bool film_script(struct row_film *f)
 {
     enum dom_status status = falling_row_watch(&f->row, f->time, f->frames, frame_seen, f);
     progress_show(&f->progress, 1);
-    return status == DOM_OK || row_status(f->session, status);
+    return status == DOM_OK || row_status(f->query, f->problem, status);
 }
 
-static bool film_file(struct row_film *f, const char *path)
+static bool film_file(struct row_film *f, struct answer *a, const char *path)
 {
     struct movie movie;
     film_view(f);
-    if (!movie_begin(f->session, &movie, path, (int)f->view.width, (int)f->view.height, f->delay))
+    if (!movie_begin(f->query, a, f->problem, &movie, path, (int)f->view.width, (int)f->view.height,
+                     f->delay))
         return false;
     f->script = movie.picture.script;
-    return movie_end(f->session, &movie, film_script(f));
+    return movie_end(f->query, f->problem, &movie, film_script(f));
 }
 
-bool animate_row(struct session *session, const struct call *call, const struct film_what *what)
+bool animate_row(const struct query *query, struct answer *a, struct problem *problem,
+                 const struct film_what *what)
 {
-    struct row_film f = {.session = session, .what = what};
+    struct row_film f = {.query = query, .problem = problem, .what = what};
     f.delay = (int)quad(round)(100 / what->rate);
-    f.answer = answer_for_people(call->answer) ? NULL : call->answer;
-    call->answer->of_row = true;
-    if ((!f.answer && !movie_named(session, call->word[0])) || !falling_row_make(session, &f.row))
+    f.answer = answer_for_people(a) ? NULL : a;
+    a->of_row = true;
+    if ((!f.answer && !movie_named(a, problem, query->given->word[0])) ||
+        !falling_row_make(query, problem, &f.row))
         return false;
     bool done = film_times(&f);
     if (done && f.answer) {
@@ -163,9 +167,9 @@ bool animate_row(struct session *session, const struct call *call, const struct 
         struct column *c = answer_columns(f.answer, f.answer->columns);
         c[1] = (struct column){"domino", "", "the last that was hit", 0};
         enum dom_status status = falling_row_watch(&f.row, f.time, f.frames, frame_seen, &f);
-        done = status == DOM_OK || row_status(session, status);
+        done = status == DOM_OK || row_status(query, problem, status);
     } else if (done) {
-        done = film_file(&f, call->word[0]);
+        done = film_file(&f, a, query->given->word[0]);
     }
     free(f.time);
     free(f.tilt);

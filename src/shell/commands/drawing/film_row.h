@@ -5,6 +5,7 @@
 #include "commands/drawing/draw_words.h"
 
 /* Makes the animation of the session's row, or its data. False: an error was reported. */
-bool animate_row(struct session *session, const struct call *call, const struct film_what *what);
+bool animate_row(const struct query *query, struct answer *a, struct problem *problem,
+                 const struct film_what *what);
 
 #endif

@@ -7,7 +7,7 @@
 /* The command that is asked, with its arguments. */
 struct asserted {
     const struct command *command;
-    struct call call;
+    struct arguments given;
 };
 
 const char *assert_names(const void *context, int k)
@@ -23,42 +23,42 @@ const char *assert_names(const void *context, int k)
 static void asserted_free(void *own)
 {
     struct asserted *a = own;
-    call_free(&a->call);
+    arguments_free(&a->given);
     free(a);
 }
 
-bool assert_read(struct reader *r, struct call *call)
+bool assert_read(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
     struct asserted *a = calloc(1, sizeof *a);
     char all[128] = "";
     if (!a)
-        return session_status(session, DOM_NO_MEMORY);
-    call->own = a;
-    call->own_free = asserted_free;
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
+    given->own = a;
+    given->own_free = asserted_free;
     a->command = read_command(r);
     if (!a->command)
         return false;
     for (int k = 0, n = 0; assert_names(NULL, k) && n < (int)sizeof all; k++)
         n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", assert_names(NULL, k));
     if (!a->command->holds)
-        return session_error(session, "'%s' decides nothing; commands that do: %s", a->command->name, all);
-    return command_allowed(session, a->command) && read_arguments(r, a->command, &a->call);
+        return problem_error(r->problem, "'%s' decides nothing; commands that do: %s", a->command->name, all);
+    return command_allowed(r->query->means, a->command, r->problem) &&
+           read_arguments(r, a->command, &a->given);
 }
 
-bool run_assert(struct session *session, const struct call *call)
+bool run_assert(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct asserted *a = call->own;
-    const struct command *c = a->command;
-    struct answer *answer = call->answer;
-    answer->columns = c->columns;
-    answer->rows = c->rows;
-    a->call.answer = answer;
-    session->command = c->name;
-    bool done = c->run(session, &a->call);
-    a->call.answer = NULL;
-    session->command = "assert";
-    session->column = 0;
-    session->answered = session->answered || done;
-    return done && (answer->holds == ANSWER_YES || session_error(session, "not true: %s", c->holds));
+    const struct asserted *asserted = query->given->own;
+    const struct command *c = asserted->command;
+    struct query asked = *query;
+    asked.given = &asserted->given;
+    a->columns = c->columns;
+    a->rows = c->rows;
+    problem->command = c->name;
+    bool done = c->run(&asked, a, problem);
+    if (!done)
+        return false;
+    a->told = true;
+    problem->command = "assert";
+    return a->holds == ANSWER_YES || problem_error(problem, "not true: %s", c->holds);
 }

@@ -43,7 +43,7 @@ static int read_name(struct reader *r, names_list *list, const char *what, const
     int k = word ? names_find(list, NULL, what, word, message) : -1;
     free(word);
     if (k < 0)
-        session_error(r->session, "%s; %s", message, right);
+        problem_error(r->problem, "%s; %s", message, right);
     return k;
 }
 
@@ -51,14 +51,13 @@ static bool read_wish(struct reader *r, struct wishes *w)
 {
     static const char form[] = "wishes are 'safety 2', 'hall 20 m' and 'minimise dominoes'";
     struct quantity q;
-    struct session *session = r->session;
     int k = read_name(r, wish_names, "wish", form);
     if (k < 0)
         return false;
     r->at = skip_blanks(r->at);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
-        return session_error(session, "the value of '%s' is missing; %s", wish_names(NULL, k), form);
+        return problem_error(r->problem, "the value of '%s' is missing; %s", wish_names(NULL, k), form);
     if (k == 2) {
         int least = read_name(r, least_names, "thing to minimise",
                               "'minimise dominoes', 'minimise length' or 'minimise mass'");
@@ -69,21 +68,22 @@ static bool read_wish(struct reader *r, struct wishes *w)
     if (!read_quantity(r, &argument, &q, k == 0 ? &w->safety : &w->hall))
         return false;
     if (k == 0 && !quantity_bare(q))
-        return session_error(session, "the safety is a number, such as 2: times the energy that is needed");
+        return problem_error(r->problem,
+                             "the safety is a number, such as 2: times the energy that is needed");
     return true;
 }
 
-static bool read_wishes(struct reader *r, struct call *call)
+static bool read_wishes(struct reader *r, struct arguments *given)
 {
     struct wishes *w = malloc(sizeof *w);
     if (!w)
-        return session_status(r->session, DOM_NO_MEMORY);
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
     *w = usual;
-    call->own = w;
-    call->own_free = free;
+    given->own = w;
+    given->own_free = free;
     r->last = false;
     for (r->at = skip_blanks(r->at); !command_ends(r->at) && *r->at != '>'; r->at = skip_blanks(r->at)) {
-        r->session->column = reader_column(r, r->at);
+        r->problem->place = reader_column(r, r->at);
         if (!read_wish(r, w))
             return false;
     }
@@ -129,16 +129,16 @@ static void plan_row(struct answer *a, const struct plan *p, const struct domq_d
 /* ---- What would make a wish possible ---- */
 
 /* Returns the largest kinetic energy over barrier that equal dominoes have at any separation. */
-static domq_real equal_ratio(const struct session *session, domq_real mu)
+static domq_real equal_ratio(const struct query *query, domq_real mu)
 {
-    struct domq_train train = session->train;
+    struct domq_train train = query->scene->train;
     struct domq_barrier b;
     domq_real most = 0;
     train.mu = mu;
     train.r = 1;
     for (int k = 1; k <= 100; k++) {
         train.s = (domq_real)k / 100;
-        enum dom_status status = domq_barrier_find(&train, &session->compute, &b);
+        enum dom_status status = domq_barrier_find(&train, &query->scene->compute, &b);
         if ((status == DOM_OK || status == DOM_STOPS) && b.kinetic / b.barrier > most)
             most = b.kinetic / b.barrier;
     }
@@ -146,14 +146,14 @@ static domq_real equal_ratio(const struct session *session, domq_real mu)
 }
 
 /* Returns the largest friction, to three digits, with which equal dominoes have the safety; 0: none. */
-static domq_real friction_most(const struct session *session, domq_real safety)
+static domq_real friction_most(const struct query *query, domq_real safety)
 {
-    domq_real lo = 0, hi = session->train.mu;
-    if (!(hi > 0) || equal_ratio(session, 0) < safety)
+    domq_real lo = 0, hi = query->scene->train.mu;
+    if (!(hi > 0) || equal_ratio(query, 0) < safety)
         return 0;
     while (hi - lo > hi / 2000) {
         domq_real middle = (lo + hi) / 2;
-        *(equal_ratio(session, middle) >= safety ? &lo : &hi) = middle;
+        *(equal_ratio(query, middle) >= safety ? &lo : &hi) = middle;
     }
     return lo;
 }
@@ -165,8 +165,8 @@ static domq_real rounded(domq_real value, int digits, bool up)
     return (up ? quad(ceil)(value / unit) : quad(floor)(value / unit)) * unit;
 }
 
-static void infeasible(const struct session *session, const struct domq_wish *wish,
-                       const struct domq_design *d, char *text, size_t size)
+static void infeasible(const struct query *query, const struct domq_wish *wish, const struct domq_design *d,
+                       char *text, size_t size)
 {
     char number[WIDE_TEXT], least[WIDE_TEXT], safety[WIDE_TEXT], more[96] = "";
     domq_real needs = d->needs;
@@ -191,7 +191,7 @@ static void infeasible(const struct session *session, const struct domq_wish *wi
                      safety);
         return;
     }
-    domq_real mu = friction_most(session, wish->safety);
+    domq_real mu = friction_most(query, wish->safety);
     if (mu > 0)
         snprintf(more, sizeof more, "; with a friction up to %s safety %s is possible",
                  quad_text(rounded(mu, 3, false), 3, least), safety);
@@ -205,71 +205,74 @@ static void infeasible(const struct session *session, const struct domq_wish *wi
 /* ---- design ---- */
 
 /* Reports an error for what no row can meet. */
-static bool wish_check(struct session *session, const struct domq_wish *w)
+static bool wish_check(struct problem *problem, const struct domq_wish *w)
 {
     if (!(w->height > w->first))
-        return session_no_answer(session,
+        return problem_no_answer(problem,
                                  "H = %s is not taller than the first domino, h = %s; a larger H, or 'set h'",
                                  measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
     if (!(w->safety > 1))
-        return session_no_answer(session,
+        return problem_no_answer(problem,
                                  "safety %s is not above 1: at 1 a domino just falls; 'safety 2' is usual",
                                  quad_shown(w->safety).text);
     return w->hall > w->height ||
-           session_no_answer(session,
+           problem_no_answer(problem,
                              "a hall of %s has no room for the last domino, which is %s long when it has "
                              "fallen; a longer hall, or a smaller H",
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
 /* Makes the design the row of the session. */
-static bool design_keep(struct session *session, struct answer *a, const struct domq_design *d)
+static bool design_keep(const struct query *query, struct problem *problem, struct answer *a,
+                        const struct domq_design *d)
 {
     const domq_real count = (domq_real)d->steps + 1;
-    if (!effect_turn(session, DOM_EFFECT_row, &count, 1, NULL))
+    struct state *next = query->next;
+    if (!next)
+        return true;
+    if (!effect_turn(&next->scene, DOM_EFFECT_row, &count, 1, NULL, query->means, problem))
         return false;
-    parameter_put(session, parameter_find("s"), d->s);
-    parameter_put(session, parameter_find("r"), d->r);
+    parameter_put(next, parameter_find("s"), d->s);
+    parameter_put(next, parameter_find("r"), d->r);
     answer_say(
         a, "\nThis is the session's row now, with its s and r: 'fall' runs it, 'row > hall.csv' writes it, "
            "'effect row off' ends it.");
     return true;
 }
 
-static bool run_design(struct session *session, const struct call *call)
+static bool run_design(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct wishes *w = call->own ? call->own : &usual;
-    struct answer *a = call->answer;
-    const struct effect_state *push = &session->effect[DOM_EFFECT_push];
-    const struct domq_wish wish = {.first = session->scale.h,
-                                   .height = call->number[0],
+    const struct wishes *w = query->given->own ? query->given->own : &usual;
+    const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
+    const struct domq_wish wish = {.first = query->scene->scale.h,
+                                   .height = query->given->number[0],
                                    .safety = w->safety,
                                    .hall = w->hall,
-                                   .g = session->scale.g,
+                                   .g = query->scene->scale.g,
                                    .push = push->on ? push->value[0] : DOMQ_NAN,
                                    .least = w->least};
     struct domq_design d;
     struct plan plan;
     char reason[256];
-    if (!wish_check(session, &wish))
+    if (!wish_check(problem, &wish))
         return false;
-    enum dom_status status = domq_design_find(&session->train, &wish, &session->compute, &d);
+    enum dom_status status = domq_design_find(&query->scene->train, &wish, &query->scene->compute, &d);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     answer_holds(a, d.limit == DOM_DESIGN_FITS);
     if (d.limit != DOM_DESIGN_FITS) {
-        infeasible(session, &wish, &d, reason, sizeof reason);
-        if (session->redirected && !a->style.format->for_people)
-            return session_no_answer(session, "%s", reason);
+        infeasible(query, &wish, &d, reason, sizeof reason);
+        if (a->path && !a->style.format->for_people)
+            return problem_no_answer(problem, "%s", reason);
         if (answer_for_people(a))
             answer_say(a, "%s.", reason);
         else
             plan_row(a, NULL, &d, reason);
         return true;
     }
-    if (!plan_make(session, &d, wish.height, &plan))
+    if (!plan_make(query, problem, &d, wish.height, &plan))
         return false;
-    bool file = session->redirected && !a->style.format->for_people, done = true;
+    bool file = a->path && !a->style.format->for_people, done = true;
     if (file)
         plan_file(a, &plan);
     else
@@ -285,7 +288,7 @@ static bool run_design(struct session *session, const struct call *call)
         plan_list(a, &plan);
     }
     if (a->out && !a->point)
-        done = design_keep(session, a, &d);
+        done = design_keep(query, problem, a, &d);
     free(plan.domino);
     return done;
 }
@@ -346,7 +349,7 @@ const struct command design_commands[] = {
              "small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
      .see = "solve sweep plot",
      .changes = true,
-     .run = run_watch},
+     .act = run_watch},
     {.name = "sensitivity",
      .argument =
          {{.name = "COMMAND", .kind = ARGUMENT_COMMAND, .read = sensitivity_read, .choices = inquiry_names}},

@@ -27,7 +27,7 @@ const struct column fit_columns[] = {
 /* ---- The sum of squares ---- */
 
 struct fit {
-    const struct session *session;
+    const struct query *query;
     const struct measured_rows *rows;
     enum dom_status status; /* of the last speed that has none */
 };
@@ -35,14 +35,14 @@ struct fit {
 /* Returns the front speed of equal dominoes with this gap and friction; NaN if there is none. */
 static domq_real speed_at(struct fit *f, domq_real gap, domq_real mu)
 {
-    struct domq_train train = f->session->train;
+    struct domq_train train = f->query->scene->train;
     struct domq_value duration;
     train.r = 1;
-    train.s = gap / f->session->scale.h;
+    train.s = gap / f->query->scene->scale.h;
     train.mu = mu;
-    enum dom_status status = domq_cycle_duration(&train, &f->session->compute, &duration);
+    enum dom_status status = domq_cycle_duration(&train, &f->query->scene->compute, &duration);
     if (status == DOM_OK)
-        return domq_scale_speed(&f->session->scale, &train, duration.value);
+        return domq_scale_speed(&f->query->scene->scale, &train, duration.value);
     f->status = status;
     return DOMQ_NAN;
 }
@@ -123,7 +123,8 @@ static double uncertainty_of(struct fit *f, double mu)
 
 /* ---- The answer ---- */
 
-static bool rows_check(struct session *session, const struct measured_rows *rows, const char *path)
+static bool rows_check(const struct query *query, struct problem *problem, const struct measured_rows *rows,
+                       const char *path)
 {
     char shown[NAMES_SHOWN];
     size_t gaps = 0;
@@ -132,14 +133,14 @@ static bool rows_check(struct session *session, const struct measured_rows *rows
         for (size_t j = 0; j < k; j++)
             again = again || rows->row[j].gap == rows->row[k].gap;
         gaps += !again;
-        if (rows->row[k].gap > session->scale.h)
-            return session_no_answer(session,
+        if (rows->row[k].gap > query->scene->scale.h)
+            return problem_no_answer(problem,
                                      "%s: the gap %s is longer than the domino is tall, h = %s; 'set h'",
                                      names_shown(path, shown), measured(rows->row[k].gap, "m", 6).text,
-                                     measured(session->scale.h, "m", 6).text);
+                                     measured(query->scene->scale.h, "m", 6).text);
     }
     return gaps >= 2 ||
-           session_no_answer(session,
+           problem_no_answer(problem,
                              "%s has one gap, which any friction may fit; add a second gap, or "
                              "use 'set r 1; set s GAP/h; solve friction : duration.speed = SPEED'",
                              names_shown(path, shown));
@@ -159,22 +160,21 @@ static void fit_say(struct answer *a, const struct measured_rows *rows, double m
     answer_say(a, "The largest residual is %.2g %%.", 100 * worst);
 }
 
-bool run_fit(struct session *session, const struct call *call)
+bool run_fit(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct measured_rows rows;
-    struct answer *a = call->answer;
-    struct fit f = {.session = session, .rows = &rows, .status = DOM_OK};
+    struct fit f = {.query = query, .rows = &rows, .status = DOM_OK};
     double worst = 0;
-    if (!measured_read(session, call->word[1], &rows))
+    if (!measured_read(query, problem, query->given->word[1], &rows))
         return false;
-    bool done = rows_check(session, &rows, call->word[1]);
+    bool done = rows_check(query, problem, &rows, query->given->word[1]);
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     double mu = done ? friction_find(&f) : 0, uncertainty = done ? uncertainty_of(&f, mu) : 0;
     gsl_set_error_handler(handler);
-    if (done && dom_raised(session->compute.interrupt))
-        done = session_status(session, DOM_INTERRUPTED);
+    if (done && dom_raised(query->scene->compute.interrupt))
+        done = problem_status(problem, query->scene, DOM_INTERRUPTED);
     if (done && isnan(mu))
-        done = session_status(session, f.status);
+        done = problem_status(problem, query->scene, f.status);
     if (done && answer_for_people(a)) {
         answer_leave_out(a, "mu");
         answer_leave_out(a, "uncertainty");

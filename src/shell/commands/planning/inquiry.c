@@ -40,18 +40,17 @@ static void name_keep(struct inquiry *q, const char *begin, const char *end)
     names_shown(typed, q->name);
 }
 
-static bool key_missing(struct session *session, const struct inquiry *q)
+static bool key_missing(struct problem *problem, const struct inquiry *q)
 {
     char keys[256] = "";
     const struct column *c = q->command->columns;
     for (int n = 0; c->key && n < (int)sizeof keys; c++)
         n += snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", q->command->name, c->key);
-    return session_error(session, "which number of '%s'? One of %s", q->command->name, keys);
+    return problem_error(problem, "which number of '%s'? One of %s", q->command->name, keys);
 }
 
 bool inquiry_read(struct reader *r, struct inquiry *q)
 {
-    struct session *session = r->session;
     const char *begin = r->at, *end = text_end(begin, ";>");
     size_t length = word_length(begin);
     const char *next = skip_blanks(begin + length);
@@ -60,9 +59,9 @@ bool inquiry_read(struct reader *r, struct inquiry *q)
     name_keep(q, begin, end);
     if (ends && command_named(begin, length, q)) {
         if (q->command->unswept)
-            return session_error(session, "'%s' is not varied: %s", q->command->name, q->command->unswept);
+            return problem_error(r->problem, "'%s' is not varied: %s", q->command->name, q->command->unswept);
         if (q->key < 0 || q->key >= ANSWER_CELLS)
-            return key_missing(session, q);
+            return key_missing(r->problem, q);
         q->at = begin + length;
     }
     r->at = end;
@@ -91,58 +90,68 @@ bool inquiry_read_left(struct reader *r, struct inquiry *q)
 
 /* ---- Asking ---- */
 
-/* Runs the command in a session that is a copy; false: no answer. */
-static bool ask_command(struct session *point, struct probe *p, struct quantity *value)
+/* Runs the command; false: no answer. */
+static bool ask_command(const struct query *at, struct probe *p, struct quantity *value)
 {
     const struct inquiry *q = p->inquiry;
     const struct command *c = q->command;
     struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
-    struct answer answer = {.style = session_style(point),
+    struct answer answer = {.style = state_style(at->state),
                             .columns = c->columns,
                             .rows = c->rows,
                             .kept = p->verdict ? NULL : kept};
-    struct call call = {.answer = &answer};
-    struct reader r = {.session = point, .text = q->text, .at = q->at};
-    point->command = c->name;
-    bool done = command_allowed(point, c) && read_arguments(&r, c, &call) && c->run(point, &call);
-    call_free(&call);
+    struct arguments given = {.count = 0};
+    struct query query = *at;
+    struct reader r = {.query = at, .problem = &p->problem, .text = q->text, .at = q->at};
+    query.given = &given;
+    p->problem.command = c->name;
+    bool done = command_allowed(at->means, c, &p->problem) && read_arguments(&r, c, &given) &&
+                c->run(&query, &answer, &p->problem);
+    arguments_free(&given);
     *value = (struct quantity){.value = answer.holds == ANSWER_YES ? 1 : -1};
     if (!done || p->verdict)
-        return done && (answer.holds != ANSWER_OPEN || session_no_answer(point, "nothing is decided"));
+        return done && (answer.holds != ANSWER_OPEN || problem_no_answer(&p->problem, "nothing is decided"));
     struct cell cell = kept[q->key];
     if (cell.kind == CELL_WORD || cell.kind == CELL_FLAG)
-        return session_error(point, "%s.%s is a word, and not a number", c->name, c->columns[q->key].key);
+        return problem_error(&p->problem, "%s.%s is a word, and not a number", c->name,
+                             c->columns[q->key].key);
     if (cell.kind == CELL_NONE)
-        return session_no_answer(point, "%s.%s does not exist here: '%s' says why", c->name,
+        return problem_no_answer(&p->problem, "%s.%s does not exist here: '%s' says why", c->name,
                                  c->columns[q->key].key, c->name);
     *value = expression_unit(c->columns[q->key].unit);
     value->value *= cell.number;
     return true;
 }
 
-/* Evaluates the expression in a session that is a copy. */
-static bool ask_expression(struct session *point, const struct inquiry *q, struct quantity *value)
+/* Evaluates the expression. */
+static bool ask_expression(const struct query *at, struct probe *p, struct quantity *value)
 {
+    const struct inquiry *q = p->inquiry;
     domq_real number;
-    struct reader r = {
-        .session = point, .text = q->text, .at = q->at, .stops = q->stops, .last = q->stops == NULL};
-    point->column = reader_column(&r, r.at);
+    struct reader r = {.query = at,
+                       .problem = &p->problem,
+                       .text = q->text,
+                       .at = q->at,
+                       .stops = q->stops,
+                       .last = q->stops == NULL};
+    p->problem.place = reader_column(&r, r.at);
     if (!read_quantity(&r, &(struct argument){.name = "ANSWER", .kind = ARGUMENT_ANY}, value, &number))
         return false;
     r.at = skip_blanks(r.at);
     return command_ends(r.at) || *r.at == '>' || (q->stops && strchr(q->stops, *r.at)) ||
-           session_error(point,
+           problem_error(&p->problem,
                          "ANSWER is a command with its arguments, or an expression such as "
                          "'rmax(0.3)'; it ends before '%.20s'",
                          r.at);
 }
 
-/* Gives a copy of the session the value; false: the value is not in the range, or its effect not possible. */
-static bool probe_put(struct session *point, const struct parameter *p, domq_real value)
+/* Gives a copy of the state the value; false: the value is not in the range, or its effect not possible. */
+static bool probe_put(struct state *point, const struct parameter *p, domq_real value,
+                      struct problem *problem)
 {
-    if (value != EFFECT_OFF && !parameter_check(point, p, 0, value))
+    if (value != EFFECT_OFF && !parameter_check(point, p, 0, value, problem))
         return false;
-    if (p->effect && value != EFFECT_OFF && !effect_needs(point, p->which))
+    if (p->effect && value != EFFECT_OFF && !effect_needs(&point->scene, p->which, problem))
         return false;
     parameter_put(point, p, value);
     return true;
@@ -150,34 +159,31 @@ static bool probe_put(struct session *point, const struct parameter *p, domq_rea
 
 domq_real probe_at(struct probe *p, domq_real value)
 {
-    struct session point = *p->session;
-    p->error = (struct captured_error){.text = ""};
+    struct state point = *p->query->state;
+    struct means means = *p->query->means;
+    struct query at = *p->query;
+    at.state = &point;
+    at.scene = &point.scene;
+    at.means = &means;
+    at.next = NULL;
+    means.shard.parts = 0;
+    point.settings.threads = 1;
+    p->problem = (struct problem){.command = p->query_command};
     p->wrong = false;
-    point.captured_error = &p->error;
-    point.threads = 1;
-    point.shard.parts = 0;
     struct quantity answer = {.value = 0};
-    bool put = !p->parameter || probe_put(&point, p->parameter, value);
-    bool done = put && (p->inquiry->command ? ask_command(&point, p, &answer)
-                                            : ask_expression(&point, p->inquiry, &answer));
-    p->wrong = put && !done && !p->error.no_answer;
+    bool put = !p->parameter || probe_put(&point, p->parameter, value, &p->problem);
+    bool done = put && (p->inquiry->command ? ask_command(&at, p, &answer) : ask_expression(&at, p, &answer));
+    p->wrong = put && !done && p->problem.kind != PROBLEM_NO_ANSWER;
     if (!done)
         return DOMQ_NAN;
     p->unit = answer;
     return isfinite(answer.value) ? answer.value : DOMQ_NAN;
 }
 
-bool probe_report(struct session *session, const struct probe *p)
+bool probe_report(const struct probe *p, struct problem *problem)
 {
-    if (dom_raised(session->compute.interrupt))
-        return session_status(session, DOM_INTERRUPTED);
-    const char *command = session->command;
-    session->column = p->error.column;
-    session->command = p->error.command ? p->error.command : command;
-    if (p->error.no_answer)
-        session_no_answer(session, "%s", p->error.text);
-    else
-        session_error(session, "%s", p->error.text);
-    session->command = command;
+    if (dom_raised(p->query->scene->compute.interrupt))
+        return problem_status(problem, p->query->scene, DOM_INTERRUPTED);
+    *problem = p->problem;
     return false;
 }

@@ -24,21 +24,22 @@ bool inquiry_read(struct reader *reader, struct inquiry *inquiry);
 /* Reads an expression, which ends before the '='. */
 bool inquiry_read_left(struct reader *reader, struct inquiry *inquiry);
 
-/* A parameter of the model that an inquiry varies. The session itself stays as it is. */
+/* A parameter of the model that an inquiry varies, in copies of the state of a query. */
 struct probe {
-    const struct session *session;
+    const struct query *query;
+    const char *query_command; /* the name of the command that asks */
     const struct inquiry *inquiry;
     const struct parameter *parameter; /* NULL: nothing is changed */
     bool verdict;                      /* asks whether what the command decides is true: 1 or -1 */
-    struct captured_error error;       /* of the last question that had no answer */
+    struct problem problem;            /* of the last question that had no answer */
     bool wrong;                        /* the error is in the line: no value of the parameter helps */
     struct quantity unit;              /* of the last answer */
 };
 
-/* Returns the answer where the parameter has this value; NaN if there is none, with probe->error. */
+/* Returns the answer where the parameter has this value; NaN if there is none, with probe->problem. */
 domq_real probe_at(struct probe *probe, domq_real value);
 
-/* Reports the error of the last question. Returns false. */
-bool probe_report(struct session *session, const struct probe *probe);
+/* Gives the problem of the last question. Returns false. */
+bool probe_report(const struct probe *probe, struct problem *problem);
 
 #endif

@@ -29,7 +29,8 @@ static const struct synonym {
 };
 
 struct reader {
-    struct session *session;
+    const struct query *query;
+    struct problem *problem;
     const char *path;
     long line;
     int column[KINDS]; /* of a kind, from 1; 0: none */
@@ -46,8 +47,8 @@ static bool __attribute__((format(printf, 2, 3))) wrong(const struct reader *r, 
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     if (r->line == 0) /* the file is empty */
-        return session_error(r->session, "%s: %s", names_shown(r->path, shown), message);
-    return session_error(r->session, "%s:%ld: %s", names_shown(r->path, shown), r->line, message);
+        return problem_error(r->problem, "%s: %s", names_shown(r->path, shown), message);
+    return problem_error(r->problem, "%s:%ld: %s", names_shown(r->path, shown), r->line, message);
 }
 
 /* Cuts the line into cells without quotes and blanks around them; returns their number. */
@@ -186,7 +187,7 @@ static bool row_read(struct reader *r, char *line, struct measured_rows *rows)
         return wrong(r, "more than %d speeds", ROWS_MOST);
     struct measured_row *more = realloc(rows->row, (rows->count + 1) * sizeof *more);
     if (!more)
-        return session_status(r->session, DOM_NO_MEMORY);
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
     rows->row = more;
     rows->row[rows->count++] =
         (struct measured_row){.gap = value[GAP], .speed = value[SPEED], .error = value[ERROR]};
@@ -216,17 +217,18 @@ static bool lines_read(struct reader *r, FILE *in, struct measured_rows *rows)
                              "it a row that was measured"));
 }
 
-bool measured_read(struct session *session, const char *path, struct measured_rows *rows)
+bool measured_read(const struct query *query, struct problem *problem, const char *path,
+                   struct measured_rows *rows)
 {
     char shown[NAMES_SHOWN];
-    char *beside = session_beside(session, path);
-    FILE *in = beside ? io_read(beside, session->compute.interrupt) : NULL;
+    char *beside = means_beside(query->means, path);
+    FILE *in = beside ? io_read(beside, query->scene->compute.interrupt) : NULL;
     int reason = errno;
-    struct reader r = {.session = session, .path = path};
+    struct reader r = {.query = query, .problem = problem, .path = path};
     *rows = (struct measured_rows){.row = NULL};
     free(beside);
     if (!in)
-        return session_error(session, "cannot read '%s': %s", names_shown(path, shown), strerror(reason));
+        return problem_error(problem, "cannot read '%s': %s", names_shown(path, shown), strerror(reason));
     bool good = lines_read(&r, in, rows);
     fclose(in);
     if (!good) {

@@ -12,7 +12,7 @@
 #ifndef SHELL_MEASURED_H
 #define SHELL_MEASURED_H
 
-#include "session/session.h"
+#include "session/query.h"
 
 struct measured_row {
     domq_real gap, speed, error; /* m, m/s; the error is 0 where none is known */
@@ -25,6 +25,7 @@ struct measured_rows {
 };
 
 /* Reads a file. False: an error was reported, with the name of the file and the line; nothing is kept. */
-bool measured_read(struct session *session, const char *path, struct measured_rows *rows);
+bool measured_read(const struct query *query, struct problem *problem, const char *path,
+                   struct measured_rows *rows);
 
 #endif

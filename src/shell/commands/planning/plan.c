@@ -9,16 +9,18 @@ domq_real plan_material(const struct plan *p, const struct domq_domino *d)
                      : d->height * width * d->thickness;
 }
 
-bool plan_make(struct session *session, const struct domq_design *d, domq_real height, struct plan *p)
+bool plan_make(const struct query *query, struct problem *problem, const struct domq_design *d,
+               domq_real height, struct plan *p)
 {
-    struct domq_train train = session->train;
+    struct domq_train train = query->scene->train;
     train.s = d->s;
     train.r = d->r;
-    *p = (struct plan){.count = d->steps + 1, .mass = session_mass(session), .hollow = session->train.q == 3};
+    *p = (struct plan){
+        .count = d->steps + 1, .mass = scene_mass(query->scene), .hollow = query->scene->train.q == 3};
     p->domino = malloc(p->count * sizeof *p->domino);
     if (!p->domino)
-        return session_status(session, DOM_NO_MEMORY);
-    domq_row_of_train(&train, &session->scale, p->mass > 0 ? p->mass : 1, p->domino, p->count);
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    domq_row_of_train(&train, &query->scene->scale, p->mass > 0 ? p->mass : 1, p->domino, p->count);
     p->domino[d->steps].height = height;
     return true;
 }

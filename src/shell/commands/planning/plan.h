@@ -14,8 +14,8 @@ struct plan {
 };
 
 /* Makes the dominoes; the last is exactly `height` tall. False: no memory, which was reported. */
-bool plan_make(struct session *session, const struct domq_design *design, domq_real height,
-               struct plan *plan);
+bool plan_make(const struct query *query, struct problem *problem, const struct domq_design *design,
+               domq_real height, struct plan *plan);
 
 /* Returns the surface of a hollow domino, half as wide as tall, or the volume of another one. */
 domq_real plan_material(const struct plan *plan, const struct domq_domino *domino);

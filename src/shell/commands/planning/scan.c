@@ -13,7 +13,7 @@ static domq_real scan_at(struct scan *s, domq_real x)
     domq_real f = probe_at(&s->probe, x) - s->solve->value.value;
     if (isnan(f)) {
         if (!*s->none)
-            memcpy(s->none, s->probe.error.text, sizeof s->none);
+            snprintf(s->none, sizeof s->none, "%.*s", (int)sizeof s->none - 1, s->probe.problem.text);
         return f;
     }
     if (s->answers == 0 || f > s->most.f)
@@ -160,7 +160,7 @@ bool scan_run(struct scan *s)
         domq_real share = k / last;
         p[k].x = k == POINTS - 1 ? s->solve->to : (1 - share) * s->solve->from + share * s->solve->to;
         p[k].f = scan_at(s, p[k].x);
-        done = !s->probe.wrong && !dom_raised(s->probe.session->compute.interrupt);
+        done = !s->probe.wrong && !dom_raised(s->probe.query->scene->compute.interrupt);
     }
     for (int k = 1; k < POINTS && done; k++)
         pair_look(s, p[k - 1], p[k]);
@@ -168,5 +168,5 @@ bool scan_run(struct scan *s)
         if (!isnan(p[k - 1].f) && !isnan(p[k].f) && !isnan(p[k + 1].f))
             top_look(s, p[k - 1], p[k], p[k + 1]);
     free(p);
-    return done && !dom_raised(s->probe.session->compute.interrupt);
+    return done && !dom_raised(s->probe.query->scene->compute.interrupt);
 }

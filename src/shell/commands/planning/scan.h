@@ -33,7 +33,7 @@ struct scan {
     domq_real jump;           /* where the answer passes the value without taking it */
     struct point most, least; /* of all points with an answer */
     size_t answers;
-    char none[sizeof((struct captured_error *)0)->text]; /* the first reason for no answer */
+    char none[PROBLEM_TEXT / 2]; /* the first reason for no answer */
 };
 
 /* Looks along the whole range. False: the line is wrong, or there was an interrupt; see scan->probe. */

@@ -15,13 +15,13 @@ const struct column sensitivity_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-bool sensitivity_read(struct reader *r, struct call *call)
+bool sensitivity_read(struct reader *r, struct arguments *given)
 {
     struct inquiry *q = malloc(sizeof *q);
     if (!q)
-        return session_status(r->session, DOM_NO_MEMORY);
-    call->own = q;
-    call->own_free = free;
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
+    given->own = q;
+    given->own_free = free;
     return inquiry_read(r, q);
 }
 
@@ -35,9 +35,9 @@ struct influence {
 enum { INFLUENCES_MOST = 32 };
 
 /* Chooses the step: 1 % of a value; of friction 0.01 and of a slope 1 degree, also from 0. False: none. */
-static bool step_choose(const struct session *session, const struct parameter *p, struct influence *i)
+static bool step_choose(const struct query *query, const struct parameter *p, struct influence *i)
 {
-    domq_real value = parameter_get(session, p);
+    domq_real value = parameter_get(query->state, p);
     bool dynamic = p->effect && (int)p->which < DOM_DYNAMICS_COUNT && !p->effect->cancels,
          angle = strcmp(p->value->unit, "rad") == 0;
     *i = (struct influence){.parameter = p, .value = value == EFFECT_OFF ? 0 : value};
@@ -79,23 +79,23 @@ static domq_real change(struct probe *p, domq_real value, domq_real now)
 {
     domq_real by = probe_at(p, value) - now, size = quad(fabs)(now);
     by /= size > 0 ? size : 1;
-    return quad(fabs)(by) <= 10 * p->session->compute.tol ? 0 : by;
+    return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
 }
 
 /* Fills the list with the parameters that can be changed; false after an error. */
-static bool influences_find(struct session *session, struct probe *probe, domq_real now,
-                            struct influence *list, int *count)
+static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
+                            domq_real now, struct influence *list, int *count)
 {
     *count = 0;
     for (const struct parameter *p = session_parameters; p->name && *count < INFLUENCES_MOST; p++) {
         struct influence *i = &list[*count];
-        if (!step_choose(session, p, i))
+        if (!step_choose(query, p, i))
             continue;
         probe->parameter = p;
         i->less = change(probe, i->value - i->step, now);
         i->more = change(probe, i->value + i->step, now);
-        if (dom_raised(session->compute.interrupt))
-            return session_status(session, DOM_INTERRUPTED);
+        if (dom_raised(query->scene->compute.interrupt))
+            return problem_status(problem, query->scene, DOM_INTERRUPTED);
         *count += size_of(i) >= 0;
     }
     qsort(list, (size_t)*count, sizeof *list, compare);
@@ -109,18 +109,17 @@ static struct cell change_cell(domq_real value)
     return cell;
 }
 
-bool run_sensitivity(struct session *session, const struct call *call)
+bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct inquiry *q = call->own;
-    struct answer *a = call->answer;
-    struct probe probe = {.session = session, .inquiry = q};
+    const struct inquiry *q = query->given->own;
+    struct probe probe = {.query = query, .query_command = problem->command, .inquiry = q};
     struct influence list[INFLUENCES_MOST];
     char without[256] = "";
     int count;
     domq_real now = probe_at(&probe, 0);
     if (isnan(now))
-        return probe_report(session, &probe);
-    if (!influences_find(session, &probe, now, list, &count))
+        return probe_report(&probe, problem);
+    if (!influences_find(query, problem, &probe, now, list, &count))
         return false;
     if (now == 0) { /* there is no share of 0 */
         struct column *columns = answer_columns(a, sensitivity_columns);

@@ -31,9 +31,9 @@ const char *solve_names(const void *context, int k)
 static const char form[] = "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
 
 /* Returns the form of the command that reads a range. */
-static const char *form_of(const struct session *session)
+static const char *form_of(const struct problem *problem)
 {
-    return session->command && strcmp(session->command, "watch") == 0
+    return problem->command && strcmp(problem->command, "watch") == 0
                ? "'watch s : rmax', or with a range 'watch s 0.1 0.9 : rmax'"
                : form;
 }
@@ -41,26 +41,25 @@ static const char *form_of(const struct session *session)
 static bool read_bound(struct reader *r, const struct parameter *p, const char *name, domq_real *bound)
 {
     r->at = skip_blanks(r->at);
-    r->session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
-        return session_error(r->session, "%s is missing; the form is %s", name, form_of(r->session));
+        return problem_error(r->problem, "%s is missing; the form is %s", name, form_of(r->problem));
     r->stops = ":";
     bool read = read_value(r, p, 0, p->value->name, bound);
     r->stops = NULL;
     return read && (isfinite(*bound) ||
-                    session_error(r->session, "%s is a number; the form is %s", name, form_of(r->session)));
+                    problem_error(r->problem, "%s is a number; the form is %s", name, form_of(r->problem)));
 }
 
 /* Reads "NAME" or "NAME FROM TO", up to the ':'. */
-bool solve_read_parameter(struct reader *r, struct call *call)
+bool solve_read_parameter(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
     char message[NAMES_MESSAGE] = "out of memory";
     struct solve *s = calloc(1, sizeof *s);
     if (!s)
-        return session_status(session, DOM_NO_MEMORY);
-    call->own = s;
-    call->own_free = free;
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
+    given->own = s;
+    given->own_free = free;
     size_t length = strcspn(r->at, " \t:;>");
     char *word = strndup(r->at, length);
     int k = word ? names_find(solve_names, NULL, "parameter", word, message) : -1;
@@ -68,9 +67,9 @@ bool solve_read_parameter(struct reader *r, struct call *call)
     const struct parameter *meant = word && k == NAMES_UNKNOWN ? parameter_meant(word, &usual) : NULL;
     free(word);
     if (meant)
-        return session_error(session, "%s; did you mean '%s'?", message, meant->name);
+        return problem_error(r->problem, "%s; did you mean '%s'?", message, meant->name);
     if (k < 0)
-        return session_error(session, "%s; the form is %s", message, form_of(session));
+        return problem_error(r->problem, "%s; the form is %s", message, form_of(r->problem));
     r->at = skip_blanks(r->at + length);
     s->parameter = parameter_find(usual_ranges[k].name);
     s->from = (domq_real)usual_ranges[k].from;
@@ -79,36 +78,35 @@ bool solve_read_parameter(struct reader *r, struct call *call)
         if (!read_bound(r, s->parameter, "FROM", &s->from) || !read_bound(r, s->parameter, "TO", &s->to))
             return false;
         if (!(s->from < s->to))
-            return session_error(session, "the range begins at %s and ends at %s; FROM is less than TO",
+            return problem_error(r->problem, "the range begins at %s and ends at %s; FROM is less than TO",
                                  quad_shown(s->from).text, quad_shown(s->to).text);
     }
     r->at = skip_blanks(r->at);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     return *r->at == ':' ||
-           session_error(session, "':' and an answer are missing; the form is %s", form_of(session));
+           problem_error(r->problem, "':' and an answer are missing; the form is %s", form_of(r->problem));
 }
 
 /* Reads ": ANSWER = VALUE", or ": COMMAND" with a verdict. */
-bool solve_read_answer(struct reader *r, struct call *call)
+bool solve_read_answer(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
-    struct solve *s = call->own;
+    struct solve *s = given->own;
     r->at = skip_blanks(r->at + 1);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
-        return session_error(session, "the answer is missing after ':'; the form is %s", form);
+        return problem_error(r->problem, "the answer is missing after ':'; the form is %s", form);
     s->verdict = *text_end(r->at, "=;>") != '=';
     if (s->verdict)
         return inquiry_read(r, &s->inquiry) &&
                ((s->inquiry.command && s->inquiry.command->holds) ||
-                session_error(session,
+                problem_error(r->problem,
                               "'= VALUE' is missing after '%s'; only a command with a verdict, such as "
                               "'verdict', has no value; the form is %s",
                               s->inquiry.name, form));
     if (!inquiry_read_left(r, &s->inquiry))
         return false;
     r->at = skip_blanks(r->at + 1);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     domq_real number;
     r->last = true;
     return read_quantity(r, &(struct argument){.name = "VALUE", .kind = ARGUMENT_ANY}, &s->value, &number);
@@ -159,42 +157,42 @@ static void none_say(const struct scan *s, char *text, size_t size)
 }
 
 /* Reports an error if the answer has another unit than the value. */
-static bool units_agree(struct session *session, const struct scan *s)
+static bool units_agree(struct problem *problem, const struct scan *s)
 {
     char is[64], wanted[64];
     struct quantity a = s->probe.unit, b = s->solve->value;
     if (s->solve->verdict || s->answers == 0)
         return true;
     return quantity_bare(b) || quantity_alike(a, b) ||
-           session_error(session, "%s is %s, and VALUE is %s", s->solve->inquiry.name,
+           problem_error(problem, "%s is %s, and VALUE is %s", s->solve->inquiry.name,
                          expression_kind(a, is, sizeof is), expression_kind(b, wanted, sizeof wanted));
 }
 
 /* Reports an error if the answer is the same everywhere. */
-static bool depends(struct session *session, const struct scan *s)
+static bool depends(const struct query *query, struct problem *problem, const struct scan *s)
 {
     domq_real spread = s->most.f - s->least.f, value = s->most.f + s->solve->value.value;
     if (s->solve->verdict || s->answers < 2 ||
-        spread > (domq_real)1e-12 * quad(fabs)(value) + 10 * session->compute.tol * quad(fabs)(value))
+        spread > (domq_real)1e-12 * quad(fabs)(value) + 10 * query->scene->compute.tol * quad(fabs)(value))
         return true;
-    return session_no_answer(
-        session,
+    return problem_no_answer(
+        problem,
         "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows on "
         "what it depends",
         s->solve->inquiry.name, s->solve->parameter->name, quad_shown(value).text,
         quad_shown(s->solve->from).text, quad_shown(s->solve->to).text);
 }
 
-bool run_solve(struct session *session, const struct call *call)
+bool run_solve(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct solve *solve = call->own;
-    struct answer *a = call->answer;
+    const struct solve *solve = query->given->own;
     char reason[1024];
     struct scan *s = calloc(1, sizeof *s);
     if (!s)
-        return session_status(session, DOM_NO_MEMORY);
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
     s->solve = solve;
-    s->probe = (struct probe){.session = session,
+    s->probe = (struct probe){.query = query,
+                              .query_command = problem->command,
                               .inquiry = &solve->inquiry,
                               .parameter = solve->parameter,
                               .verdict = solve->verdict};
@@ -202,8 +200,8 @@ bool run_solve(struct session *session, const struct call *call)
     bool done = scan_run(s);
     gsl_set_error_handler(handler);
     if (!done)
-        probe_report(session, &s->probe);
-    done = done && units_agree(session, s) && depends(session, s);
+        probe_report(&s->probe, problem);
+    done = done && units_agree(problem, s) && depends(query, problem, s);
     if (done) {
         struct column *columns = answer_columns(a, solve_columns);
         columns[0].unit = solve->parameter->value->unit;

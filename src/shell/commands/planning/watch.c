@@ -5,6 +5,7 @@
 #include "commands/planning/scan.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
+#include "session/session.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <poll.h>
@@ -37,27 +38,26 @@ static double watch_x(const struct watch *w, int place)
 }
 
 /* Computes the curve; false: an error was reported. */
-static bool watch_begin(struct session *session, struct watch *w)
+static bool watch_begin(struct watch *w, struct problem *problem)
 {
     const struct parameter *p = w->solve->parameter;
     int answers = 0;
     for (int i = 0; i <= STEPS / COARSE; i++) {
         w->curve[i] = (double)probe_at(&w->probe, (domq_real)watch_x(w, COARSE * i));
         answers += isfinite(w->curve[i]);
-        if (w->probe.wrong || dom_raised(session->compute.interrupt))
-            return probe_report(session, &w->probe);
+        if (w->probe.wrong || dom_raised(w->probe.query->scene->compute.interrupt))
+            return probe_report(&w->probe, problem);
     }
-    w->x = fmin(fmax((double)parameter_get(session, p), w->from), w->to);
+    w->x = fmin(fmax((double)parameter_get(w->probe.query->state, p), w->from), w->to);
     w->at = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
-    return answers > 0 || probe_report(session, &w->probe);
+    return answers > 0 || probe_report(&w->probe, problem);
 }
 
 /* ---- The screen ---- */
 
-static void watch_draw(struct session *session, struct watch *w)
+static void watch_draw(struct watch *w, FILE *out)
 {
     int width, height;
-    FILE *out = session->out;
     struct chart chart = chart_make();
     double x = w->x, y = (double)probe_at(&w->probe, (domq_real)x);
     terminal_size(out, &width, &height);
@@ -76,7 +76,7 @@ static void watch_draw(struct session *session, struct watch *w)
         snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->solve->inquiry.name, y,
                  expression_unit_text(w->probe.unit, unit, sizeof unit));
     else
-        snprintf(answer, sizeof answer, "%.120s", w->probe.error.text);
+        snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
     fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
     if (height >= LEAST_HEIGHT && width >= LEAST_WIDTH)
         chart_text(&chart, look_of(out), width - 1, height - 3, out);
@@ -120,12 +120,13 @@ static void watch_run(struct session *session, struct watch *w)
         int across, down;
         terminal_size(session->out, &across, &down);
         if (across != width || down != height || w->x != shown)
-            watch_draw(session, w);
+            watch_draw(w, session->out);
         width = across;
         height = down;
         shown = w->x;
         ssize_t count = poll(&input, 1, 200) > 0 ? read(STDIN_FILENO, key, sizeof key) : -1;
-        if (dom_raised(session->compute.interrupt) || count == 0 || (input.revents & (POLLHUP | POLLERR)))
+        if (dom_raised(session->state.scene.compute.interrupt) || count == 0 ||
+            (input.revents & (POLLHUP | POLLERR)))
             w->state = WATCH_LEAVE;
         else if (count > 0)
             watch_keys(w, key, count);
@@ -133,26 +134,31 @@ static void watch_run(struct session *session, struct watch *w)
 }
 
 /* Reports an error where there are no keys, or the terminal cannot put its cursor. */
-static bool watch_possible(struct session *session)
+static bool watch_possible(const struct session *session, struct problem *problem)
 {
     int width, height;
     const char *term = getenv("TERM");
     bool terminal = isatty(STDIN_FILENO) && terminal_size(session->out, &width, &height);
     return (session->prompt_width && terminal && term && strcmp(term, "dumb") != 0) ||
-           session_error(session, "keys need the prompt on a terminal that can move its cursor; elsewhere "
+           problem_error(problem, "keys need the prompt on a terminal that can move its cursor; elsewhere "
                                   "'sweep s 0.1 0.9 9 : rmax' lists the answers");
 }
 
-bool run_watch(struct session *session, const struct call *call)
+bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
+               struct problem *problem)
 {
-    const struct solve *solve = call->own;
+    const struct solve *solve = given->own;
+    const struct query query = session_query(session);
     struct termios before, keys;
     struct watch w = {.solve = solve, .from = (double)solve->from, .to = (double)solve->to};
-    w.probe = (struct probe){.session = session, .inquiry = &solve->inquiry, .parameter = solve->parameter};
-    if (!watch_possible(session))
+    w.probe = (struct probe){.query = &query,
+                             .query_command = problem->command,
+                             .inquiry = &solve->inquiry,
+                             .parameter = solve->parameter};
+    if (!watch_possible(session, problem))
         return false;
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    bool muted = progress_mute(true), begun = watch_begin(session, &w);
+    bool muted = progress_mute(true), begun = watch_begin(&w, problem);
     ticker_stop();
     if (begun && tcgetattr(STDIN_FILENO, &before) == 0) {
         keys = before;
@@ -170,20 +176,20 @@ bool run_watch(struct session *session, const struct call *call)
     domq_real value = w.x;
     if (w.state == WATCH_STOP)
         raise(SIGTSTP);
-    if (w.state == WATCH_KEEP && !parameter_set(session, solve->parameter, &value, 1, NULL))
+    if (w.state == WATCH_KEEP &&
+        !parameter_set(&session->state, solve->parameter, &value, 1, NULL, &session->means, problem))
         return false;
     if (begun)
-        answer_say(call->answer, "%s %s %.6g", solve->parameter->name,
+        answer_say(a, "%s %s %.6g", solve->parameter->name,
                    w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
     return begun;
 }
 
-bool watch_read_answer(struct reader *r, struct call *call)
+bool watch_read_answer(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
-    struct solve *s = call->own;
+    struct solve *s = given->own;
     r->at = skip_blanks(r->at + 1);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     return (!command_ends(r->at) && *r->at != '>' && inquiry_read(r, &s->inquiry)) ||
-           session_error(session, "the answer is missing after ':'; for example 'watch s 0.1 0.9 : rmax'");
+           problem_error(r->problem, "the answer is missing after ':'; for example 'watch s 0.1 0.9 : rmax'");
 }

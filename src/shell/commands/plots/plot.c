@@ -81,9 +81,9 @@ static const char *paper_names(const void *context, int k)
 }
 
 /* Reads what the picture takes after its name. */
-static bool read_more(struct reader *r, struct call *call)
+static bool read_more(struct reader *r, struct arguments *given)
 {
-    const struct plot *plot = &plots[(int)call->number[0]];
+    const struct plot *plot = &plots[(int)given->number[0]];
     static const struct argument answer = {
         .name = "NAME", .kind = ARGUMENT_CHOICE, .of = "command with a tolerance", .choices = cost_names};
     static const struct argument paper = {
@@ -91,18 +91,18 @@ static bool read_more(struct reader *r, struct call *call)
     static const struct argument rows = {.name = "ROWS", .kind = ARGUMENT_COUNT};
     switch (plot->follows) {
     case ANSWER_NAME:
-        return read_choice(r, &answer, &call->word[1], &call->number[1]);
+        return read_choice(r, &answer, &given->word[1], &given->number[1]);
     case PAPER:
-        return read_choice(r, &paper, &call->word[1], &call->number[1]);
+        return read_choice(r, &paper, &given->word[1], &given->number[1]);
     case ROWS:
         r->last = true;
-        return read_quantity(r, &rows, &call->quantity[1], &call->number[1]);
+        return read_quantity(r, &rows, &given->quantity[1], &given->number[1]);
     case GRID:
-        return sweep_read_grid(r, call) && sweep_read_command(r, call);
+        return sweep_read_grid(r, given) && sweep_read_command(r, given);
     case NOTHING:
         break;
     }
-    return session_error(r->session, "'plot %s' takes nothing after it", plot->name);
+    return problem_error(r->problem, "'plot %s' takes nothing after it", plot->name);
 }
 
 /* Returns what completion offers as the n-th word after the name of a picture. */
@@ -130,13 +130,13 @@ static void columns_choose(const struct plot *plot, struct column *chosen)
     chosen[n] = (struct column){NULL, NULL, NULL, 0};
 }
 
-static bool run_plot(struct session *session, const struct call *call)
+static bool run_plot(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct plot *plot = &plots[(int)call->number[0]];
-    columns_choose(plot, call->answer->own);
-    call->answer->columns = call->answer->own;
-    call->answer->style.errors = 0; /* a picture needs no bounds */
-    return plot->run(session, call);
+    const struct plot *plot = &plots[(int)query->given->number[0]];
+    columns_choose(plot, a->own);
+    a->columns = a->own;
+    a->style.errors = 0; /* a picture needs no bounds */
+    return plot->run(query, a, problem);
 }
 
 const struct command plot_commands[] = {

@@ -22,18 +22,21 @@ static struct chart_curve *series(struct chart *chart, const struct cost_row *ro
 }
 
 /* The rows of 'cost', as that command answers them. */
-static bool cost_rows(struct session *session, const struct call *call)
+static bool cost_rows(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct command *cost = command_find("cost");
-    struct call asked = {.count = 1, .number = {call->number[1]}, .answer = call->answer};
-    call->answer->columns = cost->columns;
-    return cost->run(session, &asked);
+    const struct arguments given = {.count = 1, .number = {query->given->number[1]}};
+    struct query asked = *query;
+    asked.given = &given;
+    a->columns = cost->columns;
+    return cost->run(&asked, a, problem);
 }
 
-static bool cost_chart(struct session *session, const struct costed *answer, const struct cost *cost)
+static bool cost_chart(const struct query *query, struct answer *a, struct problem *problem,
+                       const struct costed *answer, const struct cost *cost)
 {
     struct chart chart = chart_make();
-    const struct domq_train *train = &session->train;
+    const struct domq_train *train = &query->scene->train;
     struct chart_curve *curve = NULL;
     snprintf(chart.title, sizeof chart.title,
              "What accuracy costs: %s at s = %.6g, r = %.6g, d = %.4g, q = %.4g", answer->name,
@@ -51,18 +54,19 @@ static bool cost_chart(struct session *session, const struct costed *answer, con
                 &chart, curve, row->seconds,
                 (double)quad_larger(row->error, (domq_real)domq_arithmetic(row->precision)->epsilon / 4));
     }
-    return chart_show(session, &chart);
+    return chart_show(query, a, problem, &chart);
 }
 
-bool plot_cost(struct session *session, const struct call *call)
+bool plot_cost(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct cost cost;
-    if (call->count < 2)
-        return session_error(session,
+    if (query->given->count < 2)
+        return problem_error(problem,
                              "'plot cost' needs the NAME of an answer: fuel, launch, barrier, duration, "
                              "rmax or pair");
-    if (!answer_for_people(call->answer))
-        return cost_rows(session, call);
-    const struct costed *answer = &cost_answers[(int)call->number[1]];
-    return chart_ready(session) && cost_of(session, answer, &cost) && cost_chart(session, answer, &cost);
+    if (!answer_for_people(a))
+        return cost_rows(query, a, problem);
+    const struct costed *answer = &cost_answers[(int)query->given->number[1]];
+    return chart_ready(a, problem) && cost_of(query, problem, answer, &cost) &&
+           cost_chart(query, a, problem, answer, &cost);
 }

@@ -57,38 +57,38 @@ static enum dom_status limit_point(struct domq_train train, const struct domq_co
     return status;
 }
 
-static bool limits_find(struct session *session, struct limit_table *table)
+static bool limits_find(const struct query *query, struct problem *problem, struct limit_table *table)
 {
     struct progress progress = {0, 0};
     for (int k = 0; k < SAMPLES; k++) {
         enum dom_status status = DOM_OK;
         table->s[k] = S_LOW + (domq_real)k * S_STEP;
         for (int c = 0; c < table->curves && status == DOM_OK; c++)
-            status = limit_point(session->train, &session->compute, &table->curve[c], table->s[k],
+            status = limit_point(query->scene->train, &query->scene->compute, &table->curve[c], table->s[k],
                                  &table->r[k][c]);
         progress_show(&progress, status == DOM_OK ? (k + 1.0) / SAMPLES : 1);
         if (status != DOM_OK)
-            return session_status(session, status);
+            return problem_status(problem, query->scene, status);
     }
     return true;
 }
 
-static bool limit_rows(const struct call *call, const struct limit_table *table)
+static bool limit_rows(struct answer *a, const struct limit_table *table)
 {
-    for (int k = 0; k < SAMPLES && !answer_lost(call->answer); k++) {
+    for (int k = 0; k < SAMPLES && !answer_lost(a); k++) {
         struct cell row[LIMITS + 2] = {cell_real(table->s[k])};
         for (int c = 0; c < table->curves; c++)
             row[c + 1] = cell_real(table->r[k][c]);
         row[table->curves + 1] = cell_real(1 / table->s[k]);
-        answer_row(call->answer, row, NULL);
+        answer_row(a, row, NULL);
     }
     return true;
 }
 
 /* The height of the picture: all curves, and the point of the session if it is not far above them. */
-static double limit_top(const struct session *session, const struct limit_table *table)
+static double limit_top(const struct query *query, const struct limit_table *table)
 {
-    domq_real top = 1, r = session->train.r;
+    domq_real top = 1, r = query->scene->train.r;
     for (int k = 0; k < SAMPLES; k++)
         for (int c = 0; c < table->curves; c++)
             top = isfinite(table->r[k][c]) ? quad_larger(top, table->r[k][c]) : top;
@@ -97,11 +97,12 @@ static double limit_top(const struct session *session, const struct limit_table 
     return top > 1 ? (double)(1 + (domq_real)1.15 * (top - 1)) : 2;
 }
 
-static bool limit_chart(struct session *session, const char *title, const struct limit_table *table)
+static bool limit_chart(const struct query *query, struct answer *a, struct problem *problem,
+                        const char *title, const struct limit_table *table)
 {
     struct chart chart = chart_make();
-    const struct domq_train *t = &session->train;
-    double top = limit_top(session, table);
+    const struct domq_train *t = &query->scene->train;
+    double top = limit_top(query, table);
     snprintf(chart.title, sizeof chart.title, "%s", title);
     snprintf(chart.x.label, sizeof chart.x.label, "gap over height, s (thickness over height is d = %.4g)",
              (double)t->d);
@@ -123,34 +124,34 @@ static bool limit_chart(struct session *session, const char *title, const struct
     struct chart_curve *now = chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "now: s = %.4g, r = %.4g%s",
                                           (double)t->s, (double)t->r, inside ? "" : " (above)");
     chart_point(&chart, now, (double)t->s, inside ? (double)t->r : top);
-    return chart_show(session, &chart);
+    return chart_show(query, a, problem, &chart);
 }
 
-static bool plot_limits(struct session *session, const struct call *call, const char *title,
-                        const struct limit_curve *curves, int count)
+static bool plot_limits(const struct query *query, struct answer *a, struct problem *problem,
+                        const char *title, const struct limit_curve *curves, int count)
 {
     static struct limit_table table;
     table.curve = curves;
     table.curves = count;
-    bool people = answer_for_people(call->answer);
-    if ((people && !chart_ready(session)) || !limits_find(session, &table))
+    bool people = answer_for_people(a);
+    if ((people && !chart_ready(a, problem)) || !limits_find(query, problem, &table))
         return false;
-    return people ? limit_chart(session, title, &table) : limit_rows(call, &table);
+    return people ? limit_chart(query, a, problem, title, &table) : limit_rows(a, &table);
 }
 
-bool plot_growth(struct session *session, const struct call *call)
+bool plot_growth(const struct query *query, struct answer *a, struct problem *problem)
 {
-    if (call->count < 2) { /* without 'paper' */
-        answer_leave_out(call->answer, "solid_paper");
-        answer_leave_out(call->answer, "hollow_paper");
+    if (query->given->count < 2) { /* without 'paper' */
+        answer_leave_out(a, "solid_paper");
+        answer_leave_out(a, "hollow_paper");
     }
-    return plot_limits(session, call, "Below its curve a train keeps falling", growth_curves,
-                       call->count < 2 ? LIMITS / 2 : LIMITS);
+    return plot_limits(query, a, problem, "Below its curve a train keeps falling", growth_curves,
+                       query->given->count < 2 ? LIMITS / 2 : LIMITS);
 }
 
-bool plot_marginal(struct session *session, const struct call *call)
+bool plot_marginal(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return plot_limits(session, call,
+    return plot_limits(query, a, problem,
                        "Below the curve of a pair, a domino that just tips over topples the next",
                        marginal_curves, LIMITS);
 }

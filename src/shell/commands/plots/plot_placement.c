@@ -58,7 +58,8 @@ static double share(const struct domq_study *s)
     return (double)s->fall / (double)s->rows;
 }
 
-static bool likely_chart(struct session *session, const struct likely *l)
+static bool likely_chart(const struct query *query, struct answer *a, struct problem *problem,
+                         const struct likely *l)
 {
     struct chart chart = chart_make();
     const struct axis_unit unit = measure_axis((double)l->sigma[SIGMAS - 1]);
@@ -83,20 +84,22 @@ static bool likely_chart(struct session *session, const struct likely *l)
                  "Rows that the model cannot decide widen the intervals upwards.");
     if (l->now > 0)
         chart_event(&chart, (double)l->now / unit.size, "now");
-    return chart_show(session, &chart);
+    return chart_show(query, a, problem, &chart);
 }
 
-static bool likely_make(struct session *session, const struct call *call, struct task_pool *pool,
+static bool likely_make(const struct query *query, struct problem *problem, struct task_pool *pool,
                         struct likely *l)
 {
-    const struct effect_state *errors = &session->effect[DOM_EFFECT_placement];
-    if (!scene_row_make(session, &l->scene))
+    const struct effect_state *errors = &query->scene->effect[DOM_EFFECT_placement];
+    if (!scene_row_make(query->scene, &l->scene, problem))
         return false;
-    *pool = (struct task_pool){.threads = session->threads, .interrupt = session->compute.interrupt};
+    *pool = (struct task_pool){.threads = query->state->settings.threads,
+                               .interrupt = query->scene->compute.interrupt};
     l->now = errors->on ? errors->value[0] : DOMQ_NAN;
     l->placement = (struct domq_placement){.heights = errors->on ? errors->value[1] : 0,
-                                           .seed = (unsigned long)session->seed,
-                                           .rows = call->count > 1 ? (size_t)call->number[1] : ROWS_USUAL,
+                                           .seed = (unsigned long)query->scene->seed,
+                                           .rows = query->given->count > 1 ? (size_t)query->given->number[1]
+                                                                           : ROWS_USUAL,
                                            .parallel = workers_tasks,
                                            .pool = pool};
     enum dom_status status = studies_make(l);
@@ -104,26 +107,26 @@ static bool likely_make(struct session *session, const struct call *call, struct
         return true;
     free(l->scene.domino);
     if (status == DOM_STOPS)
-        session_no_answer(session,
+        problem_no_answer(problem,
                           "fewer than half of the rows fall, even without random errors: 'fall' shows where "
                           "the row stops, and 'mend' finds what saves it");
     else
-        row_status(session, status);
+        row_status(query, problem, status);
     return false;
 }
 
-bool plot_placement(struct session *session, const struct call *call)
+bool plot_placement(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct likely l;
     struct task_pool pool;
-    bool people = answer_for_people(call->answer);
-    if ((people && !chart_ready(session)) || !likely_make(session, call, &pool, &l))
+    bool people = answer_for_people(a);
+    if ((people && !chart_ready(a, problem)) || !likely_make(query, problem, &pool, &l))
         return false;
     for (int k = 0; k < SIGMAS && !people; k++)
-        answer_cells(call->answer, cell_real(l.sigma[k]), cell_real((domq_real)share(&l.study[k])),
+        answer_cells(a, cell_real(l.sigma[k]), cell_real((domq_real)share(&l.study[k])),
                      cell_real((domq_real)l.study[k].low), cell_real((domq_real)l.study[k].high),
                      cell_count((domq_real)l.study[k].rows));
-    bool shown = !people || likely_chart(session, &l);
+    bool shown = !people || likely_chart(query, a, problem, &l);
     free(l.scene.domino);
     return shown;
 }

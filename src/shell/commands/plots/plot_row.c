@@ -28,10 +28,10 @@ static void ran_free(struct ran *ran)
     free(ran->fall);
 }
 
-static bool row_ran(struct session *session, bool times, struct ran *ran)
+static bool row_ran(const struct query *query, struct problem *problem, bool times, struct ran *ran)
 {
     *ran = (struct ran){.count = 0};
-    if (!scene_row_make(session, &ran->scene))
+    if (!scene_row_make(query->scene, &ran->scene, problem))
         return false;
     ran->scene.row.floor = false;
     ran->fall = calloc(ran->scene.row.count, sizeof *ran->fall);
@@ -41,7 +41,7 @@ static bool row_ran(struct session *session, bool times, struct ran *ran)
     if (status == DOM_OK)
         return true;
     ran_free(ran);
-    row_status(session, status);
+    row_status(query, problem, status);
     return false;
 }
 
@@ -73,7 +73,8 @@ static void fall_note(const struct ran *ran, char *note, size_t size)
         snprintf(note, size, "All %zu fall.", ran->scene.row.count);
 }
 
-static bool fall_chart(struct session *session, const struct ran *ran)
+static bool fall_chart(const struct query *query, struct answer *a, struct problem *problem,
+                       const struct ran *ran)
 {
     struct chart chart = chart_make();
     const struct domq_verdict *v = &ran->verdict;
@@ -116,30 +117,30 @@ static bool fall_chart(struct session *session, const struct ran *ran)
             chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "here it ends, domino %zu", v->domino);
         chart_point(&chart, end, (double)v->domino, chart.y.low);
     }
-    return chart_show(session, &chart);
+    return chart_show(query, a, problem, &chart);
 }
 
-bool plot_fall(struct session *session, const struct call *call)
+bool plot_fall(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct ran ran;
-    bool people = answer_for_people(call->answer);
-    if ((people && !chart_ready(session)) || !row_ran(session, false, &ran))
+    bool people = answer_for_people(a);
+    if ((people && !chart_ready(a, problem)) || !row_ran(query, problem, false, &ran))
         return false;
-    if (scene_weighed(session) && !people)
-        columns_in_joules(call->answer);
+    if (scene_weighed(query->scene) && !people)
+        columns_in_joules(a);
     for (size_t i = 0; i < ran.count && !people; i++) {
         const struct domq_fall *f = &ran.fall[i];
         bool known = isfinite(f->barrier);
-        answer_cells(call->answer, cell_count((domq_real)f->domino), cell_real(f->kinetic),
+        answer_cells(a, cell_count((domq_real)f->domino), cell_real(f->kinetic),
                      cell_real(known ? f->barrier : DOMQ_NAN), cell_real(known ? f->margin : DOMQ_NAN),
                      cell_real((domq_real)spare_of(&ran, i)));
     }
     bool idle = people && ran.scene.row.count == 1 && isnan(spare_of(&ran, 0));
     if (idle)
-        session_no_answer(session,
+        problem_no_answer(problem,
                           "the only domino is tipped over its edge, and needs no energy; 'effect row 5' "
                           "sets up five");
-    bool shown = !people || (!idle && fall_chart(session, &ran));
+    bool shown = !people || (!idle && fall_chart(query, a, problem, &ran));
     ran_free(&ran);
     return shown;
 }
@@ -164,7 +165,8 @@ static double place_of(const struct ran *ran, size_t i)
     return (double)place;
 }
 
-static bool speed_chart(struct session *session, const struct ran *ran)
+static bool speed_chart(const struct query *query, struct answer *a, struct problem *problem,
+                        const struct ran *ran)
 {
     struct chart chart = chart_make();
     double last = (double)NAN;
@@ -190,27 +192,27 @@ static bool speed_chart(struct session *session, const struct ran *ran)
             chart_point(&chart, hits, at, speed);
         last = speed;
     }
-    return chart_show(session, &chart);
+    return chart_show(query, a, problem, &chart);
 }
 
-bool plot_speed(struct session *session, const struct call *call)
+bool plot_speed(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct ran ran;
-    bool people = answer_for_people(call->answer);
-    if ((people && !chart_ready(session)) || !row_ran(session, true, &ran))
+    bool people = answer_for_people(a);
+    if ((people && !chart_ready(a, problem)) || !row_ran(query, problem, true, &ran))
         return false;
     for (size_t i = 0; i < ran.count && !people; i++)
-        answer_cells(call->answer, cell_count((domq_real)ran.fall[i].domino),
-                     cell_real((domq_real)place_of(&ran, i)), cell_real((domq_real)speed_of(&ran, i)));
+        answer_cells(a, cell_count((domq_real)ran.fall[i].domino), cell_real((domq_real)place_of(&ran, i)),
+                     cell_real((domq_real)speed_of(&ran, i)));
     bool runs = false;
     for (size_t i = 0; i < ran.count && !runs; i++)
         runs = !isnan(speed_of(&ran, i));
     if (people && !runs)
-        session_no_answer(session, ran.scene.row.count == 1
+        problem_no_answer(problem, ran.scene.row.count == 1
                                        ? "a front needs two dominoes; 'effect row 5' sets up five"
                                        : "the row ends before the front has a speed; 'fall' shows where, and "
                                          "'mend' finds what saves it");
-    bool shown = !people || (runs && speed_chart(session, &ran));
+    bool shown = !people || (runs && speed_chart(query, a, problem, &ran));
     ran_free(&ran);
     return shown;
 }
@@ -252,7 +254,8 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, cha
                  measured(t->low, "m", 3).text, measured(t->high, "m", 3).text, t->domino);
 }
 
-static bool gaps_chart(struct session *session, const struct domq_window *w, size_t count)
+static bool gaps_chart(const struct query *query, struct answer *a, struct problem *problem,
+                       const struct domq_window *w, size_t count)
 {
     struct chart chart = chart_make();
     double longest = 0, widest = 0, narrowest = HUGE_VAL, lowest = HUGE_VAL;
@@ -281,15 +284,15 @@ static bool gaps_chart(struct session *session, const struct domq_window *w, siz
                     (double)w[i].high / unit.size);
         chart_point(&chart, planned, x, fmax((double)w[i].now / unit.size, chart.y.low));
     }
-    return chart_show(session, &chart);
+    return chart_show(query, a, problem, &chart);
 }
 
-bool plot_gaps(struct session *session, const struct call *call)
+bool plot_gaps(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct progress progress = {0, 0};
-    bool people = answer_for_people(call->answer), done = false;
-    if ((people && !chart_ready(session)) || !scene_row_make(session, &scene))
+    bool people = answer_for_people(a), done = false;
+    if ((people && !chart_ready(a, problem)) || !scene_row_make(query->scene, &scene, problem))
         return false;
     size_t count = scene.row.count - 1;
     struct domq_window *w = calloc(count ? count : 1, sizeof *w);
@@ -298,14 +301,14 @@ bool plot_gaps(struct session *session, const struct call *call)
           : DOM_NO_MEMORY;
     progress_show(&progress, 1);
     if (status != DOM_OK)
-        row_status(session, status);
+        row_status(query, problem, status);
     else if (count == 0)
-        session_no_answer(session, "a row of one domino has no gap");
+        problem_no_answer(problem, "a row of one domino has no gap");
     else
-        done = !people || gaps_chart(session, w, count);
+        done = !people || gaps_chart(query, a, problem, w, count);
     for (size_t i = 0; i < count && done && !people; i++)
-        answer_cells(call->answer, cell_count((domq_real)w[i].domino), cell_real(w[i].now),
-                     cell_real(w[i].low), cell_real(w[i].high), cell_flag(w[i].others));
+        answer_cells(a, cell_count((domq_real)w[i].domino), cell_real(w[i].now), cell_real(w[i].low),
+                     cell_real(w[i].high), cell_flag(w[i].others));
     free(scene.domino);
     free(w);
     return done;

@@ -114,25 +114,24 @@ static bool points_read(FILE *rows, struct points *p)
     return good;
 }
 
-static bool points_find(struct session *session, const struct call *call, struct points *p)
+static bool points_find(const struct query *query, struct answer *a, struct problem *problem,
+                        struct points *p)
 {
     FILE *rows = tmpfile();
     if (!rows) {
-        session_error(session, "cannot draw: %s", strerror(errno));
+        problem_error(problem, "cannot draw: %s", strerror(errno));
         return false;
     }
-    struct answer answer = {.out = rows, .style = call->answer->style, .rows = true};
-    struct call asked = *call;
+    struct answer answer = {.out = rows, .style = a->style, .rows = true};
     answer.style.format = &handed;
     answer.style.errors = false;
-    asked.answer = &answer;
-    bool done = run_sweep(session, &asked);
+    bool done = run_sweep(query, &answer, problem);
     rewind(rows);
     if (done && !points_read(rows, p))
-        done = session_status(session, DOM_NO_MEMORY);
+        done = problem_status(problem, query->scene, DOM_NO_MEMORY);
     fclose(rows);
     if (done && p->count == 0)
-        session_no_answer(session, "the sweep has no points to draw");
+        problem_no_answer(problem, "the sweep has no points to draw");
     return done && p->count > 0;
 }
 
@@ -154,13 +153,13 @@ static void axis_label(const struct sweep_axis *a, char label[128])
              unit ? a->unit : "");
 }
 
-static void value_label(const struct session *session, const struct points *p, char *label, size_t size)
+static void value_label(const struct query *query, const struct points *p, char *label, size_t size)
 {
     const struct column *c = p->shape.command->columns;
     while (c->key && strcmp(c->key, p->key) != 0)
         c++;
     bool angle = c->key && column_is_angle(c), print = strncmp(p->shape.asked, "print ", 6) == 0;
-    const char *unit = angle ? style_angle_unit(&session->style) : c->key ? c->unit : "";
+    const char *unit = angle ? style_angle_unit(&query->state->settings.style) : c->key ? c->unit : "";
     snprintf(label, size, "%s%s%s", print ? p->shape.asked + 6 : p->key, *unit ? " in " : "", unit);
 }
 
@@ -226,7 +225,8 @@ static bool map_draw(struct chart *chart, const struct points *p)
 }
 
 /* Chooses how to show the points, and draws them. */
-static bool points_draw(struct session *session, const struct points *p)
+static bool points_draw(const struct query *query, struct answer *a, struct problem *problem,
+                        const struct points *p)
 {
     struct chart chart = chart_make();
     const struct sweep_shape *s = &p->shape;
@@ -237,15 +237,15 @@ static bool points_draw(struct session *session, const struct points *p)
                 is_even(p->at[0], s->axis[0].count, s->axis[1].count, s->axis[0].logarithmic) &&
                 is_even(p->at[1], s->axis[1].count, 1, s->axis[1].logarithmic);
     if (s->axes == 1 && !numbers[0])
-        return session_error(session, "'%s' has words here, and a curve needs numbers along its axis",
+        return problem_error(problem, "'%s' has words here, and a curve needs numbers along its axis",
                              s->axis[0].name);
     if (over < 0 && !even)
-        return session_error(session,
+        return problem_error(problem,
                              "a map needs evenly spaced numbers on both axes; with at most %d values of one "
                              "of them there is a curve each",
                              FAMILY);
     if (p->none == p->count)
-        return session_no_answer(session, "none of the %zu points has a number to show; 'sweep' says why",
+        return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
                                  p->count);
     snprintf(chart.title, sizeof chart.title, "%s over %s%s%s", s->asked, s->axis[0].name,
              s->axes > 1 ? " and " : "", s->axes > 1 ? s->axis[1].name : "");
@@ -253,33 +253,34 @@ static bool points_draw(struct session *session, const struct points *p)
         snprintf(chart.note, sizeof chart.note, "%zu of %zu points have no answer.", p->none, p->count);
     if (over >= 0) {
         curves_draw(&chart, p, over);
-        value_label(session, p, chart.y.label, sizeof chart.y.label);
+        value_label(query, p, chart.y.label, sizeof chart.y.label);
     } else if (map_draw(&chart, p)) {
-        value_label(session, p, chart.map.label, sizeof chart.map.label);
+        value_label(query, p, chart.map.label, sizeof chart.map.label);
     } else {
         chart.failed = true;
     }
-    return chart_show(session, &chart);
+    return chart_show(query, a, problem, &chart);
 }
 
-bool plot_sweep(struct session *session, const struct call *call)
+bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
 {
-    if (call->count < 2 || !call->own)
-        return session_error(session,
+    if (query->given->count < 2 || !query->given->own)
+        return problem_error(problem,
                              "'plot sweep' needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : "
                              "rmax'");
-    struct points p = {.shape = sweep_shape(call)};
-    if (!answer_for_people(call->answer))
-        return run_sweep(session, call);
+    struct points p = {.shape = sweep_shape(query->given)};
+    if (!answer_for_people(a))
+        return run_sweep(query, a, problem);
     if (p.shape.axes > SWEEP_AXES)
-        return session_error(session, "a picture has one or two parameters, and this grid has %d",
+        return problem_error(problem, "a picture has one or two parameters, and this grid has %d",
                              p.shape.axes);
     if (p.shape.command->rows)
-        return session_error(session,
+        return problem_error(problem,
                              "'%s' answers in rows, and a picture needs one number a point, such as "
                              "'verdict' or 'print EXPRESSION'",
                              p.shape.command->name);
-    bool shown = chart_ready(session) && points_find(session, call, &p) && points_draw(session, &p);
+    bool shown =
+        chart_ready(a, problem) && points_find(query, a, problem, &p) && points_draw(query, a, problem, &p);
     points_free(&p);
     return shown;
 }

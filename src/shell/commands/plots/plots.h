@@ -7,7 +7,7 @@
 #include "picture/chart.h"
 
 /* A picture draws for people, and answers its data to programs; false: an error was reported. */
-typedef bool plot_run(struct session *session, const struct call *call);
+typedef bool plot_run(const struct query *query, struct answer *a, struct problem *problem);
 plot_run plot_energy, plot_omega, plot_inertia, plot_chain; /* over a cycle */
 plot_run plot_growth, plot_marginal;                        /* limits over s */
 plot_run plot_cost;
@@ -16,8 +16,8 @@ plot_run plot_placement;
 plot_run plot_sweep; /* of the arguments that sweep_arguments has read */
 
 /* Reads the grid and the command of a sweep: after 'sweep' itself, and after 'plot sweep'. */
-bool sweep_read_grid(struct reader *reader, struct call *call);
-bool sweep_read_command(struct reader *reader, struct call *call);
+bool sweep_read_grid(struct reader *reader, struct arguments *call);
+bool sweep_read_command(struct reader *reader, struct arguments *call);
 
 /* A sweep as its picture sees it. */
 struct sweep_axis {
@@ -33,10 +33,10 @@ struct sweep_shape {
     const struct command *command;
     char asked[96]; /* the command with its arguments, as typed */
 };
-struct sweep_shape sweep_shape(const struct call *call);
-bool run_sweep(struct session *session, const struct call *call);
+struct sweep_shape sweep_shape(const struct arguments *call);
+bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Returns the angle unit of the session's answers, and a tilt in it. */
-double plot_angle(const struct session *session, domq_real theta);
+double plot_angle(const struct query *query, domq_real theta);
 
 #endif

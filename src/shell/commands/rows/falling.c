@@ -13,33 +13,33 @@ struct cell cell_narrow(domq_real value, int digits)
     return cell;
 }
 
-bool row_status(struct session *session, enum dom_status status)
+bool row_status(const struct query *query, struct problem *problem, enum dom_status status)
 {
-    enum dom_precision precision = session->compute.precision;
-    const struct domq_train *train = &session->train;
-    if (status == DOM_NOT_CONVERGED && session_engine(session) && !session->listed.domino &&
+    enum dom_precision precision = query->scene->compute.precision;
+    const struct domq_train *train = &query->scene->train;
+    if (status == DOM_NOT_CONVERGED && scene_has_engine(query->scene) && !query->scene->listed.domino &&
         quad(fabs)(train->alpha) >= quad(atan)(train->d))
-        return session_status(session, DOM_NO_STAND);
-    if (status == DOM_NOT_CONVERGED && session_engine(session))
-        return session_no_answer(session,
+        return problem_status(problem, query->scene, DOM_NO_STAND);
+    if (status == DOM_NOT_CONVERGED && scene_has_engine(query->scene))
+        return problem_no_answer(problem,
                                  "the rigid-body engine cannot decide: the row comes to no end, or with ever "
                                  "shorter steps the verdict still changes; try a slightly different row");
-    if (status == DOM_NO_LEAN && !session_engine(session))
-        return session_no_answer(session,
+    if (status == DOM_NO_LEAN && !scene_has_engine(query->scene))
+        return problem_no_answer(problem,
                                  "dominoes of this row lean, and a row with rounded edges cannot have "
                                  "them; enter 'effect edges off', or a row whose file has no column "
                                  "lean and no radius");
     if (status == DOM_NO_LEAN)
-        return session_no_answer(session,
+        return problem_no_answer(problem,
                                  "dominoes of this row lean, and a rigid-body engine runs the row, since %s; "
                                  "turn that off, or enter a row whose file has no column lean",
-                                 session_engine_why(session));
+                                 scene_engine_why(query->scene));
     if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
-        return session_status(session, status);
-    if (session_engine(session))
-        return session_no_answer(session,
+        return problem_status(problem, query->scene, status);
+    if (scene_has_engine(query->scene))
+        return problem_no_answer(problem,
                                  "the dominoes of this row have no size or no mass in double precision");
-    return session_no_answer(session,
+    return problem_no_answer(problem,
                              "the dominoes of this row become larger or smaller than %s precision can hold; "
                              "use fewer dominoes or a smaller r%s",
                              domq_arithmetic(precision)->name,

@@ -20,7 +20,7 @@ void verdict_say(struct answer *answer, const struct scene_row *scene, const str
                  const struct domq_fall *last, bool timed);
 
 /* Reports a status that is not DOM_OK; also a status of dominoes, which the precision cannot hold. */
-bool row_status(struct session *session, enum dom_status status);
+bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 
 /* Says why a row stops that could not fall with any energy. */
 extern const char locks_farther_on[];

@@ -2,9 +2,9 @@
 #include "commands/rows/feet.h"
 #include "language/quad.h"
 
-struct feet feet_begin(const struct session *session)
+struct feet feet_begin(const struct query *query)
 {
-    return (struct feet){.floor = session->effect[DOM_EFFECT_floor].value[0]};
+    return (struct feet){.floor = query->scene->effect[DOM_EFFECT_floor].value[0]};
 }
 
 static void slip_add(struct slip *most, struct slip *first, struct slip slip, domq_real floor)

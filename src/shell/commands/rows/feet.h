@@ -3,7 +3,7 @@
 #ifndef SHELL_FEET_H
 #define SHELL_FEET_H
 
-#include "session/session.h"
+#include "session/query.h"
 
 /* The friction that a foot needs, while the domino `head` falls, or in the instant when it is hit. */
 struct slip {
@@ -18,7 +18,7 @@ struct feet {
 };
 
 /* Begins, with the floor of the session. */
-struct feet feet_begin(const struct session *session);
+struct feet feet_begin(const struct query *query);
 
 /* Adds a domino that was hit. */
 void feet_add(struct feet *feet, const struct domq_fall *f);

@@ -67,31 +67,32 @@ void row_largest(struct answer *a, const struct scene_row *scene)
     answer_largest(a, "lean", lean);
 }
 
-bool run_row(struct session *session, const struct call *call)
+bool run_row(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
-    if (!scene_row_make(session, &scene))
+    if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    bool weighed = scene_weighed(session);
+    bool weighed = scene_weighed(query->scene);
     bool rounds = row_has_radii(&scene), leans = row_has_leans(&scene);
-    answer_leave_out(call->answer, weighed ? "relative" : "mass");
+    answer_leave_out(a, weighed ? "relative" : "mass");
     if (!rounds)
-        answer_leave_out(call->answer, "radius");
+        answer_leave_out(a, "radius");
     if (!leans)
-        answer_leave_out(call->answer, "lean");
-    call->answer->units = true;
-    call->answer->style.errors = false; /* its columns are those that 'effect row FILE' reads */
-    row_largest(call->answer, &scene);
-    for (size_t k = 0; k < scene.row.count && !answer_lost(call->answer); k++) {
+        answer_leave_out(a, "lean");
+    a->units = true;
+    a->style.errors = false; /* its columns are those that 'effect row FILE' reads */
+    row_largest(a, &scene);
+    for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
         const struct domq_domino *d = &scene.domino[k];
         struct cell cells[] = {cell_count((domq_real)k + 1), cell_real(d->height),
                                cell_real(d->thickness),      cell_real(d->gap),
                                cell_real(d->mass),           cell_real(d->mass / scene.domino[0].mass),
                                cell_real(d->radius),         cell_real(row_lean(d))};
-        cells_leave_out(call->answer, row_columns, cells);
-        answer_row(call->answer, cells, NULL);
+        cells_leave_out(a, row_columns, cells);
+        answer_row(a, cells, NULL);
     }
     free(scene.domino);
-    session->listed.saved = session->listed.saved || session->redirected;
+    if (query->next && a->path)
+        query->next->scene.listed.saved = true;
     return true;
 }

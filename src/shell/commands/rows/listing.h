@@ -7,7 +7,7 @@
 #include "interpreter/command.h"
 
 extern const struct column row_columns[];
-bool run_row(struct session *session, const struct call *call);
+bool run_row(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Removes the cells of columns that are left out of the answer. */
 void cells_leave_out(const struct answer *answer, const struct column *all, struct cell *cells);

@@ -80,15 +80,14 @@ static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, 
                    measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
-bool run_mend(struct session *session, const struct call *call)
+bool run_mend(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct domq_verdict v;
     struct domq_mend list[DOM_MENDS];
     struct progress progress = {0, 0};
-    struct answer *a = call->answer;
     size_t found = 0;
-    if (!scene_row_make(session, &scene))
+    if (!scene_row_make(query->scene, &scene, problem))
         return false;
     scene.row.floor = false;
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
@@ -113,5 +112,5 @@ bool run_mend(struct session *session, const struct call *call)
     else if (status == DOM_OK)
         mend_say(a, list, found, push_lacks(&v));
     free(scene.domino);
-    return status == DOM_OK || row_status(session, status);
+    return status == DOM_OK || row_status(query, problem, status);
 }

@@ -79,17 +79,17 @@ static bool fall_row(const struct domq_fall *f, void *context)
 }
 
 /* Reports an error if the model cannot follow the row to its end. */
-static bool verdict_known(struct session *session, const struct domq_verdict *v)
+static bool verdict_known(struct problem *problem, const struct domq_verdict *v)
 {
     return (v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS) ||
-           session_no_answer(session, "there is no verdict after domino %zu: %s", v->domino,
+           problem_no_answer(problem, "there is no verdict after domino %zu: %s", v->domino,
                              dom_row_end_text(v->end));
 }
 
 /* Leaves out columns: people read energies in percent, and in J if masses are known. */
-static void fall_choose(const struct session *session, struct answer *a, const struct scene_row *scene)
+static void fall_choose(const struct query *query, struct answer *a, const struct scene_row *scene)
 {
-    bool people = answer_for_people(a), weighed = scene_weighed(session);
+    bool people = answer_for_people(a), weighed = scene_weighed(query->scene);
     if (weighed)
         columns_in_joules(a);
     if (people && !weighed)
@@ -108,19 +108,18 @@ static void fall_choose(const struct session *session, struct answer *a, const s
         answer_leave_out(a, "energy");
 }
 
-static bool run_fall(struct session *session, const struct call *call)
+static bool run_fall(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct domq_verdict verdict;
-    struct answer *a = call->answer;
-    if (!scene_row_make(session, &scene))
+    if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    struct falling c = {.answer = a, .scene = &scene, .feet = feet_begin(session)};
-    if (!report_begin(session, &scene)) {
+    struct falling c = {.answer = a, .scene = &scene, .feet = feet_begin(query)};
+    if (!report_begin(query, problem, &scene)) {
         free(scene.domino);
         return false;
     }
-    fall_choose(session, a, &scene);
+    fall_choose(query, a, &scene);
     row_largest(a, &scene);
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_row, &c, &verdict);
     answer_holds(a, status == DOM_OK && verdict.end == DOM_ROW_FALLS);
@@ -132,7 +131,7 @@ static bool run_fall(struct session *session, const struct call *call)
     }
     report_end(&scene);
     free(scene.domino);
-    return status == DOM_OK ? verdict_known(session, &verdict) : row_status(session, status);
+    return status == DOM_OK ? verdict_known(problem, &verdict) : row_status(query, problem, status);
 }
 
 /* ---- verdict ---- */
@@ -157,12 +156,12 @@ static const char *end_word(enum dom_row_end end)
 }
 
 /* Writes how the row ends. */
-static void verdict_answer(struct session *session, struct answer *a, const struct scene_row *scene,
+static void verdict_answer(const struct query *query, struct answer *a, const struct scene_row *scene,
                            const struct domq_verdict *v, const struct falling *c)
 {
     char reason[ANSWER_REASON];
     answer_holds(a, v->end == DOM_ROW_FALLS);
-    if (scene_weighed(session))
+    if (scene_weighed(query->scene))
         columns_in_joules(a);
     const struct cell cells[] = {
         cell_word(end_word(v->end)),
@@ -179,26 +178,25 @@ static void verdict_answer(struct session *session, struct answer *a, const stru
         report_say(a, scene, v);
     } else
         answer_row(a, cells, v->end == DOM_ROW_FALLS ? NULL : reason);
-    if (session->effect[DOM_EFFECT_floor].on)
+    if (query->scene->effect[DOM_EFFECT_floor].on)
         feet_say(a, &c->feet, scene->row.count);
 }
 
-static bool run_verdict(struct session *session, const struct call *call)
+static bool run_verdict(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct domq_verdict v;
-    struct answer *a = call->answer;
-    if (!scene_row_make(session, &scene))
+    if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    struct falling c = {.feet = feet_begin(session)};
-    if (!report_begin(session, &scene)) {
+    struct falling c = {.feet = feet_begin(query)};
+    if (!report_begin(query, problem, &scene)) {
         free(scene.domino);
         return false;
     }
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, true, fall_visit, &c, &v);
-    bool known = status == DOM_OK ? verdict_known(session, &v) : row_status(session, status);
+    bool known = status == DOM_OK ? verdict_known(problem, &v) : row_status(query, problem, status);
     if (known)
-        verdict_answer(session, a, &scene, &v, &c);
+        verdict_answer(query, a, &scene, &v, &c);
     report_end(&scene);
     free(scene.domino);
     return known;
@@ -206,26 +204,27 @@ static bool run_verdict(struct session *session, const struct call *call)
 
 /* ---- place ---- */
 
-static bool run_place(struct session *session, const struct call *call)
+static bool run_place(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const size_t k = (size_t)call->number[0];
-    const domq_real gap = call->number[1];
+    (void)a;
+    const size_t k = (size_t)query->given->number[0];
+    const domq_real gap = query->given->number[1];
     struct scene_row scene;
-    if (call->quantity[1].length == 0 && gap > 0) {
-        if (!scene_row_make(session, &scene))
+    if (query->given->quantity[1].length == 0 && gap > 0) {
+        if (!scene_row_make(query->scene, &scene, problem))
             return false;
         bool there = k >= 2 && k <= scene.row.count; /* else scene_row_place reports it */
         domq_real before = there ? scene.domino[k - 2].height : gap,
                   own = there ? scene.domino[k - 1].height : gap;
         free(scene.domino);
         if (gap > before && gap > own)
-            return session_error(session,
+            return problem_error(problem,
                                  "a gap of %s without a unit would be %s, but domino %zu is %s tall; write "
                                  "'place %zu %s mm', or the unit that you mean",
                                  quad_shown(gap).text, measured(gap, "m", 6).text, k - 1,
                                  measured(before, "m", 4).text, k, quad_shown(gap).text);
     }
-    return scene_row_place(session, k, gap);
+    return !query->next || scene_row_place(&query->next->scene, k, gap, problem);
 }
 
 /* ---- rowmax: the largest growth of a finite row ---- */
@@ -241,30 +240,30 @@ static const struct column rowmax_columns[] = {
 /* Writes the row of the scene at the growth r, with the gaps that were changed. */
 static void row_at(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
-    struct session scene = *(const struct session *)context;
+    struct scene scene = *(const struct scene *)context;
     scene.train.r = r;
     scene_row_fill(&scene, domino, count);
 }
 
-static bool run_rowmax(struct session *session, const struct call *call)
+static bool run_rowmax(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_row_growth growth;
     struct domq_limit limit;
     struct scene_row scene;
-    if (!scene_row_make(session, &scene))
+    if (!scene_row_make(query->scene, &scene, problem))
         return false;
     free(scene.domino);
-    if (session->listed.domino)
-        return session_error(session, "a row from a file has no growth r; first enter 'effect row N'");
-    enum dom_status status =
-        domq_row_rmax(&scene.row, &scene.compute, 1 / session->train.s, row_at, session, &growth);
+    if (query->scene->listed.domino)
+        return problem_error(problem, "a row from a file has no growth r; first enter 'effect row N'");
+    enum dom_status status = domq_row_rmax(&scene.row, &scene.compute, 1 / query->scene->train.s, row_at,
+                                           (void *)query->scene, &growth);
     if (status == DOM_OK)
-        status = domq_limit_rmax(&session->train, &session->compute, &limit);
+        status = domq_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status != DOM_OK)
-        return row_status(session, status);
+        return row_status(query, problem, status);
     return answer_row(
-        call->answer,
-        ROW(cell_real(session->train.s), cell_count((domq_real)scene.row.count),
+        a,
+        ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
             cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
         isnan(growth.r_max) ? "not even equal dominoes (r = 1) all fall; 'set r 1; fall' shows why" : NULL);
 }

@@ -3,13 +3,13 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
-bool report_begin(struct session *session, struct scene_row *scene)
+bool report_begin(const struct query *query, struct problem *problem, struct scene_row *scene)
 {
     if (!scene->row.engine)
         return true;
     scene->report.hit = malloc(scene->row.count * sizeof *scene->report.hit);
     scene->engine.report = &scene->report;
-    return scene->report.hit || session_status(session, DOM_NO_MEMORY);
+    return scene->report.hit || problem_status(problem, query->scene, DOM_NO_MEMORY);
 }
 
 void report_end(struct scene_row *scene)

@@ -7,7 +7,7 @@
 #include "interpreter/command.h"
 
 /* Makes room for what the engine finds in a run of the row, unless the model runs it. False: no memory. */
-bool report_begin(struct session *session, struct scene_row *scene);
+bool report_begin(const struct query *query, struct problem *problem, struct scene_row *scene);
 void report_end(struct scene_row *scene);
 
 /* Returns true if the feet of the row are no hinges. */

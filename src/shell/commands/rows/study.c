@@ -9,55 +9,55 @@
 #include <string.h>
 
 /* Makes the row and its random errors. Reports an error if they are needed and there are none. */
-static bool study_make(struct session *session, domq_real rows, bool needed, struct task_pool *pool,
-                       struct scene_row *scene, struct domq_placement *p)
+static bool study_make(const struct query *query, struct problem *problem, domq_real rows, bool needed,
+                       struct task_pool *pool, struct scene_row *scene, struct domq_placement *p)
 {
-    const struct effect_state *errors = &session->effect[DOM_EFFECT_placement];
-    if (!scene_row_make(session, scene))
+    const struct effect_state *errors = &query->scene->effect[DOM_EFFECT_placement];
+    if (!scene_row_make(query->scene, scene, problem))
         return false;
     if (!errors->on && needed) {
         free(scene->domino);
-        session_error(session, "this command needs random errors; first enter 'effect placement 1 mm'");
+        problem_error(problem, "this command needs random errors; first enter 'effect placement 1 mm'");
         return false;
     }
     *p = (struct domq_placement){
         .sigma = errors->on ? errors->value[0] : 0,
         .heights = errors->on ? errors->value[1] : 0,
-        .seed = (unsigned long)session->seed,
+        .seed = (unsigned long)query->scene->seed,
         .rows = (size_t)rows,
         .parallel = workers_tasks,
         .pool = pool,
     };
-    pool->threads = session->threads;
-    pool->interrupt = session->compute.interrupt;
+    pool->threads = query->state->settings.threads;
+    pool->interrupt = query->scene->compute.interrupt;
     return true;
 }
 
 /* ---- placement ---- */
 
-static bool placement_all(struct session *session, const struct call *call, const struct scene_row *scene,
-                          const struct domq_placement *p)
+static bool placement_all(const struct query *query, struct answer *a, struct problem *problem,
+                          const struct scene_row *scene, const struct domq_placement *p)
 {
     struct domq_study study;
     size_t *stops = calloc(scene->row.count, sizeof *stops);
     enum dom_status status =
         stops ? domq_placement_study(&scene->row, &scene->compute, p, &study, stops) : DOM_NO_MEMORY;
     if (status == DOM_OK)
-        study_answer(call, p->sigma, p->heights, &study, stops, scene->row.count, NULL);
+        study_answer(a, p->sigma, p->heights, &study, stops, scene->row.count, NULL);
     free(stops);
-    return status == DOM_OK || row_status(session, status);
+    return status == DOM_OK || row_status(query, problem, status);
 }
 
-static bool run_placement(struct session *session, const struct call *call)
+static bool run_placement(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct domq_placement p;
     struct task_pool pool = {.progress = true};
-    domq_real rows = call->count > 0 ? call->number[0] : 2000;
-    if (!study_make(session, rows, true, &pool, &scene, &p))
+    domq_real rows = query->given->count > 0 ? query->given->number[0] : 2000;
+    if (!study_make(query, problem, rows, true, &pool, &scene, &p))
         return false;
-    bool done = session->shard.parts > 0 ? study_blocks(session, call, &scene, &p)
-                                         : placement_all(session, call, &scene, &p);
+    bool done = query->means->shard.parts > 0 ? study_blocks(query, a, problem, &scene, &p)
+                                              : placement_all(query, a, problem, &scene, &p);
     free(scene.domino);
     return done;
 }
@@ -134,19 +134,19 @@ static void budget_partial(struct answer *a, const struct domq_budget *b, domq_r
                answer_for_people(a) ? NULL : partial);
 }
 
-static bool run_budget(struct session *session, const struct call *call)
+static bool run_budget(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct domq_placement p;
     struct domq_budget budget = {.sigma = 0};
     struct task_pool pool = {.progress = false}; /* how many studies it takes is not known */
-    struct answer *a = call->answer;
-    domq_real share = call->number[0], rows = call->count > 1 ? call->number[1] : 1000;
+    domq_real share = query->given->number[0],
+              rows = query->given->count > 1 ? query->given->number[1] : 1000;
     if (!(share > 0 && share < 1))
-        return session_error(session,
+        return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_shown(share).text);
-    if (!study_make(session, rows, false, &pool, &scene, &p))
+    if (!study_make(query, problem, rows, false, &pool, &scene, &p))
         return false;
     enum dom_status status = domq_placement_budget(&scene.row, &scene.compute, &p, (double)share, &budget);
     bool any = !isfinite(budget.sigma);
@@ -154,14 +154,14 @@ static bool run_budget(struct session *session, const struct call *call)
         status = budget_say(a, &scene, &p, &budget, share);
     free(scene.domino);
     if (status == DOM_STOPS)
-        return session_no_answer(session, p.heights > 0
+        return problem_no_answer(problem, p.heights > 0
                                               ? "even with exact gaps fewer rows fall; enter a smaller P"
                                               : "even with exact gaps the row does not fall; 'mend' finds a "
                                                 "change that saves it");
     if (status == DOM_INTERRUPTED && budget.sigma > 0 && !any)
         budget_partial(a, &budget, share, rows);
     if (status != DOM_OK)
-        return row_status(session, status);
+        return row_status(query, problem, status);
     return answer_row(a,
                       ROW(cell_real(share), cell_bound(budget.sigma, DOMQ_NAN),
                           cell_bound(budget.low, DOMQ_NAN), cell_bound(budget.high, DOMQ_NAN),
@@ -182,15 +182,14 @@ static const struct column slip_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool run_slip(struct session *session, const struct call *call)
+static bool run_slip(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_floor f;
-    const struct effect_state *floor = &session->effect[DOM_EFFECT_floor];
-    enum dom_status status = domq_cycle_floor(&session->train, &session->compute, &f);
+    const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
+    enum dom_status status = domq_cycle_floor(&query->scene->train, &query->scene->compute, &f);
     if (status != DOM_OK)
-        return session_status(session, status);
+        return problem_status(problem, query->scene, status);
     bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
-    struct answer *a = call->answer;
     answer_row(a,
                ROW(cell_narrow(f.motion, 6), cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),
                    cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),

@@ -76,16 +76,15 @@ static size_t stops_say(struct answer *a, const size_t *stops, size_t count, siz
     return first;
 }
 
-void study_answer(const struct call *call, domq_real sigma, domq_real heights, const struct domq_study *study,
+void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
                   const size_t *stops, size_t count, const char *reason)
 {
     size_t others = study->rows - study->fall - study->unknown;
-    answer_say(call->answer, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.",
-               study->fall, study->rows,
-               measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
+    answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
+               study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
                measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
-    size_t most = stops_say(call->answer, stops, count, others);
-    answer_row(call->answer,
+    size_t most = stops_say(a, stops, count, others);
+    answer_row(a,
                ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
                    cell_count((domq_real)study->fall),
                    cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
@@ -171,10 +170,9 @@ static bool block_point(void *own, size_t block, FILE *out)
     return b->status == DOM_OK;
 }
 
-bool study_blocks(struct session *session, const struct call *call, const struct scene_row *scene,
-                  const struct domq_placement *placement)
+bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
+                  const struct scene_row *scene, const struct domq_placement *placement)
 {
-    struct answer *a = call->answer;
     struct blocks b = {.row = &scene->row, .compute = &scene->compute, .placement = placement};
     bool by_point;
     snprintf(b.scene, sizeof b.scene, "x%08x", (unsigned)scene_checksum(&scene->row, &scene->compute));
@@ -187,7 +185,8 @@ bool study_blocks(struct session *session, const struct call *call, const struct
                                   .point = block_point,
                                   .own = &b,
                                   .size = sizeof b};
-    return points_answer(session, a, &points, &by_point) || (by_point && row_status(session, b.status));
+    return points_answer(query, problem, a, &points, &by_point) ||
+           (by_point && row_status(query, problem, b.status));
 }
 
 /* ---- Pooling ---- */
@@ -200,7 +199,8 @@ struct part {
 };
 
 struct pool {
-    struct session *session;
+    const struct query *query;
+    struct problem *problem;
     const char *path; /* as messages show it */
     long line;
     char same[SAME_SIZE]; /* the common fields of the first block; "" before it is read */
@@ -213,7 +213,7 @@ struct pool {
 
 static bool wrong(const struct pool *p, const char *why)
 {
-    return session_error(p->session, "%s:%ld: %s", p->path, p->line, why);
+    return problem_error(p->problem, "%s:%ld: %s", p->path, p->line, why);
 }
 
 /* Reads a count that is the whole text. */
@@ -236,7 +236,7 @@ static bool study_begin(struct pool *p, char *const *field, const char *same)
         return wrong(p, "this line is not a block of a study");
     snprintf(p->same, sizeof p->same, "%s", same);
     p->stops = calloc(p->dominoes, sizeof *p->stops);
-    return p->stops || session_status(p->session, DOM_NO_MEMORY);
+    return p->stops || problem_status(p->problem, p->query->scene, DOM_NO_MEMORY);
 }
 
 /* Adds the counts of "5:12 6:3", and writes their sum. */
@@ -265,7 +265,7 @@ static bool part_add(struct pool *p, size_t first, size_t rows)
         p->room = 2 * p->room + 64;
         struct part *more = realloc(p->part, p->room * sizeof *more);
         if (!more)
-            return session_status(p->session, DOM_NO_MEMORY);
+            return problem_status(p->problem, p->query->scene, DOM_NO_MEMORY);
         p->part = more;
     }
     p->part[p->parts++] = (struct part){first, rows};
@@ -323,10 +323,10 @@ static bool pool_read(struct pool *p, FILE *in)
     if (!good)
         return false;
     if (ferror(in))
-        return session_error(p->session, "cannot read any further in '%s': %s", p->path, strerror(errno));
+        return problem_error(p->problem, "cannot read any further in '%s': %s", p->path, strerror(errno));
     return p->parts > 0 ||
-           session_error(
-               p->session,
+           problem_error(
+               p->problem,
                "'%s' has no blocks of a study; 'domino --shard I/N' with 'set output csv' writes them",
                p->path);
 }
@@ -346,7 +346,7 @@ static bool parts_check(struct pool *p, char *missing, size_t size)
     for (size_t i = 0; i <= p->parts; i++) {
         size_t first = i < p->parts ? p->part[i].first : p->of + 1;
         if (first < next)
-            return session_error(p->session, "row %zu of the study is in '%s' twice; leave one part out",
+            return problem_error(p->problem, "row %zu of the study is in '%s' twice; leave one part out",
                                  first, p->path);
         if (first > next && !*missing)
             snprintf(missing, size, "%zu of the %zu rows are missing, the first is number %zu",
@@ -356,22 +356,22 @@ static bool parts_check(struct pool *p, char *missing, size_t size)
     return true;
 }
 
-bool run_pool(struct session *session, const struct call *call)
+bool run_pool(const struct query *query, struct answer *a, struct problem *problem)
 {
     char missing[128], shown[NAMES_SHOWN];
-    struct pool p = {.session = session, .path = call->word[0]};
+    struct pool p = {.query = query, .problem = problem, .path = query->given->word[0]};
     bool standard = strcmp(p.path, "-") == 0;
-    const volatile sig_atomic_t *interrupt = session->compute.interrupt;
+    const volatile sig_atomic_t *interrupt = query->scene->compute.interrupt;
     FILE *in = standard ? io_stdin(interrupt) : io_read(p.path, interrupt);
     if (!in)
-        return session_error(session, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
+        return problem_error(problem, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
     p.path = names_shown(p.path, shown); /* used in messages only from here on */
     bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
     if (good) {
         enum dom_status status = domq_study_interval(&p.study);
         if (status == DOM_OK)
-            study_answer(call, p.sigma, p.heights, &p.study, p.stops, p.dominoes, *missing ? missing : NULL);
-        good = status == DOM_OK || session_status(session, status);
+            study_answer(a, p.sigma, p.heights, &p.study, p.stops, p.dominoes, *missing ? missing : NULL);
+        good = status == DOM_OK || problem_status(problem, query->scene, status);
     }
     if (!standard)
         fclose(in);

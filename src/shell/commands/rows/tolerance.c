@@ -311,12 +311,11 @@ static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
                        : "no change of this domino alone saves the row");
 }
 
-bool run_tolerance(struct session *session, const struct call *call)
+bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
     struct windows w;
-    struct answer *a = call->answer;
-    if (!scene_row_make(session, &scene))
+    if (!scene_row_make(query->scene, &scene, problem))
         return false;
     scene.row.floor = false;
     enum dom_status status = windows_find(&scene, &w);
@@ -328,5 +327,5 @@ bool run_tolerance(struct session *session, const struct call *call)
     }
     free(w.place);
     free(scene.domino);
-    return status == DOM_OK || row_status(session, status);
+    return status == DOM_OK || row_status(query, problem, status);
 }

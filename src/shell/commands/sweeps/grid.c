@@ -35,12 +35,11 @@ static bool grid_ends(const char *c)
 
 static bool read_name(struct reader *r, const struct grid *grid, struct axis *axis)
 {
-    struct session *session = r->session;
     char message[NAMES_MESSAGE], shown[NAMES_SHOWN];
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     char *word = read_word(r, false);
     if (!word)
-        return session_status(session, DOM_NO_MEMORY);
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
     const struct parameter *setting = parameter_find(word);
     int k = names_find(grid_names, NULL, "parameter", word, message);
     bool usual;
@@ -48,31 +47,31 @@ static bool read_name(struct reader *r, const struct grid *grid, struct axis *ax
     names_shown(word, shown);
     free(word);
     if (meant)
-        return session_error(session, "unknown parameter '%s'; did you mean '%s'?", shown, meant->name);
+        return problem_error(r->problem, "unknown parameter '%s'; did you mean '%s'?", shown, meant->name);
     if (setting && setting->setting)
-        return session_error(
-            session, "'%s' is a setting of the calculator; sweep a parameter of the model or an effect",
+        return problem_error(
+            r->problem, "'%s' is a setting of the calculator; sweep a parameter of the model or an effect",
             shown);
     if (k < 0 && isalpha((unsigned char)*shown))
-        return session_error(session, "%s", message);
+        return problem_error(r->problem, "%s", message);
     if (k < 0)
-        return session_error(session, "'%s' is not the name of a parameter; %s", shown, form);
+        return problem_error(r->problem, "'%s' is not the name of a parameter; %s", shown, form);
     *axis = (struct axis){.parameter = grid_parameter(k)};
     for (int i = 0; i < grid->axes; i++)
         if (grid->axis[i].parameter == axis->parameter)
-            return session_error(session, "'%s' is in the grid twice; name each parameter once",
+            return problem_error(r->problem, "'%s' is in the grid twice; name each parameter once",
                                  axis->parameter->name);
     return grid->axes < AXES_MAX ||
-           session_error(session, "the grid has more than %d parameters; set the others before", AXES_MAX);
+           problem_error(r->problem, "the grid has more than %d parameters; set the others before", AXES_MAX);
 }
 
 static bool read_one(struct reader *r, const struct axis *axis, const char *what, domq_real *value)
 {
     const struct parameter *p = axis->parameter;
     r->at = skip_blanks(r->at);
-    r->session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (grid_ends(r->at))
-        return session_error(r->session, "%s: %s is missing; %s", p->name, what, form);
+        return problem_error(r->problem, "%s: %s is missing; %s", p->name, what, form);
     if (!read_value(r, p, 0, p->value->name, value))
         return false;
     if (p->effect && *value == EFFECT_ON)
@@ -90,7 +89,7 @@ static bool read_list(struct reader *r, struct axis *axis, domq_real first)
             room = 2 * room + 8;
             domq_real *more = realloc(axis->list, room * sizeof *more);
             if (!more)
-                return session_status(r->session, DOM_NO_MEMORY);
+                return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
             axis->list = more;
         }
         axis->list[axis->count++] = value;
@@ -106,32 +105,31 @@ static bool read_list(struct reader *r, struct axis *axis, domq_real first)
 /* Reads N and, after it, the word log. */
 static bool read_steps(struct reader *r, struct axis *axis)
 {
-    struct session *session = r->session;
     struct quantity q;
     domq_real n;
     const char *name = axis->parameter->name;
     r->at = skip_blanks(r->at);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (grid_ends(r->at))
-        return session_error(session, "%s: N, the number of values, is missing; %s", name, form);
+        return problem_error(r->problem, "%s: N, the number of values, is missing; %s", name, form);
     if (!read_quantity(r, &(struct argument){.name = "N", .kind = ARGUMENT_COUNT}, &q, &n))
         return false;
     axis->count = (size_t)n;
     if (n == 1 && axis->from != axis->to)
-        return session_error(session, "%s: one value cannot cover %s to %s; enter an N of at least 2", name,
-                             quad_shown(axis->from).text, quad_shown(axis->to).text);
+        return problem_error(r->problem, "%s: one value cannot cover %s to %s; enter an N of at least 2",
+                             name, quad_shown(axis->from).text, quad_shown(axis->to).text);
     const char *word = skip_blanks(r->at);
     size_t length = strspn(word, "abcdefghijklmnopqrstuvwxyz");
     axis->logarithmic = length == 3 && strncmp(word, "log", length) == 0;
     if (axis->logarithmic) {
         r->at = word + length;
-        session->column = reader_column(r, word);
+        r->problem->place = reader_column(r, word);
         return (axis->from > 0 && axis->to > 0) ||
-               session_error(session, "%s: equal ratios need FROM and TO above 0", name);
+               problem_error(r->problem, "%s: equal ratios need FROM and TO above 0", name);
     }
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
     return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
-           session_error(session,
+           problem_error(r->problem,
                          "%s takes whole numbers, which %s to %s in %zu values are not; enter another N",
                          name, quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
@@ -149,7 +147,7 @@ static bool read_values(struct reader *r, struct axis *axis)
     if (!p->words_only && !read_one(r, axis, "TO", &axis->to))
         return false;
     if (p->words_only || axis->from == EFFECT_OFF || axis->to == EFFECT_OFF)
-        return session_error(r->session,
+        return problem_error(r->problem,
                              "the values of %s are words; list them, as in 'sweep %s %s, %s : rmax'", p->name,
                              p->name, p->words[0].name, p->words[1].name);
     return read_steps(r, axis);
@@ -157,7 +155,6 @@ static bool read_values(struct reader *r, struct axis *axis)
 
 bool grid_read(struct reader *r, struct grid *grid)
 {
-    struct session *session = r->session;
     *grid = (struct grid){.points = 1};
     for (r->at = skip_blanks(r->at); !grid_ends(r->at); r->at = skip_blanks(r->at)) {
         struct axis *axis = &grid->axis[grid->axes];
@@ -169,11 +166,12 @@ bool grid_read(struct reader *r, struct grid *grid)
         if (!read_values(r, axis))
             return false;
         if (axis->count > POINTS_MAX / grid->points)
-            return session_error(session, "the grid has more than %zu points; enter smaller N", POINTS_MAX);
+            return problem_error(r->problem, "the grid has more than %zu points; enter smaller N",
+                                 POINTS_MAX);
         grid->points *= axis->count;
     }
-    session->column = reader_column(r, r->at);
-    return grid->axes > 0 || session_error(session, "the grid is missing; %s", form);
+    r->problem->place = reader_column(r, r->at);
+    return grid->axes > 0 || problem_error(r->problem, "the grid is missing; %s", form);
 }
 
 void grid_free(struct grid *grid)
@@ -205,18 +203,18 @@ struct cell axis_cell(const struct axis *axis, domq_real value)
 }
 
 /* Sets words first, since the precision has its own default of tol. */
-void grid_put(const struct grid *grid, const domq_real *value, struct session *session)
+void grid_put(const struct grid *grid, const domq_real *value, struct state *state)
 {
     for (int words = 1; words >= 0; words--)
         for (int i = 0; i < grid->axes; i++)
             if (grid->axis[i].parameter->words_only == (words == 1))
-                parameter_put(session, grid->axis[i].parameter, value[i]);
+                parameter_put(state, grid->axis[i].parameter, value[i]);
 }
 
-bool grid_check(const struct grid *grid, struct session *session)
+bool grid_check(const struct grid *grid, const struct scene *scene, struct problem *problem)
 {
     for (int i = 0; i < grid->axes; i++)
-        if (grid->axis[i].parameter->effect && !effect_needs(session, grid->axis[i].parameter->which))
+        if (grid->axis[i].parameter->effect && !effect_needs(scene, grid->axis[i].parameter->which, problem))
             return false;
     return true;
 }

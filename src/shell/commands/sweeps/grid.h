@@ -33,11 +33,10 @@ const char *grid_names(const void *context, int k);
 domq_real axis_value(const struct axis *axis, size_t k);
 struct cell axis_cell(const struct axis *axis, domq_real value);
 
-/* Sets the values in a copy of a session, which shares its memory with the original and must not be closed.
- */
-void grid_put(const struct grid *grid, const domq_real *value, struct session *session);
+/* Sets the values in a copy of a state, which shares its memory with the original and must not be closed. */
+void grid_put(const struct grid *grid, const domq_real *value, struct state *state);
 
-/* Reports an error if an effect of the grid needs another effect that the session does not have. */
-bool grid_check(const struct grid *grid, struct session *session);
+/* Reports an error if an effect of the grid needs another effect that is off. */
+bool grid_check(const struct grid *grid, const struct scene *scene, struct problem *problem);
 
 #endif

@@ -31,18 +31,18 @@ static void sweep_free(void *own)
     free(s);
 }
 
-bool sweep_read_grid(struct reader *r, struct call *call)
+bool sweep_read_grid(struct reader *r, struct arguments *given)
 {
     struct sweep *s = calloc(1, sizeof *s);
     if (!s)
-        return session_status(r->session, DOM_NO_MEMORY);
-    call->own = s;
-    call->own_free = sweep_free;
+        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
+    given->own = s;
+    given->own_free = sweep_free;
     r->stops = ":,";
     bool good = grid_read(r, &s->grid);
     r->stops = NULL;
     return good && (*r->at == ':' ||
-                    session_error(r->session, "':' and a command are missing after the grid; for example "
+                    problem_error(r->problem, "':' and a command are missing after the grid; for example "
                                               "'sweep s 0.1 0.9 9 : rmax'"));
 }
 
@@ -50,30 +50,28 @@ bool sweep_read_grid(struct reader *r, struct call *call)
 static const struct command *asked_command(struct reader *r)
 {
     const char *begin = r->at;
-    long errors = r->session->errors;
     const struct command *c = read_form(r);
     if (c && c->run == run_print)
         return c;
     r->at = begin;
-    return r->session->errors == errors ? read_command(r) : NULL;
+    return r->problem->kind == PROBLEM_NONE ? read_command(r) : NULL;
 }
 
-bool sweep_read_command(struct reader *r, struct call *call)
+bool sweep_read_command(struct reader *r, struct arguments *given)
 {
-    struct session *session = r->session;
-    struct sweep *s = call->own;
+    struct sweep *s = given->own;
     r->at = skip_blanks(r->at + 1);
-    session->column = reader_column(r, r->at);
+    r->problem->place = reader_column(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
-        return session_error(session,
+        return problem_error(r->problem,
                              "the command after ':' is missing; for example 'sweep s 0.1 0.9 9 : rmax'");
     const struct command *c = s->command = asked_command(r);
     if (!c)
         return false;
     if (c->unswept)
-        return session_error(session, "'%s' cannot be swept: %s", c->name, c->unswept);
+        return problem_error(r->problem, "'%s' cannot be swept: %s", c->name, c->unswept);
     if (!c->columns)
-        return session_error(session, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
+        return problem_error(r->problem, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
                              c->name);
     s->text = r->text;
     s->arguments = r->at;
@@ -86,12 +84,14 @@ bool sweep_read_command(struct reader *r, struct call *call)
 /* The data of a worker. All workers share sweep and base, which do not change. */
 struct sweeper {
     const struct sweep *sweep;
-    const struct session *base; /* each point starts from a copy of it */
-    bool styled;                /* the grid changes the precision or the tolerance of numbers */
+    const struct query *base; /* each point starts from a copy of its state */
+    bool styled;              /* the grid changes the precision or the tolerance of numbers */
     struct answer answer;
-    struct session point;
+    struct state point;
+    struct means means; /* of a point */
+    const char *asking; /* the name of the command that sweeps */
     struct swept swept;
-    struct captured_error captured_error;
+    struct problem problem; /* of the last point without an answer */
     size_t index[AXES_MAX]; /* index of each value on its axis */
     domq_real value[AXES_MAX];
     size_t reasons;            /* the number of points with a reason for a missing value */
@@ -116,31 +116,30 @@ static void point_values(struct sweeper *w, size_t k)
     }
 }
 
-static void point_session(struct sweeper *w, FILE *out)
-{
-    w->point = *w->base;
-    w->point.out = out;
-    w->point.captured_error = &w->captured_error;
-    w->point.threads = 1; /* the points run in parallel already */
-    w->point.shard.parts = 0;
-    w->captured_error.text[0] = '\0';
-    grid_put(&w->sweep->grid, w->value, &w->point);
-}
-
-/* Runs the command. Returns false if it has no answer; captured_error has the message. */
+/* Runs the command. Returns false if it has no answer; w->problem says why. */
 static bool point_ask(struct sweeper *w, struct answer *a)
 {
     const struct sweep *s = w->sweep;
-    struct call call = {.answer = a};
-    struct reader r = {.session = &w->point, .text = s->text, .at = s->arguments};
-    bool done = grid_check(&s->grid, &w->point);
-    w->point.command = s->command->name;
-    done = done && read_arguments(&r, s->command, &call);
+    struct arguments given = {.count = 0};
+    struct query at = *w->base;
+    at.state = &w->point;
+    at.scene = &w->point.scene;
+    at.means = &w->means;
+    at.given = &given;
+    at.next = NULL;
+    struct reader r = {.query = &at, .problem = &w->problem, .text = s->text, .at = s->arguments};
+    w->point = *w->base->state;
+    w->point.settings.threads = 1; /* the points run in parallel already */
+    w->problem = (struct problem){.command = w->asking};
+    grid_put(&s->grid, w->value, &w->point);
+    bool done = grid_check(&s->grid, at.scene, &w->problem);
+    w->problem.command = done ? s->command->name : w->asking;
+    done = done && read_arguments(&r, s->command, &given);
     if (done) {
-        w->point.column = 0;
-        done = s->command->run(&w->point, &call);
+        w->problem.place = 0;
+        done = s->command->run(&at, a, &w->problem);
     }
-    call_free(&call);
+    arguments_free(&given);
     return done;
 }
 
@@ -166,7 +165,7 @@ static void point_none(struct sweeper *w, size_t k, struct answer *to, const cha
 {
     struct cell like[ANSWER_COLUMNS];
     char reason[SWEPT_REASON];
-    snprintf(reason, sizeof reason, "%s", why);
+    snprintf(reason, sizeof reason, "%.*s", SWEPT_REASON - 1, why);
     bool head = to && !to->begun && to->style.format->for_people;
     if (head && point_like(w)) {
         memcpy(like, w->swept.first, sizeof like);
@@ -180,7 +179,7 @@ static void point_none(struct sweeper *w, size_t k, struct answer *to, const cha
         to->like = NULL;
 }
 
-/* Writes the rows of point k, unless `to` is NULL. Returns false if the line is wrong, as captured_error
+/* Writes the rows of point k, unless `to` is NULL. Returns false if the line is wrong, as w->problem
  * says. */
 static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
 {
@@ -190,11 +189,12 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     a.point = swept_row;
     a.swept = &w->swept;
     point_values(w, k);
-    point_session(w, a.out);
     swept_begin(&w->swept);
     w->swept.to = to;
     if (w->styled) {
-        struct output_style style = session_style(&w->point);
+        struct state styled = *w->base->state;
+        grid_put(&w->sweep->grid, w->value, &styled);
+        struct output_style style = state_style(&styled);
         style.digits = a.style.digits; /* columns have one width in all rows */
         style.format = a.style.format; /* which a picture has chosen for itself */
         a.style = style;
@@ -202,10 +202,10 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     if (to)
         to->style = a.style;
     bool done = point_ask(w, &a);
-    if (!done && !w->captured_error.no_answer)
+    if (!done && w->problem.kind != PROBLEM_NO_ANSWER)
         return false;
     if (!done || !w->swept.answered)
-        point_none(w, k, to, done ? "there is no answer here" : w->captured_error.text);
+        point_none(w, k, to, done ? "there is no answer here" : w->problem.text);
     return true;
 }
 
@@ -239,16 +239,14 @@ static void sweep_gather(void *own, const void *worker)
 /* ---- All of them ---- */
 
 /* Returns true if an argument replaces the parameter that a column of the command repeats. */
-static bool echo_called(const struct session *session, const struct sweep *sweep)
+static bool echo_called(const struct query *query, const struct sweep *sweep)
 {
     const struct command *c = sweep->command;
-    struct session scratch = *session;
-    struct captured_error captured_error = {.text = ""};
-    struct call call = {.count = 0};
-    struct reader r = {.session = &scratch, .text = sweep->text, .at = sweep->arguments};
-    scratch.captured_error = &captured_error;
+    struct problem unheard = {.kind = PROBLEM_NONE};
+    struct arguments call = {.count = 0};
+    struct reader r = {.query = query, .problem = &unheard, .text = sweep->text, .at = sweep->arguments};
     int given = read_arguments(&r, c, &call) ? call.count : call.count + 1; /* the next argument is wrong */
-    call_free(&call);
+    arguments_free(&call);
     for (int i = 0; i < given && i < ARGUMENTS_MAX && c->argument[i].kind; i++)
         if (c->argument[i].of && strcmp(c->argument[i].of, c->echo) == 0)
             return true;
@@ -270,35 +268,35 @@ static void point_text(struct sweeper *w, size_t k, char *text, size_t size)
     }
 }
 
-/* Reports the error of a point as an error of the session. */
-static bool sweep_error(struct session *session, const struct sweeper *w)
+/* Gives the problem of a point as that of the sweep. */
+static bool sweep_error(const struct query *query, struct problem *problem, const struct sweeper *w)
 {
-    if (dom_raised(session->compute.interrupt))
-        return session_status(session, DOM_INTERRUPTED);
-    const char *command = session->command;
-    session->column = w->captured_error.column;
-    session->command = w->captured_error.command;
-    session_error(session, "%s", w->captured_error.text);
-    session->command = command;
+    if (dom_raised(query->scene->compute.interrupt))
+        return problem_status(problem, query->scene, DOM_INTERRUPTED);
+    *problem = w->problem;
     return false;
 }
 
-static struct sweeper *sweeper_make(struct session *session, const struct sweep *s, const struct answer *a)
+static struct sweeper *sweeper_make(const struct query *query, struct problem *problem, const struct sweep *s,
+                                    const struct answer *a)
 {
     struct sweeper *w = calloc(1, sizeof *w);
     if (!w)
         return NULL;
     w->sweep = s;
-    w->base = session;
+    w->base = query;
+    w->asking = problem->command;
+    w->means = *query->means;
+    w->means.shard.parts = 0;
     w->answer = *a;
     for (int i = 0; i < s->grid.axes; i++) {
         const struct parameter *p = s->grid.axis[i].parameter;
         w->index[i] = SIZE_MAX; /* no value yet */
         w->styled = w->styled || p->fallback_of || p->moves;
     }
-    bool echoed = s->command->echo && echo_called(session, s);
+    bool echoed = s->command->echo && echo_called(query, s);
     if (!swept_columns(&w->swept, &s->grid, s->command, echoed)) {
-        session_error(session, "a row of this sweep would have more than %d columns; sweep fewer parameters",
+        problem_error(problem, "a row of this sweep would have more than %d columns; sweep fewer parameters",
                       ANSWER_COLUMNS - 1);
         free(w);
         return NULL;
@@ -331,12 +329,12 @@ static void sweep_largest(struct answer *a, const struct grid *grid)
 }
 
 /* Writes the rows of all points. The head, which is the same in each part, is planned before. */
-static bool sweep_rows(struct session *session, struct answer *a, struct sweeper *w)
+static bool sweep_rows(const struct query *query, struct problem *problem, struct answer *a,
+                       struct sweeper *w)
 {
     bool by_point = true, bounds = a->style.errors && !a->style.format->for_people;
-    if ((bounds || sweep_measured(a, w)) && !point_like(w) && *w->captured_error.text &&
-        !w->captured_error.no_answer)
-        return sweep_error(session, w);
+    if ((bounds || sweep_measured(a, w)) && !point_like(w) && w->problem.kind == PROBLEM_WRONG)
+        return sweep_error(query, problem, w);
     a->columns = w->swept.column;
     a->reasoned = true;
     sweep_largest(a, &w->sweep->grid);
@@ -347,22 +345,21 @@ static bool sweep_rows(struct session *session, struct answer *a, struct sweeper
                                   .own = w,
                                   .size = sizeof *w,
                                   .gather = sweep_gather};
-    return points_answer(session, a, &points, &by_point) || (by_point && sweep_error(session, w));
+    return points_answer(query, problem, a, &points, &by_point) ||
+           (by_point && sweep_error(query, problem, w));
 }
 
-bool run_sweep(struct session *session, const struct call *call)
+bool run_sweep(const struct query *query, struct answer *a, struct problem *problem)
 {
     char where[256];
-    long errors = session->errors;
-    struct answer *a = call->answer;
-    struct sweeper *w = sweeper_make(session, call->own, a);
+    struct sweeper *w = sweeper_make(query, problem, query->given->own, a);
     if (!w)
-        return session->errors == errors ? session_status(session, DOM_NO_MEMORY) : false;
-    bool done = sweep_rows(session, a, w);
+        return problem->kind == PROBLEM_NONE ? problem_status(problem, query->scene, DOM_NO_MEMORY) : false;
+    bool done = sweep_rows(query, problem, a, w);
     if (done && w->reasons > 0) {
         point_text(w, w->first, where, sizeof where);
         answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", w->reasons,
-                   session_part(session, w->sweep->grid.points).count, w->reasons == 1 ? "has" : "have",
+                   means_part(query->means, w->sweep->grid.points).count, w->reasons == 1 ? "has" : "have",
                    w->none == w->reasons ? "no answer" : "a missing value", where, w->reason,
                    w->reasons == 1 ? "" : " csv and json give the reason of each.");
     }
@@ -370,7 +367,7 @@ bool run_sweep(struct session *session, const struct call *call)
     return done;
 }
 
-struct sweep_shape sweep_shape(const struct call *call)
+struct sweep_shape sweep_shape(const struct arguments *call)
 {
     const struct sweep *s = call->own;
     struct sweep_shape shape = {.axes = s->grid.axes, .command = s->command};

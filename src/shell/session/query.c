@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "session/query.h"
+#include <stdarg.h>
+#include <stdio.h>
+
+void means_note(const struct means *means, const char *format, ...)
+{
+    char text[PROBLEM_TEXT];
+    va_list arguments;
+    if (!means->note)
+        return;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    means->note(means->context, text);
+}
+
+struct range means_part(const struct means *means, size_t points)
+{
+    struct shard s = means->shard;
+    if (s.parts == 0)
+        return (struct range){0, points};
+    /* points k / parts, rounded down, without the product, which may be too large. */
+    size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
+    size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
+    return (struct range){first, end - first};
+}
+
+struct domq_compute query_compute(const struct query *query)
+{
+    struct domq_compute compute = query->scene->compute;
+    compute.errors = query->state->settings.style.errors;
+    return compute;
+}
