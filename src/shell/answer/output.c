@@ -19,14 +19,6 @@ const char *style_angle_unit(const struct output_style *style)
     return style->angle == ANGLE_DEG ? "deg" : "rad";
 }
 
-const struct format *format_at(unsigned number)
-{
-#define FORMAT_POINTER(name) &format_##name,
-    static const struct format *const formats[] = {FORMATS(FORMAT_POINTER)};
-#undef FORMAT_POINTER
-    return formats[number];
-}
-
 bool column_is_angle(const struct column *c)
 {
     return strncmp(c->unit, "rad", 3) == 0;

@@ -44,7 +44,7 @@ static void session_caret(const struct session *session, int column)
 /* Writes an error for the program that reads the answers, if their format has a place for one. */
 static void session_tell(const struct session *session, const struct problem *problem)
 {
-    const struct format *format = session_format(session);
+    const struct format *format = format_at(session->state.settings.style.output);
     const struct failure failure = {problem->command, problem->text, session->source, session->line,
                                     problem->column};
     if (!format->failed || !session->source)

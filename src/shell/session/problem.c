@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/problem.h"
-#include "answer/measure.h"
-#include "language/quad.h"
-#include "session/scene.h"
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -17,64 +14,4 @@ bool problem_report(struct problem *problem, enum problem_kind kind, const char 
     problem->kind = kind;
     problem->column = problem->place;
     return false;
-}
-
-bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness)
-{
-    char which[32] = "the domino";
-    if (k > 0)
-        snprintf(which, sizeof which, "domino %zu", k);
-    return problem_no_answer(problem,
-                             "walls of %s leave no room in %s, which is %s thick: they are %s at most, which "
-                             "makes it solid",
-                             measured(scene->train.walls * scene->scale.h, "m", 4).text, which,
-                             measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
-}
-
-bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status)
-{
-    const struct domq_train *t = &scene->train;
-    problem->place = 0;
-    if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY) /* no matter with which values */
-        return problem_error(problem, "%s", dom_status_text(status));
-    if (status == DOM_NO_ROUND && t->rho > t->d / 2)
-        return problem_no_answer(problem,
-                                 "edges with a radius of %s h do not fit: the radius is at most half of the "
-                                 "thickness; here 'effect edges %.6g' is the largest",
-                                 quad_shown(t->rho).text, (double)(t->d / 2));
-    domq_real stands = quad(atan)(t->d), degree = 2 * quad(atan)(1) / 90;
-    if (status == DOM_NO_STAND && !scene->listed.domino && quad(fabs)(t->alpha) >= stands)
-        return problem_no_answer(problem,
-                                 "no upright domino stands on this slope of %.4g deg: it is less than %.4g "
-                                 "deg, where tan theta_u = d; for example 'effect slope %.2g deg'",
-                                 (double)(t->alpha / degree), (double)(stands / degree),
-                                 (double)(stands / degree / 2));
-    if (status == DOM_OUT_OF_REACH && t->rho > 0) {
-        domq_real span = 1 - t->rho * (2 - 2 * quad(atan)(1)); /* l + rho pi/2 */
-        return problem_no_answer(problem,
-                                 "r s = %s: the head falls past the next domino without touching it; with "
-                                 "these rounded edges r s is at most %.6g, so that at s = %s r may be up to "
-                                 "%.6g",
-                                 quad_shown(t->r * t->s).text, (double)span, quad_shown(t->s).text,
-                                 (double)(span / t->s));
-    }
-    if (status == DOM_OUT_OF_REACH)
-        return problem_no_answer(problem,
-                                 "r s = %s > 1: the head falls past the next domino without touching it; "
-                                 "at s = %s r may be up to 1/s = %.17g",
-                                 quad_shown(t->r * t->s).text, quad_shown(t->s).text, (double)(1 / t->s));
-    if (status == DOM_NO_METHOD && domq_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
-        return problem_no_answer(
-            problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
-            domq_dynamics(t)->name, domq_dynamics(t)->name);
-    if (status == DOM_NOT_CONVERGED && scene->compute.precision != DOM_QUAD)
-        return problem_no_answer(problem,
-                                 "%s of %.3g; 'set precision %s' has more digits, 'set tol' allows fewer",
-                                 dom_status_text(status), (double)scene->compute.tol,
-                                 scene->compute.precision == DOM_FLOAT ? "double" : "quad");
-    if (status == DOM_NO_ROOM)
-        return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
-    if (status == DOM_TOO_LONG)
-        return problem_no_answer(problem, "%s; use a larger s, d or tol", dom_status_text(status));
-    return problem_no_answer(problem, "%s", dom_status_text(status));
 }
