@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/session.h"
 #include "answer/format.h"
+#include "io/escape.h"
+#include "io/pager.h"
 #include "io/terminal.h"
+#include "language/names.h"
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,4 +67,109 @@ bool session_stops(const struct session *session, long errors)
 {
     return session->quit || ferror(session->out) || (session->bail && session->errors > errors) ||
            dom_raised(session->state.scene.compute.interrupt);
+}
+
+/* ---- Errors and notes: where, what is wrong, what would be right ---- */
+
+/* Blanks before a line that is repeated above its caret. */
+enum { CARET_INDENT = 2 };
+
+/* Returns true if the typed line may be written again: it was pasted, perhaps. */
+static bool typed_is_plain(const struct session *session)
+{
+    char *typed = strndup(session->typed, (size_t)session->typed_length);
+    bool plain = typed && !escape_needed(typed);
+    free(typed);
+    return plain;
+}
+
+/*
+ * At the prompt a caret points at the place: in the typed line, if that is the line above, else in a
+ * copy of it.
+ */
+static void session_caret(const struct session *session, int column)
+{
+    int width = terminal_width(stderr), at = session->prompt_width + column;
+    if (!session->prompt_width || !column || !session->typed)
+        return;
+    bool above = session->fresh && width > 0;
+    if (!above && (session->typed_columns + CARET_INDENT >= width || !typed_is_plain(session)))
+        return;
+    if (above) /* a long line goes on in the next row */
+        at = (at - 1) % width + 1;
+    if (!above)
+        fprintf(pager_messages(), "%*s%.*s\n", CARET_INDENT, "", session->typed_length, session->typed);
+    fprintf(pager_messages(), "%*s\n", above ? at : column + CARET_INDENT, "^");
+}
+
+/* Writes an error for the program that reads the answers, if their format has a place for one. */
+static void session_tell(const struct session *session, const struct problem *problem)
+{
+    const struct format *format = format_at(session->state.settings.style.output);
+    const struct failure failure = {problem->command, problem->text, session->source, session->line,
+                                    problem->column};
+    if (!format->failed || !session->source)
+        return;
+    format->failed(session->standard, &failure);
+    fflush(session->standard);
+}
+
+/* Writes a message; `is_error` tells problems from notes. */
+static void session_write(struct session *session, const struct problem *problem, bool is_error)
+{
+    char line[2 * PROBLEM_TEXT], text[4 * sizeof line], shown[NAMES_SHOWN];
+    const char *source = session->source;
+    if (source && escape_needed(source))
+        source = names_shown(source, shown); /* a name may not hide the message after it */
+    int n = 0;
+    fflush(session->out); /* so that both streams keep their order where they share a file */
+    ticker_stop();
+    session_caret(session, problem->column);
+    if (source && problem->column)
+        n = snprintf(line, sizeof line, "%s:%ld:%d: ", source, session->line, problem->column);
+    else if (source)
+        n = snprintf(line, sizeof line, "%s:%ld: ", source, session->line);
+    n = n < (int)sizeof line / 2 ? n : (int)sizeof line / 2;
+    if (problem->command)
+        n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
+    snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
+    /* What a sourced file did before its error is done. */
+    record_commands(&session->recording.log, is_error && session->depth == 0);
+    if (is_error)
+        session_tell(session, problem);
+    escape_text(line, text, sizeof text);
+    if (session->recording.log.file)
+        fprintf(session->recording.log.file, "# %s\n", text);
+    FILE *out = pager_messages();
+    bool colour = terminal_colour(stderr) && !session->source;
+    fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
+    output_wrapped(out, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
+    fputs(colour ? "\033[m\n" : "\n", out);
+    session->fresh = false;
+}
+
+void session_problem(struct session *session, const struct problem *problem)
+{
+    session_write(session, problem, true);
+    session->errors++;
+}
+
+void session_error(struct session *session, const char *format, ...)
+{
+    struct problem problem = {.kind = PROBLEM_WRONG};
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(problem.text, sizeof problem.text, format, arguments);
+    va_end(arguments);
+    session_problem(session, &problem);
+}
+
+void session_note(struct session *session, const char *format, ...)
+{
+    struct problem note = {.command = session->command};
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(note.text, sizeof note.text, format, arguments);
+    va_end(arguments);
+    session_write(session, &note, false);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The state of one calculator session: parameters, where input comes from, what went wrong.  parameters.h has
- * the table of the parameters; messages.c writes errors and notes.
+ * the table of the parameters.
  */
 #ifndef SHELL_SESSION_H
 #define SHELL_SESSION_H

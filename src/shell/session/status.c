@@ -3,6 +3,7 @@
 #include "answer/measure.h"
 #include "language/quad.h"
 #include "session/scene.h"
+#include <stdio.h>
 
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness)
 {
