@@ -64,6 +64,34 @@ END
     "$DOMINO" -e 'set d 0.3; effect row 5; plot fall' | grep -q 'Domino 2 stops: it has 5.99 % of the energy that it needs'
 }
 
+@test "plot: no text of a picture is cut off, broken within 'r = 1.5', or written over another; a legend is low" {
+    local what title label
+    while IFS='|' read -r what title label; do
+        "$DOMINO" -e "$row; plot $what > a.svg"
+        "$BATS_TEST_DIRNAME/labels" a.svg >texts || same "$what" 'texts apart' "$(cat texts)"
+        for words in "$title" "$label"; do
+            cut -d ' ' -f 5- texts | grep -qxF -- "$words" || same "$what" "$words" "$(cat texts)"
+        done
+        same "$what: where lines are broken" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '=$\|^=')"
+        "$DOMINO" -e "$row; plot $what" | tr -s ' \n' ' ' | grep -qF -- "$label"
+    done <<'END'
+growth paper|Below its curve a train keeps falling|growth r
+energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy in m g h/2 of the head
+cost fuel|r = 1.5, d = 0.1458, q = 4|relative error
+sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax over s and q|q, exponent of mass times height: hollow = 3, solid = 4
+sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin over s and d|barrier.margin
+sweep s 0.1 0.4 8 d 0.2 0.4 7 : print barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic|0*launch.kinetic over s and d|barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic
+END
+    "$DOMINO" -e 'plot growth paper > a.svg'
+    "$BATS_TEST_DIRNAME/labels" a.svg |
+        awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
+}
+
+@test "plot fall: a mark each domino, and no bars: an axis of logarithms has no place where they begin" {
+    "$DOMINO" -e "$row; plot fall" >picture
+    same 'in characters' 'o o o o #' "$(sed -n '/^ *10 +/q;3,$s/.*[|+]//p' picture | grep -o '[o#]' | paste -sd ' ' -)"
+}
+
 @test "plot energy, omega, inertia, chain: the data is that of energy, omega, chain, with the events in it" {
     csv 'plot energy' >energy
     same keys theta,dH,kinetic,J,event "$(head -n 1 energy)"

@@ -4,6 +4,7 @@
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "language/quad.h"
+#include <ctype.h>
 #include <errno.h>
 #include <float.h>
 #include <stdlib.h>
@@ -63,12 +64,53 @@ void column_fit(struct column *c, const char *word)
     c->width = wide > c->width ? wide : c->width;
 }
 
-/* Returns the columns that the longest word of a text takes. */
-static int longest_word(const char *text)
+/* Returns true if a word of n bytes stays in one line with the next one: "r = 1.5", "7.5 cm", "5 %". */
+static bool word_joins(const char *word, size_t n)
 {
-    int longest = 0, columns = 0;
-    for (; *text; text++) {
-        columns = *text == ' ' ? 0 : columns + (((unsigned char)*text & 0xc0) != 0x80);
+    const char *next = word + n + 1;
+    size_t length = strcspn(next, " .,;:)");
+    bool unit = *next == '%' || (length > 0 && length <= 2 && isalpha((unsigned char)*next));
+    return *next == '=' || word[n - 1] == '=' ||
+           (unit && isdigit((unsigned char)*word) && isdigit((unsigned char)word[n - 1]));
+}
+
+static size_t line_piece(const char *text)
+{
+    size_t n = strcspn(text, " "), word = 0;
+    while (n > word && text[n] == ' ' && word_joins(text + word, n - word)) {
+        word = n + 1;
+        n = word + strcspn(text + word, " ");
+    }
+    return n;
+}
+
+static int columns_of(const char *text, size_t length)
+{
+    int columns = 0;
+    for (size_t i = 0; i < length; i++)
+        columns += ((unsigned char)text[i] & 0xc0) != 0x80;
+    return columns;
+}
+
+size_t line_break(const char *text, int columns)
+{
+    size_t at = line_piece(text), next;
+    while (text[at] == ' ' && columns_of(text, next = at + 1 + line_piece(text + at + 1)) <= columns)
+        at = next;
+    while (at > 1 && columns_of(text, at) > columns) /* a piece longer than a line */
+        at--;
+    while (at > 0 && ((unsigned char)text[at] & 0xc0) == 0x80)
+        at--;
+    return at ? at : line_piece(text);
+}
+
+/* Returns the columns that the longest piece of a text takes. */
+static int longest_piece(const char *text)
+{
+    int longest = 0;
+    for (size_t n; *text; text += n + (text[n] == ' ')) {
+        n = line_piece(text);
+        int columns = columns_of(text, n);
         longest = columns > longest ? columns : longest;
     }
     return longest;
@@ -99,16 +141,14 @@ void output_wrapped(FILE *out, const char *text, int left, int right)
         output_whole(out, text);
         return;
     }
-    if (left > BELOW && left + longest_word(text) > right) {
+    if (left > BELOW && left + longest_piece(text) > right) {
         left = BELOW;
         fprintf(out, "\n%*s", left, "");
     }
     int at = left;
     while (*text) {
-        size_t length = strcspn(text, " ");
-        int columns = 0;
-        for (size_t i = 0; i < length; i++)
-            columns += ((unsigned char)text[i] & 0xc0) != 0x80;
+        size_t length = line_piece(text);
+        int columns = columns_of(text, length);
         if (at > left && at + 1 + columns > right) {
             fprintf(out, "\n%*s", left, "");
             at = left;

@@ -79,6 +79,10 @@ void answer_line(struct answer *answer, const char *text);
 /* Writes so many blanks; none for a number below 1. */
 void output_blanks(FILE *out, int blanks);
 
+/* Returns the length in bytes of what stands in the first line of a text, if a line has this many columns.
+ * Lines are broken at blanks, but never within "r = 1.5" or "7.5 cm". */
+size_t line_break(const char *text, int columns);
+
 /*
  * Writes text whose lines begin at the column `left` and end before `right`, at blanks; right = 0 for no end.
  * Where a word would not fit, all of the text goes below, to column 4.  Adds no new line at the end.

@@ -101,12 +101,12 @@ void chart_fit(struct chart *c)
     for (int k = 0; k < c->curves; k++)
         for (size_t i = 0; i < c->curve[k].count; i++) {
             const struct chart_point *p = &c->curve[k].point[i];
-            bool beside = c->curve[k].kind == CHART_BARS || c->curve[k].kind == CHART_RANGES;
+            bool beside = c->curve[k].kind == CHART_RANGES;
             axis_include(&c->x, p->x, &x0, &x1);
             axis_include(&c->y, p->y, &y0, &y1);
             axis_include(&c->y, p->low, &y0, &y1);
             axis_include(&c->y, p->high, &y0, &y1);
-            aside = beside ? 0.6 : aside; /* of a bar, half; and a little */
+            aside = beside ? 0.6 : aside;
         }
     if (c->map.value) {
         const struct chart_map *m = &c->map;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Curves, bars, ranges and maps over two axes.  A command says what they show; chart_show draws them where
+ * Curves, points, ranges and maps over two axes.  A command says what they show; chart_show draws them where
  * the answer goes: in characters, as a picture on terminals that have them, or by gnuplot into a file.
  */
 #ifndef SHELL_CHART_H
@@ -14,7 +14,6 @@ enum chart_kind {
     CHART_POINTS,
     CHART_MARKED, /* a line through points */
     CHART_STEPS,  /* y holds from x to the x of the next point */
-    CHART_BARS,   /* from the lower end of the y axis up to y */
     CHART_RANGES, /* from low to high at x */
     CHART_BOTH    /* points with their ranges, and a line through them */
 };

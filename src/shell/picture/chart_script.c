@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts as scripts of gnuplot. */
+#include "answer/output.h"
+#include "io/terminal.h"
 #include "picture/chart.h"
 #include <math.h>
 #include <string.h>
@@ -13,20 +15,29 @@ static void quoted(FILE *out, const char *text)
     putc('\'', out);
 }
 
-static void setting(FILE *out, const char *name, const char *text, const char *more)
+enum { COLUMNS = 64, ROOM = 320, EVENT_ROWS = 2 };
+
+/* Breaks a text into lines of about equal length that fit the picture, as gnuplot reads them between double
+ * quotes. Returns how many lines there are. */
+static int lines_make(const char *text, char script[ROOM])
 {
-    fprintf(out, "set %s ", name);
-    quoted(out, text);
-    fprintf(out, " noenhanced%s\n", more);
+    int lines = 0, at = 0, all = terminal_columns(text), columns = all / (all / COLUMNS + 1) + 8;
+    script[0] = '\0';
+    while (*text && at + 4 < ROOM) {
+        size_t n = line_break(text, columns < COLUMNS ? columns : COLUMNS);
+        at += snprintf(script + at, (size_t)(ROOM - at), "%s", lines++ ? "\\n" : "");
+        for (size_t i = 0; i < n && at + 4 < ROOM; i++)
+            at +=
+                snprintf(script + at, (size_t)(ROOM - at), strchr("\"\\", text[i]) ? "\\%c" : "%c", text[i]);
+        text += n + (text[n] == ' ');
+    }
+    return lines;
 }
 
 static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
 {
     double tick[TICKS];
     int n = axis_ticks(a, a->whole ? 20 : 9, tick);
-    char label[8];
-    snprintf(label, sizeof label, "%slabel", name);
-    setting(out, label, a->label, "");
     if (a->logarithmic)
         fprintf(out, "set logscale %s\n", name);
     fprintf(out, "set %srange [%.10g:%.10g]\nset %stics (", name, a->low, a->high, name);
@@ -35,47 +46,42 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
     fprintf(out, ")\n");
 }
 
-/* Returns the length of the word at the start of a text; a number and its unit are one word. */
-static int word_length(const char *text)
+/*
+ * Writes the texts around the axes. What the y axis shows, and the colours of a map, is written level above
+ * the axes: beside them a text would be cut off where it is longer than the axis. A legend with few columns
+ * is as low as its longest title allows: gnuplot takes letters for wider than they are.
+ */
+static void texts_script(const struct chart *c, FILE *out)
 {
-    size_t n = strcspn(text, " ");
-    if (*text >= '0' && *text <= '9' && text[n] == ' ' && text[n - 1] != ',')
-        n += 1 + strcspn(text + n + 1, " ");
-    return (int)n;
-}
-
-/* Writes the title, and below it the note in lines of a width that fits, nearly of one length. */
-static void title_script(const struct chart *c, FILE *out)
-{
-    enum { WIDTH = 60 };
-    fprintf(out, "set title \"");
-    int column = 0;
-    const char *const part[] = {c->title, c->note};
-    for (size_t p = 0; p < sizeof part / sizeof *part; p++) {
-        int length = (int)strlen(part[p]), even = length / (length / WIDTH + 1) + 8;
-        int width = even < WIDTH ? even : WIDTH;
-        for (const char *at = part[p]; *at; at++) {
-            bool breaks = *at == ' ' && column + 1 + word_length(at + 1) > width && length > WIDTH;
-            if (breaks)
-                fputs("\\n", out);
-            else
-                fprintf(out, *at == '"' || *at == '\\' ? "\\%c" : "%c", *at);
-            column = breaks ? 0 : column + 1;
-        }
-        if (p == 0 && *c->note)
-            fputs("\\n", out);
-        column = 0;
+    char title[ROOM], note[ROOM], x[ROOM], y[ROOM], value[ROOM];
+    int lines = lines_make(c->title, title) + lines_make(c->note, note), above = c->events ? EVENT_ROWS : 0;
+    int own = lines_make(c->y.label, y), shades = c->map.value ? lines_make(c->map.label, value) : 0;
+    fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
+            above + own + 0.1);
+    if (shades && terminal_columns(c->y.label) + terminal_columns(c->map.label) > COLUMNS - 4)
+        above += own;
+    above += own > shades ? own : shades;
+    if (shades)
+        fprintf(out, "set label \"%s\" noenhanced at screen 0.98, graph 1 right offset 0,%g\n", value,
+                above + 0.1);
+    lines_make(c->x.label, x);
+    fprintf(out,
+            "set xlabel \"%s\" noenhanced\nset title \"%s%s%s\" noenhanced offset 0,%g\nset tmargin %g\n", x,
+            title, *note ? "\\n" : "", note, above + 0.2, above + lines + 1.6);
+    int longest = 0;
+    for (int k = 0; k < c->curves; k++) {
+        int columns = terminal_columns(c->curve[k].title);
+        longest = columns > longest ? columns : longest;
     }
-    fprintf(out, "\" noenhanced%s\n", c->events ? " offset 0,2" : "");
-    if (c->events)
-        fprintf(out, "set tmargin %d\n", *c->note ? 6 : 5);
+    int across = (COLUMNS + 4) / (longest + 9);
+    fprintf(out, "set key noenhanced maxcols %d width %d\n", across > 0 ? across : 1,
+            longest > 16 ? -longest / 4 : 0);
 }
 
 /* Draws vertical lines; names that would meet are written above each other. */
 static void events_script(const struct chart *c, FILE *out)
 {
-    enum { ROWS = 2 };
-    double last[ROWS] = {-1, -1};
+    double last[EVENT_ROWS] = {-1, -1};
     for (int k = 0; k < c->events; k++) {
         const struct chart_event *e = &c->event[k];
         double place = axis_place(&c->x, e->x);
@@ -150,10 +156,9 @@ static void map_points(const struct chart *c, FILE *out)
                 (unsigned)rgb[2]);
     }
     fprintf(out, ")\nunset grid\nunset key\n");
-    setting(out, "cblabel", m->label, "");
 }
 
-static void style_script(const struct chart *c, const struct chart_curve *curve, FILE *out)
+static void style_script(const struct chart_curve *curve, FILE *out)
 {
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     const char *colour = ink_colour(curve->ink);
@@ -171,13 +176,6 @@ static void style_script(const struct chart *c, const struct chart_curve *curve,
         break;
     case CHART_POINTS:
         fprintf(out, "using 1:2 with points lc rgb '%s' pt %d ps 1.3 lw 1.5", colour, points[curve->ink]);
-        break;
-    case CHART_BARS:
-        fprintf(out, "using 1:2:(0.75) with boxes fs solid %s lc rgb '%s' dt 1",
-                curve->ink == INK_RED    ? c->x.high - c->x.low < 200 ? "1 border lc rgb 'black'" : "1 border"
-                : curve->ink == INK_GREY ? "0.25 noborder"
-                                         : "0.8 noborder",
-                colour);
         break;
     case CHART_RANGES:
         fprintf(out, "using 1:3:(0):($4-$3) with vectors heads size screen 0.007,90 lc rgb '%s' lw 4",
@@ -198,8 +196,8 @@ static void style_script(const struct chart *c, const struct chart_curve *curve,
 
 void chart_script(const struct chart *c, FILE *out)
 {
-    title_script(c, out);
-    fprintf(out, "set key noenhanced\nset style fill noborder\n");
+    texts_script(c, out);
+    fprintf(out, "set style fill noborder\n");
     axis_script(out, &c->x, "x");
     axis_script(out, &c->y, "y");
     events_script(c, out);
@@ -218,7 +216,7 @@ void chart_script(const struct chart *c, FILE *out)
     }
     for (int k = 0; k < c->curves; k++) {
         fprintf(out, "%s$curve%d ", between, k);
-        style_script(c, &c->curve[k], out);
+        style_script(&c->curve[k], out);
         between = ", ";
     }
     fprintf(out, "\n");

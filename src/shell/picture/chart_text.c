@@ -6,13 +6,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { LABEL = 24, LEGEND_APART = 3, ROWS_LEAST = 4 };
+enum { CHART_TEXT = 192, LABEL = 24, LEGEND_APART = 3, ROWS_LEAST = 4 };
 
 /* The part of the canvas between the axes, in cells; bottom is the row of the axis. */
 struct frame {
     struct canvas *canvas;
     const struct chart *chart;
     int left, top, right, bottom;
+    int label_rows; /* of the x axis */
 };
 
 static bool has_line(enum chart_kind kind)
@@ -118,36 +119,6 @@ static void ranges_draw(const struct frame *f, const struct chart_curve *curve)
     }
 }
 
-/* Returns what a bar is made of without blocks. */
-static const char *bar_letter(enum ink ink)
-{
-    return ink == INK_RED ? "#" : ink == INK_GREY ? ":" : "=";
-}
-
-/* Draws bars in eighths of a cell, as wide as their distance leaves. */
-static void bars_draw(const struct frame *f, const struct chart_curve *curve)
-{
-    static const char *const parts[] = {"", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
-    const struct canvas *c = f->canvas;
-    double apart = (dot_x(f, 1) - dot_x(f, 0)) / c->across;
-    int wide = (int)(0.75 * apart) < 1 ? 1 : (int)(0.75 * apart) > 6 ? 6 : (int)(0.75 * apart);
-    for (size_t i = 0; i < curve->count; i++) {
-        double place = clamp(axis_place(&f->chart->y, curve->point[i].y), 0, 1);
-        if (isnan(place))
-            continue;
-        int column = (int)(dot_x(f, curve->point[i].x) / c->across - (wide - 1) / 2.0);
-        int eighths = (int)lround(8 * place * (f->bottom - f->top));
-        eighths = eighths > 0 ? eighths : 1;
-        for (int row = f->bottom - 1; eighths > 0; row--, eighths -= 8)
-            for (int k = 0; k < wide; k++) {
-                if (c->look.braille)
-                    canvas_text(f->canvas, column + k, row, parts[eighths < 8 ? eighths : 8], curve->ink);
-                else if (eighths >= 4 || row == f->bottom - 1)
-                    canvas_text(f->canvas, column + k, row, bar_letter(curve->ink), curve->ink);
-            }
-    }
-}
-
 static double map_at(const struct chart_map *m, double x, double y)
 {
     int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
@@ -187,10 +158,22 @@ static void map_draw(const struct frame *f)
 
 /* ---- Around it ---- */
 
-static void text_centred(struct canvas *c, int left, int right, int row, const char *text, enum ink ink)
+/*
+ * Writes a text between two columns, in at most so many lines, of which the last is cut off where it is too
+ * long. Returns how many lines there are; without a canvas it only counts them.
+ */
+static int lines_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
 {
-    int wide = terminal_columns(text), at = left + (right - left - wide) / 2;
-    canvas_text(c, at > 0 ? at : 0, row, text, ink);
+    int lines = 0;
+    for (size_t n; *text && lines < most; lines++, text += n + (text[n] == ' ')) {
+        char line[CHART_TEXT];
+        n = lines + 1 < most ? line_break(text, right - left) : strlen(text);
+        snprintf(line, sizeof line, "%.*s", (int)n, text);
+        int at = centred ? (right - left - terminal_columns(line)) / 2 : 0;
+        if (c)
+            canvas_text(c, left + (at > 0 ? at : 0), row + lines, line, INK_TEXT);
+    }
+    return lines;
 }
 
 static int ticks_y(const struct chart *chart, int rows, double tick[TICKS], char label[TICKS][LABEL])
@@ -238,7 +221,7 @@ static void axis_x_draw(const struct frame *f)
         canvas_text(c, column, f->bottom, boxes ? "┴" : "+", INK_TEXT);
         canvas_text(c, at, f->bottom + 1, label, INK_TEXT);
     }
-    text_centred(c, f->left, f->right, f->bottom + 2, f->chart->x.label, INK_TEXT);
+    lines_put(c, f->left, f->right, f->bottom + 2, f->label_rows, true, f->chart->x.label);
 }
 
 /* Draws vertical lines; names that would meet are written above each other. */
@@ -275,8 +258,6 @@ static int legend(const struct chart *chart, struct canvas *c, int row, bool dra
         canvas_sample(c, curve->ink, curve->dash, sample);
         if (braille && dot)
             snprintf(sample, sizeof sample, "●");
-        else if (curve->kind == CHART_BARS)
-            snprintf(sample, sizeof sample, "%s", braille ? "█" : bar_letter(curve->ink));
         else if (curve->kind == CHART_RANGES)
             snprintf(sample, sizeof sample, "%s", braille ? "│" : "|");
         snprintf(text, sizeof text, " %s", curve->title);
@@ -294,22 +275,28 @@ static int legend(const struct chart *chart, struct canvas *c, int row, bool dra
     return rows;
 }
 
-/* Draws the shades of a map with the values of their ends. */
-static void map_legend(const struct chart *chart, struct canvas *c, int row)
+/* Draws the shades of a map with the values of their ends, below what they mean where there is no room
+ * beside. Returns how many rows that takes; without a canvas it only counts them. */
+static int map_legend(const struct chart *chart, struct canvas *c, int width, int row, int most)
 {
     enum { SHADES = 24 };
     double low, high;
-    char text[160];
+    char text[CHART_TEXT + 32], last[32];
     map_ends(&chart->map, &low, &high);
-    int at = snprintf(text, sizeof text, "%s: %.4g ", chart->map.label, low);
-    if (!(low <= high))
-        at = snprintf(text, sizeof text, "%s: no value", chart->map.label);
-    canvas_text(c, 2, row, text, INK_TEXT);
-    for (int k = 0; k < SHADES && low <= high; k++)
-        canvas_shade(c, 2 + at + k, row, (double)k / (SHADES - 1), (double)k / (SHADES - 1));
-    snprintf(text, sizeof text, " %.4g", high);
-    if (low <= high)
-        canvas_text(c, 2 + at + SHADES, row, text, INK_TEXT);
+    bool none = !(low <= high);
+    snprintf(last, sizeof last, none ? "no value" : " %.4g", high);
+    int rows = 0, at = snprintf(text, sizeof text, none ? "%s: " : "%s: %.4g ", chart->map.label, low);
+    if (at + SHADES + (int)strlen(last) + 2 > width) {
+        rows = lines_put(c, 2, width, row, most, false, chart->map.label);
+        at = snprintf(text, sizeof text, none ? "%s" : "%s%.4g ", "", low);
+    }
+    if (c) {
+        canvas_text(c, 2, row + rows, text, INK_TEXT);
+        for (int k = 0; k < SHADES && !none; k++)
+            canvas_shade(c, 2 + at + k, row + rows, (double)k / (SHADES - 1), (double)k / (SHADES - 1));
+        canvas_text(c, 2 + at + (none ? 0 : SHADES), row + rows, last, INK_TEXT);
+    }
+    return rows + 1;
 }
 
 /* ---- All of it ---- */
@@ -322,8 +309,6 @@ static void chart_draw(const struct frame *f, int event_rows)
     events_draw(f, event_rows);
     for (int k = 0; k < chart->curves; k++) {
         const struct chart_curve *curve = &chart->curve[k];
-        if (curve->kind == CHART_BARS)
-            bars_draw(f, curve);
         if (curve->kind == CHART_RANGES || curve->kind == CHART_BOTH)
             ranges_draw(f, curve);
         if (has_line(curve->kind))
@@ -341,24 +326,25 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0;
     if (!canvas_make(&canvas, look, width, height - note_rows))
         return false;
-    int legend_rows = legend(chart, &canvas, 0, false) + (chart->map.value != NULL);
-    int event_rows = chart->events ? 2 : 0, room = canvas.height - 5 - event_rows - ROWS_LEAST;
-    legend_rows =
-        legend_rows > room ? (room > 0 ? room : 0) : legend_rows; /* what does not fit is left out */
-    struct frame f = {.canvas = &canvas,
-                      .chart = chart,
-                      .top = 2 + event_rows,
-                      .right = width,
-                      .bottom = canvas.height - 3 - legend_rows};
+    const int most = height / 10 > 0 ? height / 10 : 1, event_rows = chart->events ? 2 : 0;
+    int title_rows = lines_put(NULL, 0, width, 0, most, true, chart->title);
+    struct frame f = {.canvas = &canvas, .chart = chart, .left = 7, .right = width};
+    f.top = title_rows + lines_put(NULL, 0, width, 0, most, false, chart->y.label) + event_rows;
+    f.label_rows = lines_put(NULL, f.left, width, 0, most, true, chart->x.label);
+    f.bottom = canvas.height - 2 - f.label_rows;
+    int legend_rows =
+        chart->map.value ? map_legend(chart, NULL, width, 0, most) : legend(chart, &canvas, 0, false);
+    int room = f.bottom - f.top - ROWS_LEAST;
+    f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0; /* what does not fit is left out */
     f.left = ticks_y(chart, f.bottom - f.top, tick, label) + 3;
     chart_draw(&f, event_rows);
     axis_y_draw(&f, tick, label);
     axis_x_draw(&f);
-    text_centred(&canvas, 0, width, 0, chart->title, INK_TEXT);
-    canvas_text(&canvas, 0, 1, chart->y.label, INK_TEXT);
-    legend(chart, &canvas, f.bottom + 3, true);
+    lines_put(&canvas, 0, width, 0, most, true, chart->title);
+    lines_put(&canvas, 0, width, title_rows, most, false, chart->y.label);
+    legend(chart, &canvas, f.bottom + 2 + f.label_rows, true);
     if (chart->map.value)
-        map_legend(chart, &canvas, canvas.height - 1);
+        map_legend(chart, &canvas, width, f.bottom + 2 + f.label_rows, most);
     canvas_write(&canvas, out);
     canvas_free(&canvas);
     if (*chart->note) {

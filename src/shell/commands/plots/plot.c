@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot: curves, bars and maps. */
+/* plot: curves, points and maps. */
 #include "commands/costs.h"
 #include "commands/plots/plots.h"
 #include "commands/sweeps/grid.h"

@@ -84,7 +84,6 @@ static bool fall_chart(const struct query *query, struct answer *a, struct probl
         least = spare > 0 && spare < least ? spare : least;
         most = isfinite(spare) && spare > most ? spare : most;
     }
-    bool weak = v->weakest && v->weakest <= ran->count && v->spare >= 0 && isfinite(v->spare);
     snprintf(chart.title, sizeof chart.title, "Energy to spare, domino by domino");
     snprintf(chart.x.label, sizeof chart.x.label, "domino");
     snprintf(chart.y.label, sizeof chart.y.label, "more than it needs, in %%");
@@ -93,24 +92,20 @@ static bool fall_chart(const struct query *query, struct answer *a, struct probl
     chart.x.low = 0.4;
     chart.x.high = (double)ran->scene.row.count + 0.6;
     chart.y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 1;
-    /* The axis ends at two hundred times as much: larger bars all say that there is plenty. */
-    chart.y.high = most > chart.y.low ? fmin(1.6 * most, fmax(2e4, 100 * chart.y.low)) : 100 * chart.y.low;
-    struct chart_curve *bars = chart_curve(&chart, CHART_BARS, INK_BLUE, 0, "%s", "");
-    for (size_t i = 0; i < ran->count; i++) {
-        double spare = 100 * spare_of(ran, i);
-        if (spare > 0 && !(weak && ran->fall[i].domino == v->weakest))
-            chart_point(&chart, bars, (double)ran->fall[i].domino, fmin(spare, chart.y.high));
-    }
+    chart.y.high = fmax(1.6 * most, 100 * chart.y.low);
+    struct chart_curve *spares = chart_curve(&chart, CHART_POINTS, INK_BLUE, 0, "%s", "");
+    for (size_t i = 0; i < ran->count; i++)
+        chart_point(&chart, spares, (double)ran->fall[i].domino, 100 * spare_of(ran, i));
     struct chart_curve *idle = NULL;
     for (size_t i = 0; i < ran->count; i++)
         if (ran->fall[i].domino > 1 && !(ran->fall[i].barrier > 0)) {
-            idle = idle ? idle : chart_curve(&chart, CHART_BARS, INK_GREY, 0, "needs no energy");
+            idle = idle ? idle : chart_curve(&chart, CHART_POINTS, INK_GREY, 0, "needs no energy");
             chart_point(&chart, idle, (double)ran->fall[i].domino, chart.y.high);
         }
-    if (weak) {
-        struct chart_curve *red =
-            chart_curve(&chart, CHART_BARS, INK_RED, 0, "the weakest, domino %zu", v->weakest);
-        chart_point(&chart, red, (double)v->weakest, fmax(100 * (double)v->spare, chart.y.low));
+    if (v->weakest && v->weakest <= ran->count && v->spare >= 0 && isfinite(v->spare)) {
+        struct chart_curve *weak =
+            chart_curve(&chart, CHART_POINTS, INK_RED, 0, "the weakest, domino %zu", v->weakest);
+        chart_point(&chart, weak, (double)v->weakest, fmax(100 * (double)v->spare, chart.y.low));
     }
     if (v->end != DOM_ROW_FALLS) {
         struct chart_curve *end =

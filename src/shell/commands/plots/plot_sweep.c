@@ -158,9 +158,9 @@ static void value_label(const struct query *query, const struct points *p, char 
     const struct column *c = p->shape.command->columns;
     while (c->key && strcmp(c->key, p->key) != 0)
         c++;
-    bool angle = c->key && column_is_angle(c), print = strncmp(p->shape.asked, "print ", 6) == 0;
+    bool angle = c->key && column_is_angle(c);
     const char *unit = angle ? style_angle_unit(&query->state->settings.style) : c->key ? c->unit : "";
-    snprintf(label, size, "%s%s%s", print ? p->shape.asked + 6 : p->key, *unit ? " in " : "", unit);
+    snprintf(label, size, "%s%s%s", p->shape.expression ? p->shape.asked : p->key, *unit ? " in " : "", unit);
 }
 
 /* Returns true if the values of an axis, or their logarithms, are evenly spaced, as a map needs them. */

@@ -31,7 +31,8 @@ struct sweep_shape {
     int axes;
     struct sweep_axis axis[SWEEP_AXES]; /* of the first two */
     const struct command *command;
-    char asked[96]; /* the command with its arguments, as typed */
+    char asked[96];  /* the command with its arguments, or the expression, as typed */
+    bool expression; /* the command is 'print' */
 };
 struct sweep_shape sweep_shape(const struct arguments *call);
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);

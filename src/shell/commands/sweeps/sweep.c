@@ -382,7 +382,8 @@ struct sweep_shape sweep_shape(const struct arguments *call)
     const char *arguments = skip_blanks(s->arguments), *end = text_end(arguments, ";>");
     while (end > arguments && (end[-1] == ' ' || end[-1] == '\t'))
         end--;
-    snprintf(shape.asked, sizeof shape.asked, "%s%s%.*s", s->command->name, end > arguments ? " " : "",
-             (int)(end - arguments), arguments);
+    shape.expression = strcmp(s->command->name, "print") == 0;
+    snprintf(shape.asked, sizeof shape.asked, "%s%s%.*s", shape.expression ? "" : s->command->name,
+             end > arguments && !shape.expression ? " " : "", (int)(end - arguments), arguments);
     return shape;
 }
