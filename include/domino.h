@@ -162,7 +162,8 @@ enum dom_effect_name {
 /* The most arguments that an effect has, and the most changes that dom_row_mend finds. */
 enum { DOM_EFFECT_ARGUMENTS = 2, DOM_MENDS = 31 };
 
-/* What limits the growth: NONE, no growth is possible; the barrier; or r = 1/s, the reach of the head. */
+/* What limits the growth: NONE, no growth is possible; the barrier; or the reach of the head,
+ * dom_train_reach. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
 /* Returns "none", "barrier" or "reach". */
@@ -356,11 +357,17 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 
 /*
  * Checks a train: DOM_OK if every parameter is in its range, tol is not below the tol_floor of the precision,
- * and the head reaches the next domino, r s <= 1; else DOM_BAD_..., DOM_OUT_OF_REACH, DOM_UNDERFLOW,
- * DOM_NO_METHOD or DOM_NO_PRECISION. r = 1/s rounded to the precision counts as r s = 1.
+ * and the head reaches the next domino, r <= dom_train_reach; else DOM_BAD_..., DOM_OUT_OF_REACH,
+ * DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. r = 1/s rounded to the precision counts as r s = 1.
  * Every function below that takes a train makes this check, and returns these statuses too.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
+
+/*
+ * Returns the largest growth with which the head still touches the next domino: 1/s, and with rounded edges
+ * (1 - 2 rho + rho pi/2)/s. train->r is not used.
+ */
+dom_real dom_train_reach(const struct dom_train *train);
 
 /* A number and the bound of its absolute error. */
 struct dom_value {
@@ -641,16 +648,18 @@ struct dom_limit_error {
 struct dom_limit {
     dom_real r_max;      /* the largest growth; NaN with DOM_END_NONE */
     enum dom_end ends;   /* what limits the growth */
-    enum dom_status why; /* with DOM_END_NONE: DOM_NO_FUEL, DOM_STOPS or DOM_LOCKS at r = 1; else DOM_OK */
+    enum dom_status why; /* with DOM_END_NONE how r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS or
+                          * DOM_OUT_OF_REACH; else DOM_OK */
     struct dom_limit_error error;
 };
 
 /*
- * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0; 1/s if it never does.
- * train->r is not used. DOM_OK with DOM_END_NONE: even equal dominoes, r = 1, do not go on. DOM_TOO_LONG,
- * here and in the next two: it would take more than a second or two in double. Without friction, bounds cover
- * every growth up to r_max; they can miss a dip of the margin narrower than 1e-6 in ln r (1e-4 just before
- * r_max; more where 1,500 intervals do not decide). With friction, growths are only sampled.
+ * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0; dom_train_reach if it
+ * never does. train->r is not used. DOM_OK with DOM_END_NONE: even equal dominoes, r = 1, do not go on.
+ * DOM_TOO_LONG, here and in the next two: it would take more than a second or two in double. Without
+ * friction, bounds cover every growth up to r_max; they can miss a dip of the margin narrower than 1e-6 in ln
+ * r (1e-4 just before r_max; more where 1,500 intervals do not decide). With friction, growths are only
+ * sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -800,9 +809,9 @@ struct dom_row_growth {
 /*
  * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance: the first r,
  * raised from 1 to `highest`, beyond which they do not. make writes the dominoes for each r that is tried;
- * for a train it calls dom_row_of_train, and `highest` is 1/s. row->domino is not used. With steps of
- * 2 % in r, a narrower interval in which the row does not fall can be missed. Statuses as dom_row_run, also
- * for the dominoes that make writes; DOM_BAD_R: `highest` is not a finite number >= 1.
+ * for a train it calls dom_row_of_train, and `highest` is dom_train_reach. row->domino is not used. With
+ * steps of 2 % in r, a narrower interval in which the row does not fall can be missed. Statuses as
+ * dom_row_run, also for the dominoes that make writes; DOM_BAD_R: `highest` is not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);

@@ -5,6 +5,7 @@
 #endif
 #include "dynamics/list.h"
 #include "dynamics/walls.h"
+#include "geometry/reach.h"
 #include "numerics/real.h"
 
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) .name = default_,
@@ -32,6 +33,11 @@ enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width
     struct box found = walls_box(thickness / height, width / height, walls / height);
     *box = (struct dom_box){found.filled, found.inertia};
     return DOM_OK;
+}
+
+dom_real dom_train_reach(const struct dom_train *train)
+{
+    return reach_span(train->rho) / train->s;
 }
 
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train)

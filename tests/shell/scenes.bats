@@ -89,6 +89,22 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
+@test "edges: the reach is (1 - 2 rho + rho pi/2)/s in every answer, also where it is below 1" {
+    local scene='effect edges 0.05' row
+    row=$(json "$scene; curve 0.9 0.9 1")
+    close reach 1.0872664626 "$(values reach <<<"$row")" 1e-10
+    close 'is r_max' "$(values reach <<<"$row")" "$(values exact <<<"$row")" 1e-14
+    for plot in growth marginal; do
+        close "$plot" 1.0872664626 "$("$DOMINO" -n -e "set output csv; $scene; plot $plot" | sed -n 's/^0\.9,.*,//p')" 1e-10
+        "$DOMINO" -n -e "$scene; plot $plot" | grep -q 'reach: r = 0.9785/s'
+    done
+    row=$(json "$scene; rmax 0.98")
+    same 'out of reach' 'none null' "$(values ends_by <<<"$row") $(values r_max <<<"$row")"
+    [[ $(values reason <<<"$row") == *'fall past each other'* ]]
+    wrong "$scene; set s 0.9; set r 1.1; fuel" 'r s = 0.99 > 0.97854.*up to 1.08726646'
+    [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why") == *'beyond r = 1.08727 the head'* ]]
+}
+
 @test "edges: step, why, thetac and scene name their equations; no paper fuel, no proof; a file of the row keeps radii" {
     run -0 "$DOMINO" -e 'effect edges 0.01; step; step; step; why; thetac; scene'
     for text in 'J(0) omega(0) = (J(0) - i(0)) omega_1' 'the share i(0)/J(0)' 'rho theta_c + (1 - 2 rho) sin theta_c = r s' "Newton's method"; do

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/rounded.h"
+#include "geometry/reach.h"
 #include "numerics/numerics.h"
 
 KERNEL enum dom_status rounded_edges(struct geometry *geometry, real rho)
@@ -12,7 +13,7 @@ KERNEL enum dom_status rounded_edges(struct geometry *geometry, real rho)
     of->i.x = rho * wide / block;
     of->i.y = rho * tall / block;
     geometry->upright = of->i.c + of->i.y;
-    geometry->span = tall + rho * PI / 2;
+    geometry->span = reach_span(rho);
     geometry->h.x = wide * down - tall * along;
     geometry->h.y = tall * down + wide * along;
     geometry->reach = hypot(tall, wide);

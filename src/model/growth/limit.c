@@ -89,6 +89,11 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     struct edge first = {.r = 1};
     struct geometry geometry = c->geometry;
     enum dom_status status = c->status != DOM_OK ? c->status : geometry_set(&geometry, c->s, 1);
+    if (status == DOM_OUT_OF_REACH) { /* with rounded edges the reach may be less than 1 */
+        *limit = no_limit;
+        limit->why = status;
+        return DOM_OK;
+    }
     if (status != DOM_OK)
         return c->status = status;
     /* At r = 1 P has a closed form, and K = P T, T >= 1. */

@@ -18,8 +18,11 @@ static const char *no_growth(struct domq_limit limit)
     return limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) set "
                                       "no energy free, a fallen one is as high as an upright one"
            : limit.why == DOM_LOCKS ? "no growth possible: friction locks already equal dominoes (r = 1)"
-                                    : "no growth possible: at this s and d even equal dominoes (r = 1) have "
-                                      "too little energy to go on";
+           : limit.why == DOM_OUT_OF_REACH
+               ? "no growth possible: edges this round let even equal dominoes (r = 1) fall past each other "
+                 "at this s; use a smaller s"
+               : "no growth possible: at this s and d even equal dominoes (r = 1) have "
+                 "too little energy to go on";
 }
 
 /* Finds the limits with both fuels; the paper's does not include friction or a slope, and is NaN with them.
@@ -66,7 +69,7 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
         answer_say(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
                    domq_dynamics(train)->name);
     else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
-        answer_say(a, "Both end by the reach 1/s, where the fuel does not matter.");
+        answer_say(a, "Both end by the reach, r = 1/s, where the fuel does not matter.");
     else if (used->ends != DOM_END_NONE)
         answer_say(a, "They differ since the paper's closed form of the fuel leaves out the weights r^(-q i) "
                       "(25; c7).");
@@ -147,7 +150,7 @@ static const struct column curve_columns[] = {
     {"exact", "", "r_max with the fuel from the balance of energy", 0},
     {"paper", "", "r_max with the paper's closed form of the fuel", 0},
     {"pair", "", "r_max of the two-domino model", 0},
-    {"reach", "", "1/s: a larger domino falls past the next", 0},
+    {"reach", "", "1/s, less with rounded edges: a larger domino falls past the next", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -174,7 +177,7 @@ static bool curve_point(void *own, size_t k, FILE *out)
     if (c->status != DOM_OK)
         return false;
     answer_cells(&a, cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max),
-                 CELL_OF(pair, r_max), cell_real(1 / c->train.s));
+                 CELL_OF(pair, r_max), cell_real(domq_train_reach(&c->train)));
     c->gaps = c->gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
@@ -220,7 +223,7 @@ const struct command limit_commands[] = {
      .equation = "(26; c8)",
      .help =
          "r increases from 1 until a domino has less energy than it needs to topple the next one, or until "
-         "1/s. Beyond 1/s a domino falls past the next one without touching it.",
+         "the reach. Beyond it, 1/s with sharp edges, a domino falls past the next one without touching it.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
      .echo = "s",

@@ -11,7 +11,7 @@ const struct column why_columns[] = {
     {"kinetic", "mgh/2", "K, the motion after the collision (24; c6)", 0},
     {"barrier", "mgh/2", "B, the energy that it needs to go on (26; c8)", 0},
     {"margin", "mgh/2", "K - B: what is left at the highest point", 0},
-    {"r_max", "", "largest growth at this s: there K = B, or r s = 1", 0},
+    {"r_max", "", "largest growth at this s: there K = B, or r is the reach", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -66,9 +66,9 @@ static void why_say(const struct query *query, struct answer *a, enum dom_status
     else if (limit->ends == DOM_END_REACH)
         answer_say(
             a,
-            "With a gap of %.6g heights growth ends by reach: beyond r = 1/s = %.6g the head falls past "
-            "the next domino (2; a2).",
-            (double)t->s, (double)limit->r_max);
+            "With a gap of %.6g heights growth ends by reach: beyond r = %s%.6g the head falls past the next "
+            "domino (2; a2).",
+            (double)t->s, t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
     else
         answer_say(
             a,

@@ -35,20 +35,14 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "deg, where tan theta_u = d; for example 'effect slope %.2g deg'",
                                  (double)(t->alpha / degree), (double)(stands / degree),
                                  (double)(stands / degree / 2));
-    if (status == DOM_OUT_OF_REACH && t->rho > 0) {
-        domq_real span = 1 - t->rho * (2 - 2 * quad(atan)(1)); /* l + rho pi/2 */
-        return problem_no_answer(problem,
-                                 "r s = %s: the head falls past the next domino without touching it; with "
-                                 "these rounded edges r s is at most %.6g, so that at s = %s r may be up to "
-                                 "%.6g",
-                                 quad_shown(t->r * t->s).text, (double)span, quad_shown(t->s).text,
-                                 (double)(span / t->s));
-    }
     if (status == DOM_OUT_OF_REACH)
         return problem_no_answer(problem,
-                                 "r s = %s > 1: the head falls past the next domino without touching it; "
-                                 "at s = %s r may be up to 1/s = %.17g",
-                                 quad_shown(t->r * t->s).text, quad_shown(t->s).text, (double)(1 / t->s));
+                                 "r s = %s > %.6g: the head falls past the next domino without touching it; "
+                                 "at s = %s r may be up to "
+                                 "%s%.17g",
+                                 quad_shown(t->r * t->s).text, (double)(domq_train_reach(t) * t->s),
+                                 quad_shown(t->s).text, t->rho == 0 ? "1/s = " : "",
+                                 (double)domq_train_reach(t));
     if (status == DOM_NO_METHOD && domq_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
         return problem_no_answer(
             problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",

@@ -26,7 +26,7 @@ static const struct column plot_columns[] = {
     {"solid_train", "", "marginal: that of their train", 0},
     {"hollow_pair", "", "marginal: r_max of two hollow dominoes", 0},
     {"hollow_train", "", "marginal: that of their train", 0},
-    {"reach", "", "growth, marginal: 1/s", 0},
+    {"reach", "", "growth, marginal: 1/s, less with rounded edges", 0},
     {"domino", "", "fall, speed, gaps: its number, from 1", 6},
     {"barrier", "mgh/2", "fall: the energy that it needs to go on", 0},
     {"margin", "mgh/2", "fall: kinetic - barrier", 0},

@@ -73,13 +73,19 @@ static bool limits_find(const struct query *query, struct problem *problem, stru
     return true;
 }
 
-static bool limit_rows(struct answer *a, const struct limit_table *table)
+static domq_real reach_at(struct domq_train train, domq_real s)
+{
+    train.s = s;
+    return domq_train_reach(&train);
+}
+
+static bool limit_rows(const struct domq_train *train, struct answer *a, const struct limit_table *table)
 {
     for (int k = 0; k < SAMPLES && !answer_lost(a); k++) {
         struct cell row[LIMITS + 2] = {cell_real(table->s[k])};
         for (int c = 0; c < table->curves; c++)
             row[c + 1] = cell_real(table->r[k][c]);
-        row[table->curves + 1] = cell_real(1 / table->s[k]);
+        row[table->curves + 1] = cell_real(reach_at(*train, table->s[k]));
         answer_row(a, row, NULL);
     }
     return true;
@@ -117,9 +123,10 @@ static bool limit_chart(const struct query *query, struct answer *a, struct prob
         for (int k = 0; k < SAMPLES; k++)
             chart_point(&chart, curve, (double)table->s[k], (double)table->r[k][c]);
     }
-    struct chart_curve *reach = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "reach: r = 1/s");
+    struct chart_curve *reach =
+        chart_curve(&chart, CHART_LINE, INK_GREY, 2, "reach: r = %.4g/s", (double)reach_at(*t, 1));
     for (int k = 0; k < SAMPLES; k++)
-        chart_point(&chart, reach, (double)table->s[k], (double)(1 / table->s[k]));
+        chart_point(&chart, reach, (double)table->s[k], (double)reach_at(*t, table->s[k]));
     bool inside = (double)t->r <= top;
     struct chart_curve *now = chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "now: s = %.4g, r = %.4g%s",
                                           (double)t->s, (double)t->r, inside ? "" : " (above)");
@@ -136,7 +143,8 @@ static bool plot_limits(const struct query *query, struct answer *a, struct prob
     bool people = answer_for_people(a);
     if ((people && !chart_ready(a, problem)) || !limits_find(query, problem, &table))
         return false;
-    return people ? limit_chart(query, a, problem, title, &table) : limit_rows(a, &table);
+    return people ? limit_chart(query, a, problem, title, &table)
+                  : limit_rows(&query->scene->train, a, &table);
 }
 
 bool plot_growth(const struct query *query, struct answer *a, struct problem *problem)

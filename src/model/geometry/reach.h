@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How far a head reaches: for the kernels, and for the public API in the arithmetic of dom_real. */
+#ifndef DOM_REACH_H
+#define DOM_REACH_H
+
+#include "numerics/real.h"
+
+/* Returns the largest gap that a head with edges of radius rho reaches; both are over its height. */
+KERNEL real reach_span(real rho)
+{
+    return 1 - 2 * rho + rho * PI / 2;
+}
+
+#endif
