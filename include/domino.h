@@ -91,7 +91,7 @@ extern "C" {
     X(LOCKS,                                                                                                 \
       "friction locks the train: a contact force passes on the wrong side of a hinge and cannot turn it")    \
     X(NO_STAND,                                                                                              \
-      "no upright domino stands on this slope: |alpha| must be less than theta_u, tan theta_u = d")          \
+      "no domino can stand upright on this slope: the tangent of its angle must be below d - 2 rho")         \
     X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
     X(NO_ROUND,                                                                                              \
       "edges of this radius do not fit: the radius must be at most half of the thickness, rho <= d/2")       \
@@ -695,8 +695,7 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 /*
  * A solid block. The gap is the free distance to the domino before it, at the foot, as if it were upright; 0
  * for the first, which has none. A domino whose floor or foot is not flat is not plumb: it rests tilted about
- * its front edge, the one on which it turns when it falls. |lean| must be below theta_u, tan theta_u =
- * thickness / height; on a slope alpha |lean + alpha| must be.
+ * its front edge, the one on which it turns when it falls. Its lean must be within its dom_lean_limits.
  */
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
@@ -705,6 +704,15 @@ struct dom_domino {
     dom_real radius;
     dom_real lean; /* rad, its tilt before it is hit, > 0 in the direction of the fall */
 };
+
+/*
+ * Finds the leans, lean[0] < lean[1], between which a domino stands on a floor with the slope alpha without
+ * falling over by itself, in rad: -(limit + alpha) and limit - alpha, since the centre of the block must be
+ * above the flat part of its foot, tan limit = thickness / height - 2 rho. rho, the radius of its edges over
+ * its height, is as in struct dom_row, unless the domino has a radius of its own. With sharp edges the limit
+ * is theta_u (4; b1). An upright domino stands if 0 is between the two leans. Checks nothing.
+ */
+void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real rho, dom_real lean[2]);
 
 /*
  * Dominoes 1, 2, ... of any sizes, in the order in which they fall. As in a train, the foremost falling

@@ -91,6 +91,14 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
     }
 }
 
+void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real rho, dom_real lean[2])
+{
+    dom_real radius = rho != 0 && domino->radius > 0 ? domino->radius : rho * domino->height;
+    dom_real limit = atan((domino->thickness - 2 * radius) / domino->height);
+    lean[0] = -limit - alpha;
+    lean[1] = limit - alpha;
+}
+
 const struct dom_effect *dom_effect(enum dom_effect_name name)
 {
     static const struct dom_effect *const all[] = {

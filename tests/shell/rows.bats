@@ -48,6 +48,11 @@ END
     "$DOMINO" -e "$scene; mend" | grep -q '^No change of a single gap'
 }
 
+@test "placement with an effect that no row can have reads nothing that was not written" { # under UBSan
+    wrong 'effect edges 0.2; effect row 4; effect placement 1 mm; placement 20' 'radius'
+    wrong 'effect slope 1; effect row 4; effect placement 1 mm; placement 20' 'no domino can stand upright'
+}
+
 @test "pool: an interval of two million rows" {
     # Made by awk, as a loop of bats takes half a minute.
     awk 'BEGIN {

@@ -69,8 +69,11 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     close '1 degree uphill' 1.93981351 "$(json 'set q hollow; effect slope -1 deg; rmax 0.4' | values r_max)" 1e-8
     same 'no paper fuel' null "$(json 'effect slope 1 deg; rmax' | values r_max_paper)"
     same level "$(json 'rmax; barrier' | values margin)" "$(json 'effect slope 0; rmax; barrier' | values margin)"
-    wrong 'effect slope 10 deg; rmax' "no upright domino stands on this slope of 10 deg: it is less than 8.297 deg, where tan theta_u = d; for example 'effect slope 4.1 deg'"
-    wrong 'effect slope 10 deg; effect row 4; fall' 'no upright domino stands on this slope'
+    wrong 'effect slope 10 deg; rmax' "no domino can stand upright on a slope of 10 deg; for this thickness the limit is 8.297 deg; for example 'effect slope 4.1 deg'"
+    wrong 'effect slope -10 deg; effect row 4; fall' "the limit is 8.297 deg; for example 'effect slope -4.1 deg'"
+    # The centre must be above the flat part of the foot: atan(0.2 - 2*0.05).
+    wrong 'set d 0.2; effect edges 0.05; effect slope 10 deg; rmax' 'for this thickness and rounded edges the limit is 5.711 deg'
+    wrong 'effect slope 1; effect row 4; effect feet 0.4; fall' 'no domino can stand upright on a slope of 57.3 deg'
     wrong 'effect slope 1 deg; set fuel paper' "first enter 'effect slope off'"
     wrong 'set fuel paper; effect slope 1 deg' "'fuel paper' cannot be combined with slope; first enter 'set fuel exact'"
     wrong 'effect slope 1 mm' 'ALPHA is an angle, not a length'

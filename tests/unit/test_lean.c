@@ -163,6 +163,23 @@ static void easier_forwards(void **state)
     }
 }
 
+/* Checks dominoes that lean backwards and then have only a tiny way to go beyond upright. */
+static void tiny_gaps(void **state)
+{
+    (void)state;
+    static struct run run;
+    uint64_t seed = 5;
+    for (int i = 0; i < 200; i++) {
+        make_row(&run, 4, 0.4, 1 + 0.2 * random_unit(&seed), 0.2 * (i % 2));
+        for (size_t k = 1; k < 3; k++)
+            run.domino[k].lean = -(0.1 + 0.6 * random_unit(&seed)) * tips_at(&run.domino[k]);
+        run.domino[3].gap = run.domino[2].height * pow(10, -17 * random_unit(&seed));
+        assert_status(run_whole(&run), DOM_OK);
+        assert_true(run.falls >= 3);
+        assert_true(run.fall[2].theta >= 0 && run.fall[2].theta < M_PI / 2);
+    }
+}
+
 /* ---- Ends and refusals ---- */
 
 static void ends(void **state)
@@ -194,7 +211,7 @@ static void refusals(void **state)
 {
     (void)state;
     static struct run run;
-    const double theta_u = atan(7.0 / 48), alpha = 0.05;
+    const double theta_u = atan(7.0 / 48);
     const double wrong[] = {theta_u * (1 + 1e-9), -theta_u * (1 + 1e-9), 2, -2, NAN, INFINITY, -INFINITY};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         make_row(&run, 4, 0.4, 1, 0);
@@ -202,15 +219,15 @@ static void refusals(void **state)
         assert_status(run_whole(&run), DOM_BAD_LEAN);
         assert_int_equal(run.verdict.domino, 3);
     }
-    for (int side = -1; side <= 1; side += 2) {
-        make_row(&run, 4, 0.4, 1, 0);
-        run.domino[2].lean = side * theta_u * (1 - 1e-9);
-        assert_status(run_whole(&run), DOM_OK);
+    make_row(&run, 4, 0.4, 1, 0);
+    for (int i = 0; i < 6; i++) { /* to both sides, on a level floor and on two slopes */
+        domq_real limit[2], alpha = (i / 2 - 1) * 0.05;
+        domq_lean_limits(&run.domino[2], alpha, 0, limit);
+        assert_near("limit", limit[i % 2], (i % 2 ? theta_u : -theta_u) - (double)alpha, 1e-15);
         run.row.alpha = alpha;
-        assert_status(run_whole(&run), side > 0 ? DOM_BAD_LEAN : DOM_OK);
-        run.domino[2].lean = side * theta_u * (1 - 1e-9) - alpha;
+        run.domino[2].lean = limit[i % 2] * (1 - 1e-9);
         assert_status(run_whole(&run), DOM_OK);
-        run.domino[2].lean = side * theta_u * (1 + 1e-9) - alpha;
+        run.domino[2].lean = limit[i % 2] * (1 + 1e-9);
         assert_status(run_whole(&run), DOM_BAD_LEAN);
     }
     make_row(&run, 4, 0.4, 1, 0);
@@ -223,7 +240,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(newton_agrees),   cmocka_unit_test(continuous), cmocka_unit_test(touches),
-        cmocka_unit_test(easier_forwards), cmocka_unit_test(ends),       cmocka_unit_test(refusals),
+        cmocka_unit_test(easier_forwards), cmocka_unit_test(tiny_gaps),  cmocka_unit_test(ends),
+        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

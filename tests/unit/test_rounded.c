@@ -375,7 +375,12 @@ static void radii_that_do_not_fit(void **state)
     train.r = 1;
     assert_status(ask_train_check(&train), DOM_OUT_OF_REACH);
     train.s = 0.4;
-    train.alpha = 0.14; /* below d, above d - 2 rho */
+    domq_real lean[2]; /* the centre must be above the flat part of the foot */
+    domq_lean_limits(&(struct domq_domino){.height = 1, .thickness = train.d}, 0, train.rho, lean);
+    assert_near("limit", lean[1], atan(7.0 / 48 - 0.02), 1e-15);
+    train.alpha = lean[1] * (1 - 1e-9);
+    assert_status(ask_train_check(&train), DOM_OK);
+    train.alpha = lean[1] * (1 + 1e-9);
     assert_status(ask_train_check(&train), DOM_NO_STAND);
     struct domq_domino two[] = {{1, 0.1, 0, 1, 0, 0}, {1, 0.1, 0.5, 1, 0.06, 0}};
     struct asked_row row = {

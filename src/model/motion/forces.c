@@ -312,8 +312,9 @@ KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
 {
     struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
     for (int k = 0; k <= CONTACT_SAMPLES && !st->end.pushes && c.status == DOM_OK; k++) {
-        real u = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
-        least_at(st->lo + u * (to - st->lo), &c);
+        real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
+        /* From a backward lean to a small tilt, lo + (to - lo) can round past `to`. */
+        least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &c);
     }
     *least = c.least;
     return c.status;

@@ -248,14 +248,16 @@ KERNEL enum dom_status row_sample(const struct row_request *asked, struct random
     status = sample_make(s);
     if (status == DOM_OK)
         status = dynamics_begin(s->geometry);
-    for (size_t k = 1; k < n && status == DOM_OK; k++) /* all joints share the memory of the law */
+    if (status != DOM_OK)
+        return status;
+    for (size_t k = 1; k < n; k++) /* all joints share the memory of the law */
         s->geometry[k].flow = s->geometry[0].flow;
     s->rubs = !s->geometry[0].dynamics->conservative;
     s->plain = true;
     num_rough_begin(&s->slide.flow);
     for (size_t k = 0; k < n; k++)
         s->plain = s->plain && !s->geometry[k].rounded.on && asked->domino[k].lean == 0;
-    return status;
+    return DOM_OK;
 }
 
 KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_domino *domino, bool gaps,

@@ -48,8 +48,10 @@ static struct range range_of(const struct trial *t)
     case DOM_WINDOW_FRICTION:
         return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
     case DOM_WINDOW_PLUMB: {
-        dom_real most = atan(d->thickness / d->height) * (1 - STANDS_SHORT);
-        return (struct range){fmin(-most - t->row.alpha, d->lean), fmax(most - t->row.alpha, d->lean),
+        dom_real lean[2], inside;
+        dom_lean_limits(d, t->row.alpha, t->row.rho, lean);
+        inside = (lean[1] - lean[0]) / 2 * STANDS_SHORT;
+        return (struct range){fmin(lean[0] + inside, d->lean), fmax(lean[1] - inside, d->lean),
                               DOM_ROW_FALLS};
     }
     case DOM_WINDOW_GAP:

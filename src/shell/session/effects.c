@@ -3,6 +3,7 @@
 #include "language/names.h"
 #include "language/quad.h"
 #include "session/rowfile.h"
+#include "session/stands.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -358,8 +359,14 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
 
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem)
 {
-    if (!scene_row_list(scene, row, problem) || !scene_has_engine(scene))
-        return row->domino;
+    if (!scene_row_list(scene, row, problem))
+        return false;
+    if (!row_stands(scene, &row->row, problem)) {
+        free(row->domino);
+        return false;
+    }
+    if (!scene_has_engine(scene))
+        return true;
     if (!scene_engine_make(scene, row->row.count, &row->engine, problem)) {
         free(row->domino);
         return false;

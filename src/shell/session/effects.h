@@ -75,7 +75,7 @@ struct scene_row {
 
 /*
  * Makes the row of the scene, which the rigid-body engine runs if the session asks for it. Reports an error
- * if there is no row, no memory, or no engine.
+ * if there is no row, no memory, or no engine, or if a domino does not stand.
  */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 

@@ -5,6 +5,7 @@
 #include "language/names.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "session/stands.h"
 #include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
@@ -350,13 +351,15 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
         return wrong(r, r->cell[r->column[RADIUS] - 1],
                      "radius = %s m is more than half of the thickness, %s m", quad_shown(value[RADIUS]).text,
                      quad_shown(value[THICKNESS] / 2).text);
-    /* The sine of the largest lean: tan theta_u is the ratio. */
-    domq_real off = value[LEAN] / value[HEIGHT], most = ratio / quad(sqrt)(1 + ratio * ratio);
-    if (!(quad(fabs)(off) < most))
-        return wrong(
-            r, r->cell[r->column[LEAN] - 1],
-            "with its top %s off plumb this domino falls over by itself; a lean is less than %s here",
-            measured(value[LEAN], "m", 4).text, measured(most * value[HEIGHT], "m", 4).text);
+    struct domq_domino domino = {.height = value[HEIGHT],
+                                 .thickness = value[THICKNESS],
+                                 .gap = rows->count > 0 ? value[GAP] : 0,
+                                 .mass = mass,
+                                 .radius = value[RADIUS],
+                                 .lean = quad(asin)(value[LEAN] / value[HEIGHT])};
+    char message[LEAN_MESSAGE];
+    if (value[LEAN] != 0 && !lean_stands(&domino, r->scene->train.alpha, message))
+        return wrong(r, r->cell[r->column[LEAN] - 1], "%s", message);
     if (!value_check(r, MASS, mass, NULL))
         return false;
     if ((rows->count & (rows->count - 1)) == 0) { /* the arrays are full at 0, 1, 2, 4, ... */
@@ -370,13 +373,7 @@ static bool row_keep(struct reader *r, struct listed_row *rows, const domq_real 
         rows->width = wider;
     }
     rows->width[rows->count] = width;
-    domq_real gap = rows->count > 0 ? value[GAP] : 0;
-    rows->domino[rows->count++] = (struct domq_domino){.height = value[HEIGHT],
-                                                       .thickness = value[THICKNESS],
-                                                       .gap = gap,
-                                                       .mass = mass,
-                                                       .radius = value[RADIUS],
-                                                       .lean = quad(asin)(off)};
+    rows->domino[rows->count++] = domino;
     return true;
 }
 

@@ -109,6 +109,12 @@ domq_real scene_mass(const struct scene *scene);
 /* Describes that the walls have no room in domino k, or in that of a train if k is 0.  Returns false. */
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness);
 
+/*
+ * Describes that domino k, or no domino of a train if k is 0, can stand upright on the slope, which may be up
+ * to `limit`.  Returns false.
+ */
+bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
+
 /* Describes a library status that is not DOM_OK.  Returns false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);
 

@@ -17,6 +17,22 @@ bool problem_no_room(struct problem *problem, const struct scene *scene, size_t 
                              measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
 }
 
+bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit)
+{
+    const double degree = (double)QUAD_PI / 180, alpha = (double)scene->train.alpha / degree;
+    char which[32] = "no domino", example[32] = "off";
+    if (k > 0)
+        snprintf(which, sizeof which, "domino %zu", k);
+    if (limit > 0)
+        snprintf(example, sizeof example, "%.2g deg", copysign((double)limit, alpha) / degree / 2);
+    return problem_no_answer(problem,
+                             "%s %s stand upright on a slope of %.4g deg; for %s thickness%s the limit is "
+                             "%.4g deg; for example 'effect slope %s'",
+                             which, k > 0 ? "cannot" : "can", alpha, k > 0 ? "its" : "this",
+                             scene->train.rho > 0 ? " and rounded edges" : "", (double)limit / degree,
+                             example);
+}
+
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status)
 {
     const struct domq_train *t = &scene->train;
@@ -28,13 +44,11 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "edges with a radius of %s h do not fit: the radius is at most half of the "
                                  "thickness; here 'effect edges %.6g' is the largest",
                                  quad_shown(t->rho).text, (double)(t->d / 2));
-    domq_real stands = quad(atan)(t->d), degree = 2 * quad(atan)(1) / 90;
-    if (status == DOM_NO_STAND && !scene->listed.domino && quad(fabs)(t->alpha) >= stands)
-        return problem_no_answer(problem,
-                                 "no upright domino stands on this slope of %.4g deg: it is less than %.4g "
-                                 "deg, where tan theta_u = d; for example 'effect slope %.2g deg'",
-                                 (double)(t->alpha / degree), (double)(stands / degree),
-                                 (double)(stands / degree / 2));
+    if (status == DOM_NO_STAND) {
+        domq_real lean[2];
+        domq_lean_limits(&(struct domq_domino){.height = 1, .thickness = t->d}, 0, t->rho, lean);
+        return problem_no_stand(problem, scene, 0, lean[1]);
+    }
     if (status == DOM_OUT_OF_REACH)
         return problem_no_answer(problem,
                                  "r s = %s > %.6g: the head falls past the next domino without touching it; "

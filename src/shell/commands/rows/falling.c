@@ -16,10 +16,6 @@ struct cell cell_narrow(domq_real value, int digits)
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status)
 {
     enum dom_precision precision = query->scene->compute.precision;
-    const struct domq_train *train = &query->scene->train;
-    if (status == DOM_NOT_CONVERGED && scene_has_engine(query->scene) && !query->scene->listed.domino &&
-        quad(fabs)(train->alpha) >= quad(atan)(train->d))
-        return problem_status(problem, query->scene, DOM_NO_STAND);
     if (status == DOM_NOT_CONVERGED && scene_has_engine(query->scene))
         return problem_no_answer(problem,
                                  "the rigid-body engine cannot decide: the row comes to no end, or with ever "

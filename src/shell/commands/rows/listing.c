@@ -70,7 +70,7 @@ void row_largest(struct answer *a, const struct scene_row *scene)
 bool run_row(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
-    if (!scene_row_make(query->scene, &scene, problem))
+    if (!scene_row_list(query->scene, &scene, problem))
         return false;
     bool weighed = scene_weighed(query->scene);
     bool rounds = row_has_radii(&scene), leans = row_has_leans(&scene);
