@@ -354,7 +354,7 @@ set foo 1|set: unknown parameter 'foo'
 END
 }
 
-@test "among the numbers of the model only q has words, and only tol has help of its own" {
+@test "among the numbers of the model only q has words, and the help of tol is that of no other" {
     same q 3 "$("$DOMINO" -e 'set q hollow; print q')"
     for name in s r d tol h g mass; do
         wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"

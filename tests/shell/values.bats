@@ -550,7 +550,7 @@ END
 1|separation 0.3|^unknown command 'separation'; did you mean 's'\? 's = VALUE' gives it a value$
 1|height|^unknown command 'height'; did you mean 'h'\?
 5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
-6|help thickness|^help: unknown topic 'thickness'; did you mean 'd'\?$
+6|help zzz|^help: unknown topic 'zzz'$
 8|effect mu 0.2|^effect: unknown effect 'mu'; did you mean 'friction'\?$
 7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
@@ -1171,4 +1171,26 @@ END
 10|count 112,5 m|^count: H ends before ',5 m'; decimals have a point
 10|budget 95%|^budget: P ends before '%'; write a share as 0\.95 or 95/100$
 END
+}
+
+@test "help answers for the words that people use: one topic is explained, several are listed" {
+    while IFS='|' read -r word topic; do
+        same "$word" "$("$DOMINO" -e "help $topic")" "$("$DOMINO" -e "help $word")"
+        same "$word, json" "$(json "help $topic")" "$(json "help $word")"
+    done <<'END'
+growth|r
+train|r
+gap|s
+separation|s
+thickness|d
+solid|q
+hollow|q
+tower|count
+END
+    same speed 'omega fall cost timing push' "$("$DOMINO" -e 'help speed' | sed -n 's/^\([a-z]*\)   .*/\1/p' | paste -sd ' ' -)"
+    same 'speed, json' 'omega fall cost timing push' "$(json 'help speed' | values name | paste -sd ' ' -)"
+    # Each word of the README's table has an answer that mentions it.
+    sed -n '/^## Words/,/^## Does/s/^| \([a-z]*\) |.*/\1/p' "$BATS_TEST_DIRNAME/../../README.md" | grep -vx word >"$BATS_TEST_TMPDIR/words"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/words")" -ge 6 ]
+    while read -r word; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done <"$BATS_TEST_TMPDIR/words"
 }

@@ -218,7 +218,6 @@ static void help_command(struct session *session, const struct command *c)
 /* Answers with a row for the topic, or for each one. */
 static void help_rows(struct answer *a, const char *topic)
 {
-    help_rows_begin(a);
     for (const struct command_group *g = command_groups(); g->title; g++)
         for (const struct command *c = g->commands; c->name; c++)
             if (!topic || strcmp(c->name, topic) == 0)
@@ -244,24 +243,9 @@ static void help_variable(struct session *session, const struct arguments *given
              v->body ? "function" : "variable", head, v->name);
 }
 
-static bool run_help(struct session *session, const struct arguments *given, struct answer *a,
-                     struct problem *problem)
+static void help_topic(struct session *session, const char *topic)
 {
-    (void)problem;
-    if (given->variable) {
-        help_variable(session, given, a);
-        return true;
-    }
-    if (!answer_for_people(a)) {
-        help_rows(a, given->count ? topic_names(NULL, (int)given->number[0]) : NULL);
-        return true;
-    }
-    if (given->count == 0) {
-        help_list(session->out);
-        return true;
-    }
     char example[EFFECT_EXAMPLE];
-    const char *topic = topic_names(NULL, (int)given->number[0]);
     const struct command *c = command_find(topic);
     const struct parameter *p = parameter_find(topic);
     if (c)
@@ -272,6 +256,47 @@ static bool run_help(struct session *session, const struct arguments *given, str
         help_parameter(session, p);
     if (p && p->effect && !c)
         help_example(session, effect_example(p->which, example));
+}
+
+/* Lists what people know by a word that is no name here. */
+static void help_meant(FILE *out, const char *word)
+{
+    const char *topic;
+    char usage[USAGE_SIZE];
+    help_say(out, "'%s' is about one of these; 'help NAME' explains it:", word);
+    for (int k = 0; (topic = topic_meant(word, k)) != NULL; k++) {
+        const struct command *c = command_find(topic);
+        const struct parameter *p = parameter_find(topic);
+        snprintf(usage, sizeof usage, "%s", topic);
+        help_entry(out, usage, summary_column(), c ? c->summary : parameter_meaning(p));
+    }
+}
+
+static bool run_help(struct session *session, const struct arguments *given, struct answer *a,
+                     struct problem *problem)
+{
+    (void)problem;
+    if (given->variable) {
+        help_variable(session, given, a);
+        return true;
+    }
+    const char *word = given->word[0], *topic = NULL;
+    bool named = given->count && given->number[0] >= 0;
+    if (given->count)
+        topic = named ? topic_names(NULL, (int)given->number[0]) : topic_meant(word, 0);
+    const char *other = given->count && !named ? topic_meant(word, 1) : NULL;
+    if (!answer_for_people(a)) {
+        help_rows_begin(a);
+        help_rows(a, topic);
+        for (int k = 1; other; other = topic_meant(word, ++k))
+            help_rows(a, other);
+    } else if (!topic) {
+        help_list(session->out);
+    } else if (other) {
+        help_meant(session->out, word);
+    } else {
+        help_topic(session, topic);
+    }
     return true;
 }
 

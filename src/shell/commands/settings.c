@@ -244,6 +244,9 @@ const struct command session_commands[] = {
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
+     .help = "FILE also gets the effects that are on, the name of the row's file, the gaps that 'place' "
+             "changed, and "
+             "what 'let' defined.",
      .see = "source",
      .files = true,
      .run = run_save},
@@ -255,6 +258,9 @@ const struct command session_commands[] = {
     {.name = "quit",
      .synonyms = "exit end close bye stop",
      .summary = "leave; so does the end of the input (^D)",
+     .help = "At the prompt, if 'place' changed gaps of the row and no file has them, the first 'quit' only "
+             "says so, and "
+             "the second one leaves.",
      .act = run_quit},
     {.name = NULL},
 };

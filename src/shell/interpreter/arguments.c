@@ -269,6 +269,8 @@ static bool read_topic(struct reader *r, const struct argument *a, struct argume
     if (k < 0 && topic && word && is_expression_topic(word))
         k = names_exact(a->choices, NULL, "print");
     given->number[i] = k;
+    if (k < 0 && topic && word && topic_meant(word, 0))
+        return true;
     given->parameter = k >= 0 && !topic ? &session_parameters[k] : NULL;
     bool usual;
     const struct parameter *meant = k < 0 && word ? parameter_meant(word, &usual) : NULL;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
 #include "language/quad.h"
+#include "session/meant.h"
 #include "session/parameters.h"
 #include <string.h>
 
@@ -43,6 +44,41 @@ const char *topic_names(const void *context, int k)
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
+    return NULL;
+}
+
+/* Returns the one parameter that the word stands for: its first synonym, or a name of one of its numbers, as
+ * 'hollow' is of q.  NULL if there is none. */
+static const struct parameter *parameter_for(const char *word)
+{
+    bool usual;
+    const struct parameter *meant = parameter_meant(word, &usual);
+    if (meant && usual)
+        return meant;
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (parameter_is_number(p) && names_exact(parameter_words, p, word) >= 0)
+            return p;
+    return NULL;
+}
+
+/* Returns true if the word is a synonym of the topic, or one of the words that a parameter takes. */
+static bool topic_has(const char *topic, const char *word)
+{
+    const struct command *c = command_find(topic);
+    const struct parameter *p = parameter_find(topic);
+    return (c && synonyms_have(c->synonyms, word)) || (p && synonyms_have(parameter_synonyms(p), word)) ||
+           (p && !p->effect && names_exact(parameter_words, p, word) >= 0);
+}
+
+const char *topic_meant(const char *word, int k)
+{
+    const struct parameter *one = parameter_for(word);
+    if (one)
+        return k == 0 ? one->name : NULL;
+    const char *topic;
+    for (int i = 0; (topic = topic_names(NULL, i)) != NULL; i++)
+        if (topic_has(topic, word) && k-- == 0)
+            return topic;
     return NULL;
 }
 

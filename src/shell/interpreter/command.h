@@ -128,6 +128,10 @@ const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *command_keys(const void *command, int k);
 
+/* Returns the k-th of the topics that people also know by this word, or NULL: 'growth' is r, and 'speed' is
+ * several. */
+const char *topic_meant(const char *word, int k);
+
 /* Where expressions find names: the query, the function that is being evaluated (NULL: none), and where a
  * problem of an answer goes. */
 struct lookup {

@@ -33,6 +33,11 @@ const struct parameter *parameter_meant(const char *word, bool *usual)
     return meant;
 }
 
+bool synonyms_have(const char *synonyms, const char *word)
+{
+    return *word && place_in(synonyms, word) >= 0;
+}
+
 bool parameter_hint(const char *word, char *message, size_t size)
 {
     char usage[EFFECT_USAGE];

@@ -12,6 +12,9 @@
  */
 const struct parameter *parameter_meant(const char *word, bool *usual);
 
+/* Returns true if the word is one of the synonyms, which stand between blanks; NULL: there are none. */
+bool synonyms_have(const char *synonyms, const char *word);
+
 /* Writes after a message how the parameter is entered: "; did you mean 's'? 's = VALUE' ...".  Returns false
  * if no parameter has this synonym. */
 bool parameter_hint(const char *word, char *message, size_t size);

@@ -15,6 +15,19 @@
 #define QUAD_TYPE "not available"
 #endif
 
+static const char s_help[] =
+    "The gap is the free distance between a domino and the one before it. A length, as in 'set s 2 cm', is "
+    "divided by h.";
+static const char r_help[] =
+    "A train is an endless row in which each domino is r times as large as the one before it, in its height, "
+    "its thickness and its gap. 'rmax' finds the largest r with which a train keeps falling, and 'effect row "
+    "N' makes a row that ends.";
+static const char d_help[] =
+    "The thickness is the measure of a domino along the row. A length, as in 'set d 7 mm', is divided by h.";
+static const char q_help[] =
+    "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
+    "block, and 4 times if it is hollow, like a box of boards that stay as thin.";
+
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
     "than it promises. Rounding errors can be larger where an answer depends strongly on a parameter: 'set "
@@ -94,11 +107,11 @@ static void precision_put(struct state *state, domq_real precision)
 }
 
 /* Adds members to the row of a number of the library's lists; each number has one. */
-#define MORE_s .synonyms = "separation spacing distance apart gap",
-#define MORE_r .synonyms = "growth factor ratio size larger",
-#define MORE_d .synonyms = "thickness thin thick depth width",
+#define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
+#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
+#define MORE_d .synonyms = "thickness thin thick depth width", .help = d_help,
 #define MORE_q                                                                                               \
-    .synonyms = "exponent wood block box weight material",                                                   \
+    .synonyms = "exponent wood block box weight material", .help = q_help,                                   \
     .words = (const struct word[]){{"hollow", 3}, {"solid", 4}, {"massive", 4}, {NULL, 0}},
 #define MORE_tol                                                                                             \
     .synonyms = "tolerance accuracy precision", .help = tol_help, .fallback_of = tol_default,                \

@@ -148,8 +148,9 @@ const struct command plot_commands[] = {
      .summary = "a picture of the row, of limits, of a cycle, of any sweep",
      .help =
          "Of a row: 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
-         "front runs, 'plot gaps' how far each gap may be off, 'plot placement' how likely the whole row "
-         "falls. Of trains: 'plot growth' shows the largest growth, with 'plot growth paper' also for the "
+         "front runs, 'plot gaps' how far each gap may be off, 'plot placement 400' how likely the whole row "
+         "falls, from so many random rows at each error of the gaps. Of trains: 'plot growth' shows the "
+         "largest growth, with 'plot growth paper' also for the "
          "paper's fuel, 'plot marginal' that of two dominoes; 'plot energy', 'plot omega', 'plot inertia' "
          "and "
          "'plot chain' one cycle; 'plot cost rmax' what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' "
