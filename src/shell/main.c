@@ -203,7 +203,7 @@ int main(int argc, char **argv)
             signal(SIGPIPE, SIG_DFL);
             raise(SIGPIPE);
         }
-        int reason = session.write_error ? session.write_error : errno;
+        int reason = session.standard.error ? session.standard.error : errno;
         fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
                 reason ? strerror(reason) : "");
         failed = true;

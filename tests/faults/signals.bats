@@ -5,7 +5,7 @@
 
 load faults
 
-# Drafts have six letters after their dot.
+# Temporary files have six letters after their dot.
 drafts() { find . -name '*.??????' ! -name '*.script'; }
 
 # Starts the program in the background, as $child, with signals as a shell at a terminal gives them, also under nohup.
@@ -76,7 +76,7 @@ every_file_command() { # SIGNAL
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     enter
     begin -e 'animate film.gif 2'
-    until [ -n "$(drafts)" ]; do kill -0 "$child"; done
+    until pgrep -P "$child" gnuplot >/dev/null; do kill -0 "$child"; done
     end_by 'the program' TERM
     same 'what is left' '(nothing)' "$(inside)"
 }

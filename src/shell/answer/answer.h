@@ -4,6 +4,7 @@
 #define SHELL_ANSWER_H
 
 #include "answer/measure.h"
+#include "io/output.h"
 #include "language/units.h"
 #include <stdbool.h>
 #include <stdio.h>
@@ -15,7 +16,7 @@ struct column {
     int width;           /* of words, or of few digits, in a table of rows; 0 for a number */
 };
 
-enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160, ANSWER_HEAD = 1024 };
+enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160, ANSWER_HEAD = OUTPUT_HEAD };
 
 struct answer {
     FILE *out;        /* NULL: the answer is only kept */

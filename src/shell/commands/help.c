@@ -132,6 +132,7 @@ static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
     session_init(&fresh, session->out);
+    fresh.standard.messages = session->output->messages;
     fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     fresh.source = "help";
     fresh.means.safe = fresh.bail = true;

@@ -5,8 +5,6 @@
 #include "interpreter/line.h"
 #include "io/escape.h"
 #include "io/io.h"
-#include "io/record.h"
-#include "io/terminal.h"
 #include "session/session.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -78,60 +76,36 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
 
 /* ---- Records ---- */
 
-/* Makes answers go to the records, too, or to standard output alone where none is open. */
-static bool records_join(struct session *session, struct problem *problem)
-{
-    struct recording *r = &session->recording;
-    bool open = r->log.file || r->tee.file;
-    if (open && !r->stream) {
-        FILE *stream = record_stream(session->standard, &r->log, &r->tee);
-        if (!stream)
-            return problem_status(problem, &session->state.scene, DOM_NO_MEMORY);
-        r->stream = stream;
-        r->alone = session->standard;
-        session->out = session->standard = stream;
-        terminal_lend(stream, r->alone);
-    } else if (!open)
-        recording_end(session);
-    return true;
-}
-
-static bool record_begin(struct session *session, struct record *record, const char *path, bool log,
+static bool record_begin(struct session *session, enum output_kind kind, const char *path,
                          struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    if (session->redirected)
+    const char *wrong = NULL;
+    struct output **before = output_find(&session->output, kind);
+    if (session->output->path)
         return problem_error(problem, "answers go to '%s' here; begin a record before",
-                             names_shown(session->redirected, shown));
+                             names_shown(session->output->path, shown));
     fflush(session->out);
-    if (strcmp(path, "off") == 0) {
-        record_close(record);
-        return records_join(session, problem);
-    }
-    struct record next = {.file = NULL};
-    const char *wrong = record_open(&next, path, log, session->state.scene.compute.interrupt);
-    if (wrong)
-        return problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
-    record_close(record);
-    *record = next;
-    record->comments = log;
-    if (log)
-        fputs("# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n", record->file);
-    return records_join(session, problem);
+    if (strcmp(path, "off") != 0)
+        wrong = record_push(&session->output, kind, path, session->state.scene.compute.interrupt);
+    else if (before)
+        output_pop(before, true);
+    session_direct(session);
+    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
 }
 
 static bool run_log(struct session *session, const struct arguments *given, struct answer *a,
                     struct problem *problem)
 {
     (void)a;
-    return record_begin(session, &session->recording.log, given->word[0], true, problem);
+    return record_begin(session, OUTPUT_LOG, given->word[0], problem);
 }
 
 static bool run_tee(struct session *session, const struct arguments *given, struct answer *a,
                     struct problem *problem)
 {
     (void)a;
-    return record_begin(session, &session->recording.tee, given->word[0], false, problem);
+    return record_begin(session, OUTPUT_TEE, given->word[0], problem);
 }
 
 const struct command script_commands[] = {

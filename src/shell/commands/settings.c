@@ -2,7 +2,7 @@
 /* Commands about the session itself. */
 #include "answer/format.h"
 #include "commands/tables.h"
-#include "io/redirect.h"
+#include "io/output.h"
 #include "language/quad.h"
 #include "session/undo.h"
 #include <string.h>
@@ -109,20 +109,20 @@ static void variables_save(const struct variables *variables, FILE *out)
 
 static bool run_save(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct redirect file;
+    struct output *file = NULL;
     char shown[NAMES_SHOWN];
     const char *path = query->given->word[0];
     const struct parameter *p;
     (void)a;
     if (!effects_savable(query->scene, problem))
         return false;
-    const char *wrong = redirect_open(&file, path, false, query->scene->compute.interrupt);
+    const char *wrong = file_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
-        fprintf(file.file, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
+        fprintf(file->out, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
         for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)
-            parameter_save(query->state, p, file.file);
-        variables_save(&query->state->variables, file.file);
-        wrong = redirect_close(&file, true);
+            parameter_save(query->state, p, file->out);
+        variables_save(&query->state->variables, file->out);
+        wrong = output_pop(&file, true);
     }
     if (query->next && !wrong)
         query->next->scene.listed.saved = true;

@@ -3,8 +3,6 @@
 #include "answer/format.h"
 #include "interpreter/forms.h"
 #include "io/io.h"
-#include "io/pager.h"
-#include "io/redirect.h"
 #include "io/terminal.h"
 #include "picture/ending.h"
 #include "picture/picture.h"
@@ -31,7 +29,7 @@ static void say_train(const struct session *session, struct answer *answer)
             : "(This is " TRAIN_NOTE ")";
     if (!answer_for_people(answer))
         return;
-    if (session->redirected && ending_of(session->redirected)->kind == ENDING_PICTURE)
+    if (answer->path && ending_of(answer->path)->kind == ENDING_PICTURE)
         fprintf(stderr, "%s\n", note);
     else
         answer_say(answer, "%s", note);
@@ -44,29 +42,30 @@ static bool run_call(struct session *session, const struct command *c, const str
     struct cell kept[ANSWER_CELLS];
     if (c->principal) /* without a principal column the cells are not kept */
         memset(kept, 0, sizeof kept);
+    struct output *output = session->output, *end = output_end(output);
     struct query query = session_query(session);
     query.given = given;
     query.next = &session->state;
     struct answer answer = {
-        .out = session->out,
-        .path = session->redirected,
-        .appended = session->appended,
+        .out = output->out,
+        .path = output->path,
+        .appended = output->append,
         .style = state_style(&session->state),
         .command = c->name,
         .note = c->train && session->state.scene.effect[DOM_EFFECT_row].on ? TRAIN_NOTE : NULL,
-        .head = session->head,
+        .head = end->head,
         .columns = c->columns,
         .rows = c->rows,
-        .gap = session->answered && session->source,
+        .gap = end->answered && session->source,
         .kept = c->principal ? kept : NULL,
     };
-    if (session->format)
-        answer.style.format = session->format;
+    if (output->format)
+        answer.style.format = output->format;
     problem->place = 0;
     double begun = session->state.settings.timing ? terminal_clock() : 0;
     ticker_start();
-    bool draws = session->format && c->picture && ending_of(session->redirected)->kind == ENDING_PICTURE;
-    bool shown = c->draws && !c->files && answer.style.format->for_people && !session->redirected;
+    bool draws = answer.path && c->picture && ending_of(answer.path)->kind == ENDING_PICTURE;
+    bool shown = c->draws && !c->files && answer.style.format->for_people && !answer.path;
     bool done = shown && !picture_fits(&answer, c->name, problem) ? false
                 : c->act                                          ? c->act(session, given, &answer, problem)
                 : draws                                           ? c->picture(&query, &answer, problem)
@@ -78,9 +77,9 @@ static bool run_call(struct session *session, const struct command *c, const str
     const char *unsaid = done ? answer_end(&answer) : NULL;
     if (unsaid)
         session_note(session, "%s", unsaid);
-    session->answered = session->answered || (done && c->columns) || answer.told;
     session->wrote = answer.begun;
-    session->write_error = answer.lost ? answer.lost : session->write_error;
+    end->answered = end->answered || (done && c->columns) || answer.told;
+    end->error = answer.lost ? answer.lost : end->error;
     if (done && answer.printed) {
         session->ans.printed = true;
         session->ans.value = answer.value;
@@ -91,8 +90,8 @@ static bool run_call(struct session *session, const struct command *c, const str
     }
     if (done && session->state.settings.timing && c->columns) {
         /* Programs that read csv or json find it where it does not disturb. */
-        bool people = answer.style.format->for_people && !session->redirected;
-        fprintf(people ? session->out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
+        bool people = answer.style.format->for_people && !answer.path;
+        fprintf(people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
     return done;
 }
@@ -103,16 +102,15 @@ static bool run_paged(struct session *session, const struct command *c, const st
 {
     if (!c->pages && !(session->prompt_width && c->columns && !c->draws && !c->runs))
         return run_call(session, c, given, problem);
-    struct pager *pager;
-    FILE *out = session->out;
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    session->out = pager_begin(&pager, out, !session->means.safe, interrupt);
+    int error = output_end(session->output)->error;
+    bool paged = pager_push(&session->output, !session->means.safe, interrupt);
+    session_direct(session);
     bool done = run_call(session, c, given, problem);
-    bool left = pager && ferror(session->out);
-    session->out = out;
-    pager_end(pager);
+    const char *left = paged ? output_pop(&session->output, true) : NULL;
+    session_direct(session);
     if (left) { /* the answer was not lost: it was read as far as the reader wanted */
-        session->write_error = 0;
+        output_end(session->output)->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     }
@@ -173,7 +171,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
                            const struct arguments *given)
 {
     struct problem *problem = r->problem;
-    struct redirect redirect;
+    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     bool append = r->at[1] == '>';
     r->at = skip_blanks(r->at + (append ? 2 : 1));
     problem->place = reader_column(r, r->at);
@@ -192,38 +190,19 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
         problem_error(problem, "a safe session cannot read or write files");
     else if (!ending_fits(c, path, problem))
         done = false; /* which was reported */
-    else if ((wrong = redirect_open(&redirect, path, append, session->state.scene.compute.interrupt)) != NULL)
+    else if ((wrong = file_push(&session->output, path, append, interrupt)) != NULL)
         problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
     else {
-        FILE *out = session->out;
-        const struct format *format = session->format;
-        const char *redirected = session->redirected;
         const struct ending *ending = ending_of(path);
-        bool answered = session->answered;
-        char head[ANSWER_HEAD];
-        memcpy(head, session->head, sizeof head);
-        int write_error = session->write_error; /* of standard output */
-        session->write_error = 0;
-        session->out = redirect.file;
-        session->redirected = path;
-        session->appended = append;
-        session->answered = false;
-        session->format = ending->kind == ENDING_PICTURE
-                              ? &format_table /* for people, also with 'set output csv' */
-                              : ending->format;
-        *session->head = '\0';
+        session->output->format = ending->kind == ENDING_PICTURE
+                                      ? &format_table /* for people, also with 'set output csv' */
+                                      : ending->format;
+        session_direct(session);
         if (append)
-            head_find(session, path, session->head);
+            head_find(session, path, session->output->head);
         done = run_call(session, c, given, problem);
-        session->out = out;
-        session->redirected = redirected;
-        session->format = format;
-        session->answered = answered;
-        memcpy(session->head, head, sizeof head);
-        wrong = redirect_close(&redirect, done);
-        if (wrong && session->write_error)
-            wrong = strerror(session->write_error);
-        session->write_error = write_error;
+        wrong = output_pop(&session->output, done);
+        session_direct(session);
         if (done && wrong)
             done = problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
     }
@@ -280,25 +259,13 @@ static void run_command(struct session *session, struct reader *r)
     session->command = NULL;
 }
 
-/* Writes what is pending of the records, so that a crash loses nothing of them. */
-static void records_flush(struct session *session)
+/* Writes what waits for log and tee, so that a crash loses nothing of them. */
+static void records_write(struct session *session)
 {
-    struct recording *r = &session->recording;
-    fflush(session->standard);
-    const char *wrong = record_flush(&r->log), *wrong_tee = record_flush(&r->tee);
-    if (wrong || wrong_tee)
-        session_error(session, "the record ends here, since its file cannot be written: %s",
-                      wrong ? wrong : wrong_tee);
-}
-
-/* Writes commands into the log: at once if there are several, else when it is known whether they fail. */
-static void log_commands(struct session *session, const char *commands, size_t length, bool several)
-{
-    struct record *log = &session->recording.log;
-    log->pending = commands;
-    log->pending_length = (int)length;
-    if (several)
-        record_commands(log, false);
+    const char *wrong = records_flush(&session->output);
+    session_direct(session);
+    if (wrong)
+        session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
 }
 
 static void run_line(struct session *session, const char *line, size_t length)
@@ -315,9 +282,9 @@ static void run_line(struct session *session, const char *line, size_t length)
     }
     struct reader r = {.text = &text, .at = text.line};
     /* What a file commands is in that file. */
-    bool logged = session->recording.log.file && session->depth == 0;
-    if (logged)
-        log_commands(session, line, length, *text_end(text.line, ";") == ';');
+    bool logged = output_find(&session->output, OUTPUT_LOG) && session->depth == 0;
+    if (logged) /* where there are several commands, one may fail after others have run */
+        log_commands(&session->output, line, length, *text_end(text.line, ";") == ';');
     session->typed = line;
     session->typed_length = (int)(length < INT_MAX ? length : INT_MAX);
     session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
@@ -334,14 +301,13 @@ static void run_line(struct session *session, const char *line, size_t length)
         if (*end != ';' || session_stops(session, errors))
             break;
         r.at = end + 1;
-        if (!logged && session->recording.log.file && session->depth == 0) { /* this line began the log */
+        if (!logged && output_find(&session->output, OUTPUT_LOG) && session->depth == 0) { /* begun here */
             const char *rest = text_typed(&text, skip_blanks(r.at));
-            log_commands(session, rest, length - (size_t)(rest - line), true);
+            log_commands(&session->output, rest, length - (size_t)(rest - line), true);
             logged = true;
         }
     }
-    if (session->recording.stream)
-        records_flush(session);
+    records_write(session);
     session->typed = NULL;
     text_free(&text);
 }

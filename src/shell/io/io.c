@@ -17,16 +17,27 @@ static const struct timespec moment = {.tv_nsec = 10000000};
 
 /* ---- Waits ---- */
 
-bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt)
+sigset_t io_block(void)
 {
-    struct pollfd ready = {.fd = file, .events = events};
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, &before);
+    return before;
+}
+
+void io_unblock(const sigset_t *before)
+{
+    pthread_sigmask(SIG_SETMASK, before, NULL);
+}
+
+bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt)
+{
+    struct pollfd ready = {.fd = file, .events = events};
+    sigset_t before = io_block();
     bool raised = dom_raised(interrupt);
     if (!raised)
         (void)ppoll(&ready, 1, longest, &before);
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    io_unblock(&before);
     raised = raised || dom_raised(interrupt);
     if (raised)
         errno = ECANCELED;
@@ -184,6 +195,24 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
     if (in)
         clearerr(in); /* at a terminal ^D ends one reading, not all */
     return in;
+}
+
+FILE *io_temporary(const char *folder)
+{
+    const char *usual = secure_getenv("TMPDIR");
+    char *name;
+    folder = folder ? folder : usual && *usual ? usual : P_tmpdir;
+    int file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (file < 0 &&
+        asprintf(&name, "%s/domino.XXXXXX", folder) >= 0) { /* some file systems have no such files */
+        sigset_t before = io_block();
+        file = mkostemp(name, O_CLOEXEC);
+        if (file >= 0)
+            unlink(name);
+        io_unblock(&before);
+        free(name);
+    }
+    return file >= 0 ? fdopen(file, "w+") : NULL;
 }
 
 /* A stream into memory: the bytes at *text, and how many fit. */

@@ -32,6 +32,10 @@ FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
  */
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
+/* Opens a temporary file without a name in a folder, or, for NULL, where the environment has such files.
+ * Nothing is left of it when it is closed or the program ends.  NULL with errno. */
+FILE *io_temporary(const char *folder);
+
 /*
  * Makes a stream that writes into memory: *size bytes at *text, which is to be freed, once the stream is
  * closed. That of open_memstream loses without an error what it finds no memory for.  NULL with errno.
@@ -51,6 +55,10 @@ bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
  * wait begins.  False with ECANCELED: the flag is raised.
  */
 bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
+
+/* Blocks all signals, and returns those that were blocked before, for io_unblock. */
+sigset_t io_block(void);
+void io_unblock(const sigset_t *before);
 
 /* Writes all bytes; false with errno. */
 bool io_write(int file, const char *bytes, size_t count);

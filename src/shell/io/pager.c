@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/pager.h"
+/* Long texts at a terminal: through a program, or a page at a time. */
 #include "domino_quad.h"
 #include "io/io.h"
+#include "io/output.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -11,58 +12,41 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <termios.h>
-#include <time.h>
 #include <unistd.h>
 
-/* A text that comes more slowly than this is read while it comes. */
+/* A text that comes more slowly than this is shown as it comes. */
 #define HOLD_SECONDS 0.5
 
-/* Signals of the terminal while the program runs: as system(3) does, but ^Z stops both programs, and ^C stops
- * what is still being computed. */
-static const struct {
-    int number;
-    void (*handler)(int);
-} during[] = {{SIGQUIT, SIG_IGN}, {SIGTSTP, SIG_DFL}, {SIGINT, SIG_IGN}};
-enum { DURING = sizeof during / sizeof *during };
+/* Signals of the terminal that act otherwise while the program runs: as system(3) does, but ^Z stops both
+ * programs, and ^C ends what is still being computed; it is ignored once that has ended. */
+enum { QUIT, STOP, INTERRUPT, SIGNALS };
+static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 
 struct pager {
-    FILE *out, *stream;
+    struct output output; /* first: a pointer to one is a pointer to the other */
     enum { HELD, DIRECT, PROGRAM, PAGES, LEFT } state;
-    char *text; /* what is held */
-    size_t size, room;
-    double begun; /* when the first of it came; 0: nothing has */
-    int width, height, rows;
-    bool programs;
+    FILE *to; /* takes the text: memory while it is held, then the terminal or the program */
+    char *text, *messages;
+    size_t text_size, messages_size;
+    double begun;            /* when the first of the text came; 0: nothing has come */
+    int width, height, rows; /* of the terminal, and of the page so far */
+    bool programs;           /* may be run */
     const volatile sig_atomic_t *interrupt;
     pid_t child;
-    int pipe;
-    struct sigaction before[DURING];
-    struct termios modes;
-    bool known; /* the modes are */
+    struct sigaction before[SIGNALS];
+    struct termios modes; /* of the terminal before the program */
 };
-
-/* Messages that wait until the text is read. */
-static FILE *messages;
-static char *messages_text;
-static size_t messages_size;
-
-FILE *pager_messages(void)
-{
-    return messages ? messages : stderr;
-}
 
 /* Returns how many rows of the terminal a line takes; what colours it takes none. */
 static int line_rows(const char *line, const char *end, int width)
 {
     int columns = 0;
-    while (line < end) {
+    for (; line < end; line++)
         if (*line == '\033')
             line += strcspn(line, "m");
         else
             columns += ((unsigned char)*line & 0xc0) != 0x80;
-        line++;
-    }
-    return width > 0 && columns > width ? (columns + width - 1) / width : 1;
+    return columns > width ? (columns + width - 1) / width : 1;
 }
 
 /* Returns the end of a line, after its '\n'. */
@@ -72,23 +56,13 @@ static const char *line_end(const char *line, const char *end)
     return last ? last + 1 : end;
 }
 
-static long text_rows(const char *text, const char *end, int width)
-{
-    long rows = 0;
-    for (const char *next; text < end; text = next) {
-        next = line_end(text, end);
-        rows += line_rows(text, next - 1, width);
-    }
-    return rows;
-}
-
 /* ---- A program ---- */
 
-/* Starts the program, which reads the text from the file.  Returns an error number, or 0. */
-static int program_start(int text, pid_t *child)
+/* Starts the program, which reads the text from the file.  Returns false if there is none. */
+static bool program_start(int text, pid_t *child)
 {
     extern char **environ;
-    char *pager = getenv("PAGER");
+    const char *pager = getenv("PAGER");
     /* A program that does not exist loses no text. */
     static char shown[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
@@ -100,10 +74,9 @@ static int program_start(int text, pid_t *child)
     sigemptyset(&back);
     sigaddset(&back, SIGPIPE);
     sigaddset(&back, SIGXFSZ);
-    for (int i = 0; i < DURING; i++)
-        sigaddset(&back, during[i].number);
-    if (setenv("LESS", "FRX", 0) != 0)
-        return errno;
+    for (int i = 0; i < SIGNALS; i++)
+        sigaddset(&back, signals[i]);
+    setenv("LESS", "FRX", 0);
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigdefault(&attributes, &back);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
@@ -112,85 +85,66 @@ static int program_start(int text, pid_t *child)
     int failed = posix_spawnp(child, argv[0], &actions, &attributes, argv, environ);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
-    return failed;
+    return failed == 0;
 }
 
-/* Opens a pipe to the program; returns false if there is none. */
+/* Runs the program at the end of a pipe, to which the text then goes; returns false if there is none. */
 static bool program_open(struct pager *p)
 {
     const char *term = getenv("TERM"), *pager = getenv("PAGER");
     int ends[2];
     if (!p->programs || (!(pager && *pager) && !(term && *term && strcmp(term, "dumb") != 0)) ||
-        pipe2(ends, O_CLOEXEC) != 0)
+        tcgetattr(STDIN_FILENO, &p->modes) != 0 || pipe2(ends, O_CLOEXEC) != 0)
         return false;
-    fflush(p->out);
-    ticker_stop();
-    for (int i = 0; i < DURING; i++)
-        sigaction(during[i].number, NULL, &p->before[i]);
-    for (int i = 0; i < DURING; i++)
-        if (during[i].number != SIGINT)
-            sigaction(during[i].number, &(struct sigaction){.sa_handler = during[i].handler}, NULL);
-    p->known = tcgetattr(STDIN_FILENO, &p->modes) == 0;
-    int wrong = program_start(ends[0], &p->child);
+    bool started = program_start(ends[0], &p->child);
     close(ends[0]);
-    p->pipe = ends[1];
-    fcntl(p->pipe, F_SETFL, O_NONBLOCK);
-    if (wrong) {
-        close(p->pipe);
-        for (int i = 0; i < DURING; i++)
-            sigaction(during[i].number, &p->before[i], NULL);
+    fcntl(ends[1], F_SETFL, O_NONBLOCK);
+    FILE *to = io_stream(ends[1], "w", p->interrupt);
+    if (!started || !to) {
+        if (to)
+            fclose(to);
+        return false;
     }
-    return wrong == 0;
-}
-
-/* Writes to the program; returns false if it has ended, or after an interrupt. */
-static bool program_write(const struct pager *p, const char *text, size_t size)
-{
-    while (size > 0) {
-        ssize_t n = write(p->pipe, text, size);
-        if (n < 0 && errno == EAGAIN && !io_wait(p->pipe, POLLOUT, NULL, p->interrupt))
-            return false;
-        if (n < 0 && errno != EAGAIN && errno != EINTR)
-            return false;
-        text += n > 0 ? n : 0;
-        size -= n > 0 ? (size_t)n : 0;
-    }
+    p->to = to;
+    const struct sigaction ignored = {.sa_handler = SIG_IGN}, usual = {.sa_handler = SIG_DFL};
+    sigaction(SIGQUIT, &ignored, &p->before[QUIT]);
+    sigaction(SIGTSTP, &usual, &p->before[STOP]);
+    sigaction(SIGINT, NULL, &p->before[INTERRUPT]);
     return true;
 }
 
-/* Waits for the end of the program; a signal that ends the session ends the program, too. */
+/* Ends the text, and waits for the program; a signal that ends the session ends the program, too. */
 static void program_close(struct pager *p)
 {
     const struct timespec moment = {.tv_nsec = 20000000};
-    int status = 0;
     pid_t ended;
-    close(p->pipe);
+    fclose(p->to);
     sigaction(SIGINT, &(struct sigaction){.sa_handler = SIG_IGN}, NULL);
-    while ((ended = waitpid(p->child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+    while ((ended = waitpid(p->child, NULL, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
         if (dom_raised(p->interrupt) && *p->interrupt != SIGINT)
             kill(p->child, SIGTERM);
         nanosleep(&moment, NULL);
     }
     /* A program that was killed leaves its own modes; in the background they are another job's. */
-    if (p->known && tcgetpgrp(STDIN_FILENO) == getpgrp())
+    if (tcgetpgrp(STDIN_FILENO) == getpgrp())
         tcsetattr(STDIN_FILENO, TCSADRAIN, &p->modes);
-    for (int i = 0; i < DURING; i++)
-        sigaction(during[i].number, &p->before[i], NULL);
+    for (int i = 0; i < SIGNALS; i++)
+        sigaction(signals[i], &p->before[i], NULL);
 }
 
 /* ---- Without a program ---- */
 
 /* Asks for the next page; returns false if there is to be none.  The terminal keeps its modes. */
-static bool next_page(FILE *out, const volatile sig_atomic_t *interrupt)
+static bool next_page(const struct pager *p)
 {
     char answer[256] = "";
     ssize_t n = 0;
-    fputs("-- more -- (Enter: next page; q, Enter: end) ", out);
-    fflush(out);
-    if (io_wait(STDIN_FILENO, POLLIN, NULL, interrupt))
+    fputs("-- more -- (Enter: next page; q, Enter: end) ", p->to);
+    fflush(p->to);
+    if (io_wait(STDIN_FILENO, POLLIN, NULL, p->interrupt))
         n = read(STDIN_FILENO, answer, sizeof answer);
     if (n <= 0)
-        putc('\n', out);
+        putc('\n', p->to);
     return n > 0 && *answer != 'q' && *answer != 'Q';
 }
 
@@ -202,110 +156,104 @@ static bool pages_write(struct pager *p, const char *text, size_t size)
         next = line_end(text, end);
         int more = line_rows(text, next - 1, p->width);
         if (p->rows > 0 && p->rows + more >= p->height) {
-            if (!next_page(p->out, p->interrupt))
+            if (!next_page(p))
                 return false;
             p->rows = 0;
         }
-        fwrite(text, 1, (size_t)(next - text), p->out);
+        fwrite(text, 1, (size_t)(next - text), p->to);
         p->rows += more;
     }
-    fflush(p->out);
     return true;
 }
 
-/* ---- The stream ---- */
+/* ---- The level ---- */
 
-static bool hold(struct pager *p, const char *text, size_t size)
-{
-    if (p->size + size > p->room) {
-        size_t room = 2 * (p->size + size);
-        char *more = realloc(p->text, room);
-        if (!more)
-            return false;
-        p->text = more;
-        p->room = room;
-    }
-    memcpy(p->text + p->size, text, size);
-    p->size += size;
-    return true;
-}
-
-/* Passes a piece on in the state of the pager. */
+/* Writes to where the text goes now; returns false if the reader has left. */
 static bool pass(struct pager *p, const char *text, size_t size)
 {
-    bool done = p->state == PROGRAM ? program_write(p, text, size)
-                : p->state == PAGES ? pages_write(p, text, size)
-                                    : fwrite(text, 1, size, p->out) == size && fflush(p->out) == 0;
-    if (done)
+    bool written = p->state == PAGES ? pages_write(p, text, size) : fwrite(text, 1, size, p->to) == size;
+    if (written && fflush(p->to) == 0)
         return true;
     if (p->state == PROGRAM)
         program_close(p);
-    p->state = LEFT;
+    p->state = p->state == HELD ? HELD : LEFT; /* for what is held there may be no memory */
     return false;
 }
 
-static ssize_t stream_write(void *pager, const char *text, size_t size)
+/* Decides how the text that was held is shown. */
+static bool show(struct pager *p, bool pages)
+{
+    if (p->to)
+        fclose(p->to);
+    p->to = p->output.below->out;
+    if (pages)
+        ticker_stop();
+    p->state = !pages ? DIRECT : program_open(p) ? PROGRAM : PAGES;
+    return pass(p, p->text ? p->text : "", p->text_size);
+}
+
+static ssize_t pager_write(void *pager, const char *text, size_t size)
 {
     struct pager *p = pager;
-    errno = EPIPE;
-    if (p->state == LEFT)
-        return 0;
-    if (p->state != HELD)
-        return pass(p, text, size) ? (ssize_t)size : 0;
     double now = terminal_clock();
     bool slow = p->begun > 0 && now - p->begun > HOLD_SECONDS;
     p->begun = p->begun > 0 ? p->begun : now;
-    if (!hold(p, text, size))
+    errno = EPIPE;
+    if (p->state == LEFT || !pass(p, text, size))
         return 0;
-    if (slow)
-        p->state = DIRECT;
-    else if (text_rows(p->text, p->text + p->size, p->width) >= p->height)
-        p->state = program_open(p) ? PROGRAM : PAGES;
-    return p->state == HELD || pass(p, p->text, p->size) ? (ssize_t)size : 0;
-}
-
-FILE *pager_begin(struct pager **pager, FILE *out, bool programs, const volatile sig_atomic_t *interrupt)
-{
-    int width, height;
-    *pager = NULL;
-    if (fileno(out) != STDOUT_FILENO || !isatty(STDIN_FILENO) || !terminal_size(out, &width, &height) ||
-        width <= 0 || height <= 0)
-        return out;
-    struct pager *p = malloc(sizeof *p);
-    if (!p)
-        return out;
-    *p = (struct pager){
-        .out = out, .width = width, .height = height, .programs = programs, .interrupt = interrupt};
-    p->stream = fopencookie(p, "w", (cookie_io_functions_t){.write = stream_write});
-    if (!p->stream) {
-        free(p);
-        return out;
+    if (p->state != HELD)
+        return (ssize_t)size;
+    long rows = 0;
+    for (const char *line = p->text, *end = line + p->text_size, *next; line < end; line = next) {
+        next = line_end(line, end);
+        rows += line_rows(line, next - 1, p->width);
     }
-    setvbuf(p->stream, NULL, _IOLBF, BUFSIZ);
-    terminal_lend(p->stream, out);
-    messages = io_memory(&messages_text, &messages_size);
-    *pager = p;
-    return p->stream;
+    return (!slow && rows < p->height) || show(p, !slow) ? (ssize_t)size : 0;
 }
 
-void pager_end(struct pager *p)
+static const char *pager_pop(struct output *o, bool keep)
 {
-    if (!p)
-        return;
-    terminal_lend(NULL, NULL);
-    fclose(p->stream);
+    struct pager *p = (struct pager *)o;
+    (void)keep;
+    terminal_lend(o->out, false);
+    fclose(o->out);
     if (p->state == HELD)
-        fwrite(p->text ? p->text : "", 1, p->size, p->out);
+        show(p, false);
     if (p->state == PROGRAM)
         program_close(p);
+    if (o->messages != o->below->messages)
+        fclose(o->messages);
+    if (p->messages)
+        fwrite(p->messages, 1, p->messages_size, o->below->messages);
+    free(p->messages);
     free(p->text);
-    free(p);
-    if (!messages)
-        return;
-    fclose(messages);
-    messages = NULL;
-    if (messages_text)
-        fwrite(messages_text, 1, messages_size, stderr);
-    free(messages_text);
-    messages_text = NULL;
+    return p->state == LEFT ? "the reader has left" : NULL;
+}
+
+bool pager_push(struct output **top, bool programs, const volatile sig_atomic_t *interrupt)
+{
+    FILE *terminal = (*top)->out;
+    int width, height;
+    if (fileno(terminal) != STDOUT_FILENO || !isatty(STDIN_FILENO) ||
+        !terminal_size(terminal, &width, &height) || width <= 0 || height <= 0)
+        return false;
+    struct pager *p = malloc(sizeof *p);
+    FILE *out = p ? fopencookie(p, "w", (cookie_io_functions_t){.write = pager_write}) : NULL;
+    if (!out) {
+        free(p);
+        return false;
+    }
+    *p = (struct pager){.output = {.kind = OUTPUT_PAGER, .out = out, .pop = pager_pop},
+                        .width = width,
+                        .height = height,
+                        .programs = programs,
+                        .interrupt = interrupt};
+    p->to = io_memory(&p->text, &p->text_size);
+    p->output.messages = io_memory(&p->messages, &p->messages_size);
+    setvbuf(out, NULL, _IOLBF, BUFSIZ);
+    output_push(top, &p->output);
+    terminal_lend(out, true);
+    if (!p->to)
+        show(p, false);
+    return true;
 }

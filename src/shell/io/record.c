@@ -1,116 +1,155 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "io/record.h"
-#include "io/escape.h"
+#include "domino_quad.h"
+#include "io/file.h"
 #include "io/io.h"
+#include "io/output.h"
+#include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 
-const char *record_open(struct record *r, const char *path, bool append,
-                        const volatile sig_atomic_t *interrupt)
-{
-    if (escape_needed(path))
-        return "the name has control characters, or is not UTF-8; no such file is written";
-    int file = io_open(path, O_WRONLY | O_CREAT | (append ? O_APPEND : O_TRUNC), 0666, interrupt);
-    FILE *stream = file >= 0 ? io_stream(file, append ? "a" : "w", interrupt) : NULL;
-    if (!stream)
-        return strerror(errno);
-    *r = (struct record){.file = stream};
-    return NULL;
-}
+struct record {
+    struct output output; /* first: a pointer to one is a pointer to the other */
+    struct target target;
+    FILE *file;
+    bool within;         /* a line of the file has begun */
+    const char *waiting; /* commands that are not written yet; NULL: there are none */
+    int waiting_length;
+    char sequence; /* where in a control sequence of the terminal the text is */
+};
 
 /* Follows the control sequences of a terminal; returns true for a byte that belongs to none. */
-static bool is_text(struct record *r, char c)
+static bool is_text(char *sequence, char c)
 {
-    switch (r->state) {
-    case RECORD_TEXT:
-        r->state = c == '\033' ? RECORD_ESCAPE : RECORD_TEXT;
-        return c != '\033' && c != '\r';
-    case RECORD_ESCAPE:
-        r->state = c == '[' ? RECORD_CONTROL : strchr("P_]^X", c) ? RECORD_STRING : RECORD_TEXT;
-        break;
-    case RECORD_CONTROL:
-        r->state = c >= '@' && c <= '~' ? RECORD_TEXT : RECORD_CONTROL;
-        break;
-    case RECORD_STRING:
-        r->state = c == '\033' ? RECORD_STRING_ESCAPE : c == '\a' ? RECORD_TEXT : RECORD_STRING;
-        break;
-    case RECORD_STRING_ESCAPE:
-        r->state = c == '\\' ? RECORD_TEXT : RECORD_STRING;
-        break;
-    }
-    return false;
+    enum { NONE, ESCAPE, CONTROL, STRING };
+    const char before = *sequence;
+    if (c == '\033')
+        *sequence = ESCAPE;
+    else if (before == ESCAPE)
+        *sequence = c == '[' ? CONTROL : strchr("P_]^X", c) ? STRING : NONE;
+    else if ((before == CONTROL && c >= '@' && c <= '~') || (before == STRING && c == '\a'))
+        *sequence = NONE;
+    return before == NONE && c != '\033' && c != '\r';
 }
 
-void record_commands(struct record *r, bool failed)
+static void commands_write(struct record *r, bool failed)
 {
-    if (r->file && r->pending)
-        fprintf(r->file, "%s%.*s\n", failed ? "# " : "", r->pending_length, r->pending);
-    r->pending = NULL;
+    if (r->waiting)
+        fprintf(r->file, "%s%.*s\n", failed ? "# " : "", r->waiting_length, r->waiting);
+    r->waiting = NULL;
 }
 
-void record_write(struct record *r, const char *bytes, size_t count)
+/* Passes a text on, and writes it without what sets colours and moves the cursor; in a log, as comments. */
+static ssize_t record_write(void *record, const char *bytes, size_t count)
 {
-    record_commands(r, false);
-    for (size_t i = 0; r->file && i < count; i++) {
-        if (!is_text(r, bytes[i]))
+    struct record *r = record;
+    FILE *below = r->output.below->out;
+    commands_write(r, false);
+    for (size_t i = 0; i < count; i++) {
+        if (!is_text(&r->sequence, bytes[i]))
             continue;
-        if (r->comments && !r->within && bytes[i] != '\n')
+        if (r->output.kind == OUTPUT_LOG && !r->within && bytes[i] != '\n')
             fputs("# ", r->file);
         r->within = bytes[i] != '\n';
         putc(bytes[i], r->file);
     }
+    return fwrite(bytes, 1, count, below) == count && fflush(below) == 0 ? (ssize_t)count : 0;
 }
 
-const char *record_flush(struct record *r)
+static const char *record_pop(struct output *o, bool keep)
 {
-    errno = 0;
-    record_commands(r, false);
-    if (!r->file || (fflush(r->file) == 0 && !ferror(r->file)))
+    struct record *r = (struct record *)o;
+    (void)keep;
+    terminal_lend(o->out, false);
+    fclose(o->out);
+    commands_write(r, false);
+    fclose(r->file);
+    target_end(&r->target);
+    return NULL;
+}
+
+const char *record_push(struct output **top, enum output_kind kind, const char *path,
+                        const volatile sig_atomic_t *interrupt)
+{
+    struct record *r = malloc(sizeof *r);
+    if (!r)
+        return strerror(ENOMEM);
+    bool log = kind == OUTPUT_LOG;
+    *r = (struct record){.output = {.kind = kind, .pop = record_pop}};
+    const char *wrong = target_begin(&r->target, path);
+    int file = wrong ? -1 : io_open(path, O_WRONLY | O_CREAT | (log ? O_APPEND : O_TRUNC), 0666, interrupt);
+    r->file = file < 0 ? NULL : io_stream(file, log ? "a" : "w", interrupt);
+    r->output.out = r->file ? fopencookie(r, "w", (cookie_io_functions_t){.write = record_write}) : NULL;
+    if (!wrong && !r->output.out) {
+        wrong = strerror(errno);
+        target_end(&r->target);
+        if (r->file)
+            fclose(r->file);
+    }
+    if (wrong) {
+        free(r);
+        return wrong;
+    }
+    struct output **before = output_find(top, kind);
+    if (before)
+        output_pop(before, true);
+    output_push(top, &r->output);
+    terminal_lend(r->output.out, true);
+    if (log)
+        fputs("# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n", r->file);
+    return NULL;
+}
+
+/* Returns the log, or NULL. */
+static struct record *log_find(struct output **top)
+{
+    struct output **at = output_find(top, OUTPUT_LOG);
+    return at ? (struct record *)*at : NULL;
+}
+
+const char *records_flush(struct output **top)
+{
+    const char *wrong = NULL;
+    if (!output_find(top, OUTPUT_LOG) && !output_find(top, OUTPUT_TEE))
         return NULL;
-    const char *why = errno ? strerror(errno) : "the device is full, or not there any more";
-    record_close(r);
-    return why;
+    fflush(output_base(*top)->out);
+    for (struct output **at = top; *at;) {
+        struct record *r = (struct record *)*at;
+        bool record = (*at)->kind == OUTPUT_LOG || (*at)->kind == OUTPUT_TEE;
+        errno = 0;
+        if (record)
+            commands_write(r, false);
+        if (record && (fflush(r->file) != 0 || ferror(r->file))) {
+            wrong = errno ? strerror(errno) : "the device is full, or not there any more";
+            output_pop(at, true);
+        } else
+            at = &(*at)->below;
+    }
+    return wrong;
 }
 
-void record_close(struct record *r)
+void log_commands(struct output **top, const char *commands, size_t length, bool at_once)
 {
-    record_commands(r, false);
-    if (r->file)
-        fclose(r->file);
-    r->file = NULL;
+    struct record *r = log_find(top);
+    if (!r)
+        return;
+    r->waiting = commands;
+    r->waiting_length = (int)length;
+    if (at_once)
+        commands_write(r, false);
 }
 
-/* The stream that is written to, and its records. */
-struct split {
-    FILE *out;
-    struct record *log, *tee;
-};
-
-static ssize_t split_write(void *cookie, const char *bytes, size_t count)
+void log_decide(struct output **top, bool failed)
 {
-    const struct split *s = cookie;
-    record_write(s->log, bytes, count);
-    record_write(s->tee, bytes, count);
-    return fwrite(bytes, 1, count, s->out) == count && fflush(s->out) == 0 ? (ssize_t)count : 0;
+    struct record *r = log_find(top);
+    if (r)
+        commands_write(r, failed);
 }
 
-static int split_close(void *cookie)
+void log_message(struct output **top, const char *text)
 {
-    free(cookie);
-    return 0;
-}
-
-FILE *record_stream(FILE *out, struct record *log, struct record *tee)
-{
-    const cookie_io_functions_t functions = {.write = split_write, .close = split_close};
-    struct split *split = malloc(sizeof *split);
-    if (!split)
-        return NULL;
-    *split = (struct split){out, log, tee};
-    FILE *stream = fopencookie(split, "w", functions);
-    if (!stream)
-        free(split);
-    return stream;
+    struct record *r = log_find(top);
+    if (r)
+        fprintf(r->file, "# %s\n", text);
 }

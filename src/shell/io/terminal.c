@@ -11,14 +11,15 @@
 #include <time.h>
 #include <unistd.h>
 
-/* A stream into memory, and the terminal on which its text is shown later. */
-static const FILE *lent;
-static FILE *lender;
+/* Streams that pass their text on to standard output; NULL for none. */
+static const FILE *lent[3];
 
-void terminal_lend(FILE *memory, FILE *terminal)
+void terminal_lend(const FILE *stream, bool on)
 {
-    lent = memory;
-    lender = terminal;
+    int i = 0;
+    while (i < 2 && lent[i] != (on ? NULL : stream))
+        i++;
+    lent[i] = on ? stream : NULL;
 }
 
 /* Returns true for a terminal; the three files that a program begins with are asked once. */
@@ -35,7 +36,8 @@ static bool is_terminal(int file)
 /* Returns the file of the terminal that shows what the stream takes, or -1. */
 static int shown_on(FILE *stream)
 {
-    int file = fileno(stream == lent ? lender : stream);
+    bool passes = stream == lent[0] || stream == lent[1] || stream == lent[2];
+    int file = fileno(passes ? stdout : stream);
     return is_terminal(file) ? file : -1;
 }
 

@@ -16,9 +16,9 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the columns of the terminal of the stream; 0 if there is none. */
 int terminal_width(FILE *stream);
 
-/* Makes a stream into memory have what this terminal has, on which its text is shown later; NULL ends
- * that. */
-void terminal_lend(FILE *memory, FILE *terminal);
+/* Gives a stream, whose text comes to standard output later, the size and the colours of its terminal, or
+ * takes them back. There are three such streams at most: of log, tee and pager. */
+void terminal_lend(const FILE *stream, bool on);
 
 /* Returns true if the locale has UTF-8. */
 bool terminal_utf8(void);

@@ -55,19 +55,20 @@ bool movie_begin(const struct query *query, struct answer *a, struct problem *pr
     m->kind = kind_of(path);
     m->delay = delay;
     m->frames = NULL;
-    const char *wrong = redirect_open(&m->redirect, path, false, query->scene->compute.interrupt);
+    m->file = NULL;
+    const char *wrong = file_push(&m->file, path, false, query->scene->compute.interrupt);
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
     if (m->kind->ffmpeg && !(m->frames = tmpfile())) {
-        (void)redirect_close(&m->redirect, false);
+        (void)output_pop(&m->file, false);
         return problem_error(problem, "cannot draw: %s", strerror(errno));
     }
     height += m->kind->ffmpeg ? height % 2 : 0; /* its formats halve the dots of colours */
-    if (!picture_animation(problem, &m->picture, m->frames ? m->frames : m->redirect.file, width, height,
+    if (!picture_animation(problem, &m->picture, m->frames ? m->frames : m->file->out, width, height,
                            delay)) {
         if (m->frames)
             fclose(m->frames);
-        (void)redirect_close(&m->redirect, false);
+        (void)output_pop(&m->file, false);
         return false;
     }
     if (m->frames)
@@ -96,7 +97,7 @@ static bool movie_convert(const struct query *query, struct problem *problem, st
     FILE *complaints = tmpfile();
     if (!complaints)
         return problem_error(problem, "cannot draw: %s", strerror(errno));
-    int wrong = program_run(query, (char *const *)argv, m->frames, m->redirect.file, complaints);
+    int wrong = program_run(query, (char *const *)argv, m->frames, m->file->out, complaints);
     rewind(complaints);
     while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n") == strlen(line))
         ;
@@ -117,6 +118,6 @@ bool movie_end(const struct query *query, struct problem *problem, struct movie 
         drawn = movie_convert(query, problem, m);
     if (m->frames)
         fclose(m->frames);
-    const char *wrong = redirect_close(&m->redirect, drawn);
+    const char *wrong = output_pop(&m->file, drawn);
     return drawn && (!wrong || problem_error(problem, "cannot write '%s': %s", m->shown, wrong));
 }

@@ -3,13 +3,13 @@
 #ifndef SHELL_MOVIE_H
 #define SHELL_MOVIE_H
 
-#include "io/redirect.h"
+#include "io/output.h"
 #include "language/names.h"
 #include "picture/picture.h"
 
 struct movie {
     struct picture picture; /* its script takes a plot command each frame */
-    struct redirect redirect;
+    struct output *file;
     const struct movie_kind *kind;
     FILE *frames; /* pictures for ffmpeg; NULL for a gif */
     int delay;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/line.h"
 #include "io/io.h"
-#include "io/redirect.h"
+#include "io/output.h"
 #include "language/text.h"
 #include "prompt/input.h"
 #include <errno.h>
@@ -46,13 +46,13 @@ static bool is_regular(struct session *session, const struct stat *status)
 /* Replaces the file by the lines that are kept. */
 static const char *file_shorten(const volatile sig_atomic_t *interrupt)
 {
-    struct redirect file;
-    const char *wrong = redirect_open(&file, history_file, false, interrupt);
+    struct output *file = NULL;
+    const char *wrong = file_push(&file, history_file, false, interrupt);
     if (wrong)
         return wrong;
     for (HIST_ENTRY **line = history_list(); line && *line; line++)
-        fprintf(file.file, "%s\n", (*line)->line);
-    return redirect_close(&file, true);
+        fprintf(file->out, "%s\n", (*line)->line);
+    return output_pop(&file, true);
 }
 
 /* Reads the lines; returns how many there are. */

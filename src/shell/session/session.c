@@ -2,7 +2,6 @@
 #include "session/session.h"
 #include "answer/format.h"
 #include "io/escape.h"
-#include "io/pager.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include <stdarg.h>
@@ -16,7 +15,9 @@ static void note(void *context, const char *text)
 
 void session_init(struct session *session, FILE *out)
 {
-    *session = (struct session){.out = out, .standard = out};
+    *session = (struct session){.standard = output_standard(out)};
+    session->output = &session->standard;
+    session_direct(session);
     session->means = (struct means){.note = note, .context = session};
     state_init(&session->state);
 }
@@ -28,25 +29,19 @@ const struct format *session_format(const struct session *session)
 
 const struct format *session_answers(const struct session *session)
 {
-    return session->format ? session->format : session_format(session);
+    return session->output->format ? session->output->format : session_format(session);
 }
 
-void recording_end(struct session *session)
+void session_direct(struct session *session)
 {
-    struct recording *r = &session->recording;
-    if (r->stream) {
-        terminal_lend(NULL, NULL);
-        fclose(r->stream);
-        session->out = session->standard = r->alone;
-        r->stream = NULL;
-    }
-    record_close(&r->log);
-    record_close(&r->tee);
+    session->out = session->output->out;
 }
 
 void session_close(struct session *session)
 {
-    recording_end(session);
+    while (session->output->below)
+        output_pop(&session->output, true);
+    session_direct(session);
     state_close(&session->state);
     if (session->undo)
         session->undo_free(session->undo);
@@ -98,8 +93,9 @@ static void session_caret(const struct session *session, int column)
     if (above) /* a long line goes on in the next row */
         at = (at - 1) % width + 1;
     if (!above)
-        fprintf(pager_messages(), "%*s%.*s\n", CARET_INDENT, "", session->typed_length, session->typed);
-    fprintf(pager_messages(), "%*s\n", above ? at : column + CARET_INDENT, "^");
+        fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed_length,
+                session->typed);
+    fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
 /* Writes an error for the program that reads the answers, if their format has a place for one. */
@@ -108,10 +104,11 @@ static void session_tell(const struct session *session, const struct problem *pr
     const struct format *format = format_at(session->state.settings.style.output);
     const struct failure failure = {problem->command, problem->text, session->source, session->line,
                                     problem->column};
+    FILE *out = output_base(session->output)->out;
     if (!format->failed || !session->source)
         return;
-    format->failed(session->standard, &failure);
-    fflush(session->standard);
+    format->failed(out, &failure);
+    fflush(out);
 }
 
 /* Writes a message; `is_error` tells problems from notes. */
@@ -134,13 +131,12 @@ static void session_write(struct session *session, const struct problem *problem
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     /* What a sourced file did before its error is done. */
-    record_commands(&session->recording.log, is_error && session->depth == 0);
+    log_decide(&session->output, is_error && session->depth == 0);
     if (is_error)
         session_tell(session, problem);
     escape_text(line, text, sizeof text);
-    if (session->recording.log.file)
-        fprintf(session->recording.log.file, "# %s\n", text);
-    FILE *out = pager_messages();
+    log_message(&session->output, text);
+    FILE *out = session->output->messages;
     bool colour = terminal_colour(stderr) && !session->source;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
     output_wrapped(out, text, 0, session->prompt_width ? terminal_width(stderr) : 0);

@@ -7,17 +7,10 @@
 #define SHELL_SESSION_H
 
 #include "answer/output.h"
-#include "io/record.h"
+#include "io/output.h"
 #include "session/query.h"
 
 enum { SOURCE_DEPTH = 16 };
-
-/* What 'log' and 'tee' have begun. */
-struct recording {
-    struct record log, tee;
-    FILE *stream; /* writes to standard output and to the records; NULL: there are none */
-    FILE *alone;  /* standard output while there are */
-};
 
 struct session {
     struct state state;
@@ -25,27 +18,21 @@ struct session {
     struct means means;
     struct undo *undo; /* earlier states; NULL: none */
     void (*undo_free)(struct undo *undo);
-    FILE *out;              /* where answers go: standard output, or the file after '>' */
-    FILE *standard;         /* standard output, also while answers go to a file */
-    char head[ANSWER_HEAD]; /* the last head that csv wrote into `out`; "" for none */
+    struct output *output;  /* where answers go: the top of a stack */
+    struct output standard; /* standard output, the bottom of the stack */
+    FILE *out;              /* the stream of output */
     const char *source;     /* name of the script for messages; NULL at the prompt */
     long line;
     int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
     const char *typed; /* the line that runs, as it was typed, not ended */
     int typed_length, typed_columns;
-    bool fresh;                  /* at the prompt: no output is below the typed line yet */
-    bool appended;               /* the file comes after '>>' */
-    const char *redirected;      /* the name of the file after '>', which `out` is; NULL: none */
-    const struct format *format; /* of that file, if its ending names one; NULL: as 'set output' has it */
-    const char *command;         /* the one that runs, for notes */
-    struct recording recording;
-    bool bail; /* the first error ends the session */
+    bool fresh;          /* at the prompt: no output is below the typed line yet */
+    const char *command; /* the one that runs, for notes */
+    bool bail;           /* the first error ends the session */
     bool quit;
-    bool answered; /* something was answered before */
-    bool wrote;    /* the last command wrote rows */
-    int depth;     /* of nested source commands */
+    bool wrote; /* the last command wrote rows */
+    int depth;  /* of nested source commands */
     long errors;
-    int write_error; /* errno of the first answer that could not be written; 0 for none */
 };
 
 /* Return the format that 'set output' has chosen; and that of answers here, which the ending of a file may
@@ -53,8 +40,8 @@ struct session {
 const struct format *session_format(const struct session *session);
 const struct format *session_answers(const struct session *session);
 
-/* Closes the records, so that answers go to standard output alone. */
-void recording_end(struct session *session);
+/* Follows a change of the stack of output. */
+void session_direct(struct session *session);
 
 /* Begins a session in which every parameter has its default. */
 void session_init(struct session *session, FILE *out);
