@@ -69,8 +69,11 @@ void line_stream(struct session *session, FILE *in, const char *name)
     session->line = outer.line;
     session->prompt_width = outer.prompt_width;
     session->command = outer.command;
-    if (reason == ECANCELED) /* of the command that reads the stream, not of one of its lines */
-        session_error(session, "%s", dom_status_text(DOM_INTERRUPTED));
+    if (reason == ECANCELED) { /* the problem of the command that reads the stream, not of one of its lines */
+        struct problem problem = {.command = session->command};
+        problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);
+        session_problem(session, &problem);
+    }
 }
 
 bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)
