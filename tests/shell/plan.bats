@@ -245,7 +245,8 @@ END
     { echo 'gap (mm), speed (m/s), error (m/s)'; cat rows; } >errors.csv
     { echo 'speed (mm/s); note; gap'; awk -F , '{ printf "%.12g; any; %g cm\n", 1000 * $2, $1 / 10 }' rows; } >plain.csv
     { printf 'sep=;\n"gap, mm";speed m/s;error_m/s;note\n' && sed 's/,/;/g; s/$/;"a; b"/' rows; } >sheet.csv
-    for file in errors plain sheet; do
+    { printf 'Spacing [mm];Velocity [m/s]\n' && sed 's/,0.01$//; s/,/;/; s/\./,/' rows; } >commas.csv
+    for file in errors plain sheet commas; do
         close "$file" 0.25 "$(json "fit friction $file.csv" | values mu | head -n 1)" 1e-5
     done
     # Errors of 0.01 m/s leave an uncertainty, which is less where they are less.
@@ -266,18 +267,16 @@ END
     printf 'gap (mm), speed (m/s), error (m/s)\n9, 1.3, 0.1\n10, 1.2,\n' >some.csv
     printf 'gap (mm), speed (m/s)\n9, 1.3\n60, 1.2\n' >wide.csv
     printf 'gap (mm), speed (m/s)\n9, fast\n' >word.csv
-    wrong 'fit friction empty.csv' "empty.csv: no speeds; the first line is 'gap \(mm\), speed \(m/s\)'"
-    wrong 'fit friction head.csv' 'head.csv:1: no speeds'
+    wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; the first line names gap \(mm\), speed \(m/s\), and, if known, error"
+    wrong 'fit friction head.csv' 'head.csv:2:1: the file has no speeds'
     wrong 'fit friction one.csv' 'one.csv has one gap, .*add a second gap'
-    wrong 'fit friction bare.csv' "bare.csv:2: '9' has no unit: it would be 9 m; write 'gap \(mm\)'"
-    wrong 'fit friction unit.csv' "unit.csv:1: 'm' is not the unit of a speed; write 'speed \(m/s\)'|unit.csv:1: 'm' is not the unit"
-    wrong 'fit friction some.csv' 'some.csv:3: some speeds have an error and some have none'
+    wrong 'fit friction bare.csv' "bare.csv:2:1: gap has no unit: '9' would be 9 m; write 'gap \(mm\)'"
+    wrong 'fit friction unit.csv' "unit.csv:1:11: '\(m\)' is not a unit of speed; its units are: m/s"
+    wrong 'fit friction some.csv' 'some.csv:3:9: some speeds have an error and some have none'
     wrong 'fit friction wide.csv' 'the gap 6 cm is longer than the domino is tall, h = 4\.8 cm'
-    printf 'Spacing [mm];Velocity [cm/s]\n9;130,5\n' >commas.csv
-    wrong 'fit friction commas.csv' "commas.csv:2: '130,5' is not a speed; write decimals with a point, not with a comma"
-    sed -i 's/Velocity/front/' commas.csv
-    wrong 'fit friction commas.csv' "commas.csv:1: the column 'speed' is missing; the first line is 'gap"
-    wrong 'fit friction word.csv' "word.csv:2: 'fast' is not a speed"
+    printf 'Spacing [mm];front [cm/s]\n9;130,5\n' >front.csv
+    wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line names gap"
+    wrong 'fit friction word.csv' "word.csv:2:4: speed at 'fast': 'fast' has no value in a file; write a speed"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
     wrong 'fit slope one.csv' "friction"
     wrong 'fit friction' 'FILE is missing; usage: fit friction FILE'

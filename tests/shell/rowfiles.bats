@@ -13,15 +13,23 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     printf 'no\tlength_mm\tdepth_mm\tdistance_mm\tweight_g\n1\t48\t7.5\t-\t10\n2\t50\t7.5\t20\t12\n' >tabs.csv
     printf '\xef\xbb\xbfsep=;\r\n"height, mm";"thickness, mm";"gap, mm";"mass, g"\r\n48;7.5;-;10\r\n50;7.5;20;12\r\n' >sheet.csv
     printf '"height, mm","thickness [mm]","gap, cm","mass, g"\n48,7.5,-,10\n50,7.5,2,12\n' >quoted.csv
-    for file in synonyms tabs sheet quoted; do
+    printf 'sep=;\nheight;thickness;gap;mass\ncm;mm;mm;g\n4,8;7,5;-;10\n5;7,5;2,0 cm;12,0\n' >commas.csv
+    for file in synonyms tabs sheet quoted commas; do
         same "$file" "$("$DOMINO" -e 'effect row plain.csv; row')" "$("$DOMINO" -e "effect row $file.csv; row" 2>&1)"
     done
 }
 
-@test "unknown columns are named once and ignored; a wrong spelling is an error" {
+@test "other columns are named once, and written back with the row; a wrong spelling is an error" {
     printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
     run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
     same 'one note' "-e:1: effect: more.csv:1: not used: the columns 'colour', 'shop'; those that are: height, thickness, gap, and, if known, mass or density, width, radius, lean" "$stderr"
+    printf 'height (mm);thickness (mm);gap (mm);"a;b";note\r\n48,5;7;-;red;"1 "" wide\nor # 2"\r\n50;7;20\r\n' >more.csv
+    "$DOMINO" -e 'effect row more.csv; place 2 3 cm; row > saved.csv; effect row saved.csv; row > again.csv'
+    same_file saved.csv again.csv
+    printf '%s\n' 'domino,height (m),thickness (m),gap (m),relative,"a;b",note' '1,0.0485,0.007,0,1,red,"1 "" wide' 'or # 2"' >expected.csv
+    same_file expected.csv <(head -n 3 saved.csv)
+    same 'the second row' '0.03,1.0628122010840684,,' "$(sed -n 4p saved.csv | cut -d , -f 4-)"
+    same 'rows of another scene' '(nothing)' "$("$DOMINO" -e 'effect row more.csv; effect row 2; row > other.csv' 2>/dev/null; grep red other.csv)"
     printf 'height (mm), thickness (mm), gap (mm), mas (g)\n48, 7.5, -, 10\n' >typo.csv
     wrong 'effect row typo.csv' "typo.csv:1:40: unknown column 'mas'; did you mean 'mass'\?"
     printf 'height (mm), length (mm), thickness (mm), gap (mm)\n48, 50, 7.5, -\n' >twice.csv
@@ -34,11 +42,14 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     printf '48, 7.5, 20\n' >nameless.csv
     wrong 'effect row nameless.csv' "the first line has a number, but it names the columns: write 'height \(mm\), "
     printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv
-    wrong 'effect row commas.csv' 'too many cells: 5, .*decimals have a point: 48\.5, not 48,5'
-    printf 'height (mm);thickness (mm);gap (mm)\n48,0;7,5;-\n' >semicolons.csv
+    wrong 'effect row commas.csv' "commas.csv:2:1: too many cells: 5, .*'48,0' is read as the cells 48 and 0: if it is one number, write 48\.0"
+    printf 'height (mm)\tthickness (mm)\tgap (mm)\n1,234\t75\t-\n' >thousands.csv
+    wrong 'effect row thousands.csv' "thousands.csv:2:1: '1,234' can be read as 1\.234 or as 1234; write 1\.2340 or 1234"
     printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv
     same 'empty cells at the end' 0.02 "$(json 'effect row cells.csv; row' | values gap | tail -n 1)"
-    wrong 'effect row semicolons.csv' "semicolons.csv:2:3: height ends before ',0'; write decimals with a point"
+    # As many cells as can be read in the first line, and a row with more of them.
+    { printf 'height (mm),thickness (mm),gap (mm)%s\n' "$(printf ',x%s' {4..64})" && printf '48,7,-%s,é\n' "$(printf ',%s' {4..64})"; } >most.csv
+    wrong 'effect row most.csv' 'most.csv:2:185: the line has more than 64 cells'
 }
 
 @test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {

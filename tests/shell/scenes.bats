@@ -257,7 +257,7 @@ many|height (m),thickness (m),gap (m)\n1,0.1,0,3\n|2:[0-9]+: too many cells
 empty|height (m),thickness (m),gap (m)\n1,,0\n|2:3: thickness is missing
 gap|height (m),thickness (m),gap (m)\n1,0.1,0\n1,0.1,-0.2\n|3:7: gap = -0.2 m is negative
 zero|height (m),thickness (m),gap (m)\n0,0.1,0\n|2:1: height = 0
-comma|height (m);thickness (m);gap (m)\n1,5;0.1;0\n|2:[0-9]+: height ends before
+comma|height (m);thickness (m);gap (m)\n1,5x;0.1;0\n|2:4: height at 'x': 'x' is not a unit
 unit|height (m),thickness (m),gap (m)\n1 s,0.1,0\n|2:1: height: this is a time
 word|height (m),thickness (m),gap (m)\nx,0.1,0\n|2:1: height
 nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: the file has no dominoes

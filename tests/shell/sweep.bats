@@ -253,6 +253,8 @@ parts() { # PARTS ROWS
     done
     same 'any order, standard input' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
         "$(sort "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
+    same 'as a spreadsheet saves it' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
+        "$(sed 's/,/;/g; s/\./,/g; s/^\|;/&"/g; s/;\|$/"&/g' "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
     # Row number i is the same in any study: the first hundred of 530 are those of 100.
     same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p "$BATS_TEST_TMPDIR/whole" | cut -d , -f 7-)"
 }
@@ -267,12 +269,14 @@ parts() { # PARTS ROWS
         cat >"$BATS_TEST_TMPDIR/blocks"
         wrong_line "pool $BATS_TEST_TMPDIR/blocks" "$1"
     }
-    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails 'row 1 of the study is in .* twice'
-    study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6: this block is of another study'
-    study="$study; place 3 40 mm" parts 2 400 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6: this block is of another study'
+    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails ':[0-9]+:1: row 1 of the study is in .* twice'
+    study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
+    study="$study; place 3 40 mm" parts 2 400 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
     pool_fails 'has no blocks of a study' </dev/null
-    pool_fails ':1: this line is not a block of a study' <<<'height,mass'
-    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2: the counts of this block do not add up'
+    pool_fails ":1:1: the column 'heights' is missing; .* 'domino --shard I/N' .* writes blocks" <<<'sigma,mass'
+    sed '2s/,100,/,x,/' "$BATS_TEST_TMPDIR/all" | pool_fails ":2:[0-9]+: rows at 'x'"
+    sed '2s/^[^,]*,/-1,/' "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: sigma = -1 m is negative'
+    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: the counts of this block do not add up'
     wrong_line "pool $BATS_TEST_TMPDIR/none" 'No such file'
     run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"
     grep -q 'safe session' <<<"$stderr"

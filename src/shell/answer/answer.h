@@ -28,7 +28,9 @@ struct answer {
     const char *command; /* its name, for programs */
     const char *note;    /* unless NULL and not of_row, what programs should know about the whole answer */
     char *head; /* the last head that csv wrote into this file, ANSWER_HEAD bytes; NULL: none is kept */
-    const struct column *columns;      /* ends with a NULL key */
+    const char *others;           /* what csv writes at the end of its head and of each row, each ended by
+                                     a NUL; NULL for nothing */
+    const struct column *columns; /* ends with a NULL key */
     struct column own[ANSWER_COLUMNS]; /* room for columns that this one answer has: see answer_columns */
     bool rows;                         /* a table with a head, rather than a line a column */
     bool of_row;                       /* about the row, also of a command that else is about the train */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A line of names, then a line a row, with commas between (RFC 4180). */
+#include "language/csv.h"
 #include "answer/format.h"
 #include <ctype.h>
 #include <string.h>
@@ -7,13 +8,18 @@
 static void cell_write(const struct answer *a, struct cell cell)
 {
     char text[CELL_TEXT];
-    if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\"")) {
-        putc_unlocked('"', a->out);
-        for (const char *c = cell.word; *c; c++)
-            fputs_unlocked(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, a->out);
-        putc_unlocked('"', a->out);
-    } else if (cell.kind != CELL_NONE)
+    if (cell.kind == CELL_WORD && strpbrk(cell.word, ",\""))
+        csv_write(a->out, cell.word, ",\"");
+    else if (cell.kind != CELL_NONE)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
+}
+
+/* Takes what comes after the head or after the cells of the next row. */
+static const char *others_next(struct answer *a)
+{
+    const char *others = a->others ? a->others : "";
+    a->others = a->others ? others + strlen(others) + 1 : NULL;
+    return others;
 }
 
 /* Writes the names of the columns; the first row decides whether there is a column for reasons. */
@@ -34,11 +40,12 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
         snprintf(head + n, sizeof head - n, "%s%s", a->reasoned ? ",reason" : "",
                  answer_note(a) ? ",note" : "");
     /* Rows with the columns of the rows above go on below them. */
-    bool again = a->head && strcmp(a->head, head) == 0;
+    const char *others = others_next(a);
+    bool again = a->head && !*others && strcmp(a->head, head) == 0;
     if (a->style.header && !again)
-        fprintf(a->out, "%s\n", head);
+        fprintf(a->out, "%s%s\n", head, others);
     if (a->head)
-        memcpy(a->head, head, sizeof head);
+        memcpy(a->head, *others ? "" : head, *others ? 1 : sizeof head);
 }
 
 /* Numbers and empty cells begin with no letter. */
@@ -69,6 +76,7 @@ static void csv_row(struct answer *a, const struct cell *cells, const char *reas
         putc_unlocked(',', a->out);
         cell_write(a, cell_word(answer_note(a)));
     }
+    fputs_unlocked(others_next(a), a->out);
     putc_unlocked('\n', a->out);
 }
 

@@ -20,8 +20,9 @@ int terminal_width(FILE *stream);
  * takes them back. There are three such streams at most: of log, tee and pager. */
 void terminal_lend(const FILE *stream, bool on);
 
-/* Returns true if the locale has UTF-8. */
+/* Return true if the locale has UTF-8, and if LC_NUMERIC has decimal commas. */
 bool terminal_utf8(void);
+bool terminal_decimal_comma(void);
 
 /* Returns the columns that UTF-8 text takes: its characters, of which none is wide. */
 int terminal_columns(const char *text);

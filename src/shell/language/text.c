@@ -101,17 +101,6 @@ ssize_t text_read(char **line, size_t *size, FILE *in)
     return (ssize_t)n;
 }
 
-char text_separator(const char *line)
-{
-    bool quoted = *line == '"';
-    const char *name = line + quoted;
-    if (strncasecmp(name, "sep=", 4) != 0 || name[4] == '\0' || !strchr(",;\t", name[4]))
-        return '\0';
-    if (*skip_blanks(name + 5 + (quoted && name[5] == '"')) != '\0')
-        return '\0';
-    return name[4];
-}
-
 const char *skip_blanks(const char *c)
 {
     while (*c == ' ' || (*c >= '\t' && *c <= '\r' && *c != '\n'))

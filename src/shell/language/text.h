@@ -35,10 +35,6 @@ void text_free(struct text *text);
  */
 ssize_t text_read(char **line, size_t *size, FILE *in);
 
-/* Returns the separator that a line like "sep=;" names, which spreadsheets write above a csv file; 0 for any
- * other line. */
-char text_separator(const char *line);
-
 /* Returns the first place from c on that is not a blank. */
 const char *skip_blanks(const char *c);
 

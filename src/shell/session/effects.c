@@ -2,11 +2,11 @@
 #include "session/effects.h"
 #include "language/names.h"
 #include "language/quad.h"
+#include "session/open_csv.h"
 #include "session/rowfile.h"
 #include "session/stands.h"
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 const char *effect_names(const void *context, int k)
 {
@@ -88,20 +88,6 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE])
     return example;
 }
 
-char *means_beside(const struct means *means, const char *path)
-{
-    const char *slash = means->script ? strrchr(means->script, '/') : NULL;
-    if (!slash || *path == '/' || access(path, F_OK) == 0)
-        return strdup(path);
-    size_t length = (size_t)(slash - means->script) + 1;
-    char *beside = malloc(length + strlen(path) + 1);
-    if (beside) {
-        memcpy(beside, means->script, length);
-        memcpy(beside + length, path, strlen(path) + 1);
-    }
-    return beside;
-}
-
 /* Returns true if effect k needs the row. */
 static bool needs_row(int k)
 {
@@ -128,41 +114,51 @@ static void row_drop(struct scene *scene)
     effects_apply(scene);
 }
 
+/* Reads the dominoes of a file, whose other columns are kept. */
+static bool row_read(const struct scene *scene, const char *name, const struct means *means,
+                     struct listed_row *row, struct problem *problem)
+{
+    struct csv_table *csv = csv_named(scene, means, name, false, &rowfile_kind, problem);
+    if (!csv)
+        return false;
+    bool good = rowfile_read(csv, scene->train.alpha, row);
+    if (good && rowfile_has_radii(csv) && !scene->effect[DOM_EFFECT_edges].on)
+        means_note(means, "%s:%ld: the radii are used while the effect edges is on: 'effect edges on'",
+                   csv->path, csv->head.at.line);
+    if (good && *csv->unused)
+        means_note(means, "%s:%ld: not used: the columns %s; those that are: %s", csv->path,
+                   csv->head.at.line, csv->unused, csv->kind->names);
+    /* The full path, for 'save' in another folder; a pipe has no other path. */
+    row->path = good ? realpath(csv->path, NULL) : NULL;
+    if (good && !row->path) {
+        row->path = csv->path;
+        csv->path = NULL;
+    }
+    return csv_end(csv, problem);
+}
+
 /* Reads the row from a file. After an error no row is on, since the earlier one is not what was asked for. */
 static bool row_from_file(struct scene *scene, const char *name, const struct means *means,
                           struct problem *problem)
 {
     struct listed_row file = {.domino = NULL};
-    char then[EFFECT_SETTING + 160] = "", setting[EFFECT_SETTING], needed[64], shown[NAMES_SHOWN],
-                               *kept = NULL;
+    struct problem in_file = {.kind = PROBLEM_NONE};
+    char needed[64], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
+    bool earlier = scene->effect[DOM_EFFECT_row].on;
+    if (means->safe)
+        problem_error(&in_file,
+                      "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'",
+                      names_shown(name, shown));
+    else if (row_read(scene, name, means, &file, &in_file)) {
+        listed_free(&scene->listed);
+        scene->listed = file;
+        return true;
+    }
     row_needed(scene, needed, sizeof needed);
-    if (scene->effect[DOM_EFFECT_row].on)
-        snprintf(then, sizeof then, "; the earlier row (%s%s) is now off%s",
-                 scene->listed.domino ? "" : "N = ", effect_setting(scene, DOM_EFFECT_row, setting), needed);
-    if (means->safe) {
-        problem_error(problem,
-                      "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'%s",
-                      names_shown(name, shown), then);
-    } else {
-        char *path = means_beside(means, name);
-        bool read = path && rowfile_read(scene, path, then, &file, means, problem);
-        /* The full path, for 'save' in another folder; a pipe has no other path. */
-        kept = read ? realpath(path, NULL) : NULL;
-        if (read && !kept)
-            kept = path;
-        else
-            free(path);
-        if (!path)
-            problem_error(problem, "%s%s", dom_status_text(DOM_NO_MEMORY), then);
-    }
-    if (!kept) {
-        row_drop(scene);
-        return false;
-    }
-    listed_free(&scene->listed);
-    file.path = kept;
-    scene->listed = file;
-    return true;
+    problem_error(problem, earlier ? "%s; the earlier row (%s%s) is now off%s" : "%s", in_file.text,
+                  scene->listed.domino ? "" : "N = ", effect_setting(scene, DOM_EFFECT_row, setting), needed);
+    row_drop(scene);
+    return false;
 }
 
 bool effect_needs(const struct scene *scene, int name, struct problem *problem)

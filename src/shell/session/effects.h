@@ -57,10 +57,6 @@ bool effects_savable(const struct scene *scene, struct problem *problem);
 /* Writes the commands that turn the effect off, or on with its values and the changed gaps of its row. */
 void effect_save(const struct scene *scene, int name, FILE *out);
 
-/* Returns a file's path as named, or, where there is none, beside the script that names it; free() it. NULL:
- * no memory. */
-char *means_beside(const struct means *means, const char *path);
-
 /* ---- The row ---- */
 
 /* The row of the scene, ready to run. The caller frees its dominoes. Energies are in the unit of the session.

@@ -24,6 +24,7 @@ void listed_free(struct listed_row *row)
         free(row->domino);
         free(row->width);
         free(row->path);
+        free(row->others);
         free(row->holders);
     }
     free(row->placed);

@@ -25,13 +25,15 @@ struct listed_row {
     bool weighed;     /* masses are in kg; else they are relative */
     domq_real *width; /* m, of each, where masses follow from volumes; NULL: masses are given */
     char *path;
+    char *others; /* of its file, as csv: names of other columns, then what each row has there, each after a
+                     comma; NUL ends each line */
     struct placed {
         size_t k; /* from 1 */
         domq_real gap;
     } * placed;
     size_t changes;
     bool saved;      /* no gap was changed since the row was written to a file */
-    size_t *holders; /* of the dominoes and the path: states of the session that share them; NULL: one */
+    size_t *holders; /* of what the file had: states of the session that share them; NULL: one */
 };
 
 /* The place of a walk through the cycles: at an event of a cycle, or between two. */

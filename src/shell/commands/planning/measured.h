@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Measured speeds of rows of equal dominoes in a csv file:
+ * Measured speeds of rows of equal dominoes in a csv file (language/csv.h):
  *
  *     # a hard floor
  *     gap (mm), speed (m/s), error (m/s)
  *     9.38, 1.295, 0.02
  *
- * The first line names the columns, in any order, with their units; the error may be missing. Other columns
- * are not read. A cell may have a unit of its own.
+ * The error may be missing, and other columns are not read.
  */
 #ifndef SHELL_MEASURED_H
 #define SHELL_MEASURED_H
@@ -24,7 +23,7 @@ struct measured_rows {
     bool errors; /* every speed has an error */
 };
 
-/* Reads a file. False: an error was reported, with the name of the file and the line; nothing is kept. */
+/* Reads a file.  Returns false with a problem, and keeps nothing then. */
 bool measured_read(const struct query *query, struct problem *problem, const char *path,
                    struct measured_rows *rows);
 

@@ -81,6 +81,7 @@ bool run_row(const struct query *query, struct answer *a, struct problem *proble
         answer_leave_out(a, "lean");
     a->units = true;
     a->style.errors = false; /* its columns are those that 'effect row FILE' reads */
+    a->others = a->path ? query->scene->listed.others : NULL;
     row_largest(a, &scene);
     for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
         const struct domq_domino *d = &scene.domino[k];

@@ -7,11 +7,8 @@
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "interpreter/line.h"
-#include "io/io.h"
-#include "language/quad.h"
-#include "language/text.h"
 #include "parallel/points.h"
-#include <errno.h>
+#include "session/open_csv.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -192,143 +189,113 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
 /* ---- Pooling ---- */
 
 enum { SIGMA, HEIGHTS, SEED, SCENE, DOMINOES, OF, FIRST, ROWS, FALL, UNKNOWN, STOPS, FIELDS };
-enum { COMMON = FIRST, SAME_SIZE = 256 }; /* the fields before FIRST are the same in a study */
+
+#define BLOCKS        "'domino --shard I/N' with 'set output csv' writes blocks of a study"
+#define PLAIN(more)   CSV_REQUIRED | (more), "", "none", "", BLOCKS
+#define COUNTED(more) PLAIN(CSV_WHOLE | (more))
+#define COUNTS        COUNT_MAX, "a whole number, at most 10000000"
+
+static const struct csv_column pool_columns[FIELDS] = {
+    {"sigma", NULL, CSV_REQUIRED | CSV_ZERO | CSV_UNIT_KNOWN, "m", "m, mm, cm, km, in, ft, yd", "mm", BLOCKS,
+     0, 1e9, "0 or more, up to 1e9 m"},
+    {"heights", NULL, PLAIN(CSV_ZERO), 0, 1, "0 .. 1"},
+    {"seed", NULL, PLAIN(CSV_ZERO), 0, 1e38, "0 or more, up to 1e38"},
+    {"scene", NULL, CSV_REQUIRED | CSV_TEXT, NULL, NULL, NULL, BLOCKS, 0, 0, NULL},
+    {"dominoes", NULL, COUNTED(0), 1, COUNTS},
+    {"of", NULL, COUNTED(0), 1, COUNTS},
+    {"first", NULL, COUNTED(0), 1, COUNTS},
+    {"rows", NULL, COUNTED(0), 1, BLOCK_ROWS, "a whole number, at most 100"},
+    {"fall", NULL, COUNTED(CSV_ZERO), 0, COUNTS},
+    {"unknown", NULL, COUNTED(CSV_ZERO), 0, COUNTS},
+    {"stops", NULL, CSV_REQUIRED | CSV_TEXT, NULL, NULL, NULL, BLOCKS, 0, 0, NULL},
+};
+
+static const struct csv_kind pool_kind = {
+    .column = pool_columns,
+    .columns = FIELDS,
+    .headless = true, /* parts may be sorted */
+    .most = COUNT_MAX,
+    .row = "block",
+    .all = "blocks of a study",
+    .names = "sigma, heights, seed, scene, dominoes, of, first, rows, fall, unknown, stops: " BLOCKS,
+    .example = "sigma,heights,seed,scene,dominoes,of,first,rows,fall,unknown,stops",
+};
 
 struct part {
     size_t first, rows;
+    struct csv_place at;
 };
 
 struct pool {
-    const struct query *query;
-    struct problem *problem;
-    const char *path; /* as messages show it */
-    long line;
-    char same[SAME_SIZE]; /* the common fields of the first block; "" before it is read */
-    domq_real sigma, heights;
+    domq_real common[FIRST]; /* the numbers of the study, from its first block */
+    const char *scene;
     struct domq_study study;
     size_t of, dominoes, *stops;
     struct part *part;
     size_t parts, room;
 };
 
-static bool wrong(const struct pool *p, const char *why)
+static bool study_begin(struct pool *p, struct csv_table *csv)
 {
-    return problem_error(p->problem, "%s:%ld: %s", p->path, p->line, why);
-}
-
-/* Reads a count that is the whole text. */
-static bool count_read(const char *text, size_t most, size_t *count)
-{
-    char *end;
-    errno = 0;
-    unsigned long long value = strtoull(text, &end, 10);
-    *count = (size_t)value;
-    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0 && value <= most;
-}
-
-static bool study_begin(struct pool *p, char *const *field, const char *same)
-{
-    char *ends[2];
-    p->sigma = quad_read(field[SIGMA], &ends[0]);
-    p->heights = quad_read(field[HEIGHTS], &ends[1]);
-    if (*ends[0] || *ends[1] || !count_read(field[DOMINOES], COUNT_MAX, &p->dominoes) || p->dominoes == 0 ||
-        !count_read(field[OF], COUNT_MAX, &p->of))
-        return wrong(p, "this line is not a block of a study");
-    snprintf(p->same, sizeof p->same, "%s", same);
+    memcpy(p->common, csv->value, sizeof p->common);
+    p->scene = csv_text(csv, SCENE);
+    p->of = (size_t)csv->value[OF];
+    p->dominoes = (size_t)csv->value[DOMINOES];
     p->stops = calloc(p->dominoes, sizeof *p->stops);
-    return p->stops || problem_status(p->problem, p->query->scene, DOM_NO_MEMORY);
+    return p->stops || csv_wrong(csv, csv_at(csv, -1), "out of memory");
 }
 
 /* Adds the counts of "5:12 6:3", and writes their sum. */
-static bool stops_add(struct pool *p, char *text, size_t *sum)
+static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
-    *sum = 0;
-    for (char *rest = text, *word; (word = strsep(&rest, " ")) != NULL;) {
-        size_t domino, count;
-        char *colon = strchr(word, ':');
-        if (*word == '\0')
-            continue;
-        if (colon)
-            *colon = '\0';
-        if (!colon || !count_read(word, p->dominoes, &domino) || domino == 0 ||
-            !count_read(colon + 1, COUNT_MAX, &count))
+    for (*sum = 0; *text;) {
+        unsigned long domino, count;
+        int length;
+        if (sscanf(text, "%lu:%lu%n", &domino, &count, &length) != 2 || domino == 0 || domino > p->dominoes ||
+            count > BLOCK_ROWS)
             return false;
         p->stops[domino - 1] += count;
         *sum += count;
+        text += length;
     }
     return true;
 }
 
-static bool part_add(struct pool *p, size_t first, size_t rows)
+static bool part_add(struct pool *p, struct csv_table *csv, struct part part)
 {
     if (p->parts == p->room) {
         p->room = 2 * p->room + 64;
         struct part *more = realloc(p->part, p->room * sizeof *more);
         if (!more)
-            return problem_status(p->problem, p->query->scene, DOM_NO_MEMORY);
+            return csv_wrong(csv, part.at, "out of memory");
         p->part = more;
     }
-    p->part[p->parts++] = (struct part){first, rows};
+    p->part[p->parts++] = part;
     return true;
 }
 
-static bool block_add(struct pool *p, char *line)
+static bool block_add(struct pool *p, struct csv_table *csv)
 {
-    char *field[FIELDS], *rest = line, same[SAME_SIZE];
-    int n = 0;
-    while (n < FIELDS && rest)
-        field[n++] = strsep(&rest, ",");
-    if (n < FIELDS || rest)
-        return wrong(
-            p,
-            "this line is not a block of a study; 'domino --shard I/N' with 'set output csv' writes blocks");
-    snprintf(same, sizeof same, "%s,%s,%s,%s,%s,%s", field[0], field[1], field[2], field[3], field[4],
-             field[5]);
-    if (!*p->same && !study_begin(p, field, same))
+    const domq_real *value = csv->value;
+    bool same = p->stops || study_begin(p, csv);
+    if (!same)
         return false;
-    if (strcmp(same, p->same) != 0)
-        return wrong(p, "this block is of another study: sigma, heights, seed, row or number of rows differ");
-    size_t first, rows, fall, unknown, stopped;
-    if (!count_read(field[FIRST], p->of, &first) || !count_read(field[ROWS], BLOCK_ROWS, &rows) ||
-        first == 0 || rows > p->of - first + 1 || !count_read(field[FALL], rows, &fall) ||
-        !count_read(field[UNKNOWN], rows, &unknown) || !stops_add(p, field[STOPS], &stopped) ||
+    for (int k = 0; k < FIRST; k++)
+        same = same && (k == SCENE ? strcmp(csv_text(csv, k), p->scene) == 0 : value[k] == p->common[k]);
+    if (!same)
+        return csv_wrong(
+            csv, csv_at(csv, -1),
+            "this block is of another study: sigma, heights, seed, row or number of rows differ");
+    size_t first = (size_t)value[FIRST], rows = (size_t)value[ROWS], fall = (size_t)value[FALL],
+           unknown = (size_t)value[UNKNOWN], stopped;
+    if (first + rows - 1 > p->of || !stops_add(p, csv_text(csv, STOPS), &stopped) ||
         fall + unknown + stopped != rows)
-        return wrong(p, "the counts of this block do not add up to its number of rows");
+        return csv_wrong(csv, csv_at(csv, -1),
+                         "the counts of this block do not add up to its number of rows");
     p->study.rows += rows;
     p->study.fall += fall;
     p->study.unknown += unknown;
-    return part_add(p, first, rows);
-}
-
-static bool pool_read(struct pool *p, FILE *in)
-{
-    char head[SAME_SIZE] = "", *text = NULL;
-    size_t size = 0;
-    ssize_t length;
-    bool good = true;
-    for (const struct column *c = block_columns; c->key; c++) {
-        size_t used = strlen(head);
-        snprintf(head + used, sizeof head - used, "%s%s", used ? "," : "", c->key);
-    }
-    while (good && (length = text_read(&text, &size, in)) != -1) {
-        p->line++;
-        if (length > TEXT_MOST)
-            good = wrong(p, "the line is too long for a block of a study");
-        text[strcspn(text, "\r\n")] = '\0';
-        /* Parts are concatenated in any order, each with the first line. */
-        if (good && *text && strcmp(text, head) != 0)
-            good = block_add(p, text);
-    }
-    free(text);
-    if (!good)
-        return false;
-    if (ferror(in))
-        return problem_error(p->problem, "cannot read any further in '%s': %s", p->path, strerror(errno));
-    return p->parts > 0 ||
-           problem_error(
-               p->problem,
-               "'%s' has no blocks of a study; 'domino --shard I/N' with 'set output csv' writes them",
-               p->path);
+    return part_add(p, csv, (struct part){first, rows, csv_at(csv, -1)});
 }
 
 static int by_first(const void *a, const void *b)
@@ -337,8 +304,8 @@ static int by_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Writes which rows are missing, "" for none. Reports an error if a row is there twice. */
-static bool parts_check(struct pool *p, char *missing, size_t size)
+/* Writes which rows are missing, "" for none.  Returns false if a row is there twice. */
+static bool parts_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     size_t next = 1;
     missing[0] = '\0';
@@ -346,8 +313,8 @@ static bool parts_check(struct pool *p, char *missing, size_t size)
     for (size_t i = 0; i <= p->parts; i++) {
         size_t first = i < p->parts ? p->part[i].first : p->of + 1;
         if (first < next)
-            return problem_error(p->problem, "row %zu of the study is in '%s' twice; leave one part out",
-                                 first, p->path);
+            return csv_wrong(csv, p->part[i].at,
+                             "row %zu of the study is in the file twice; leave one part out", first);
         if (first > next && !*missing)
             snprintf(missing, size, "%zu of the %zu rows are missing, the first is number %zu",
                      p->of - p->study.rows, p->of, next);
@@ -358,24 +325,19 @@ static bool parts_check(struct pool *p, char *missing, size_t size)
 
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem)
 {
-    char missing[128], shown[NAMES_SHOWN];
-    struct pool p = {.query = query, .problem = problem, .path = query->given->word[0]};
-    bool standard = strcmp(p.path, "-") == 0;
-    const volatile sig_atomic_t *interrupt = query->scene->compute.interrupt;
-    FILE *in = standard ? io_stdin(interrupt) : io_read(p.path, interrupt);
-    if (!in)
-        return problem_error(problem, "cannot read '%s': %s", names_shown(p.path, shown), strerror(errno));
-    p.path = names_shown(p.path, shown); /* used in messages only from here on */
-    bool good = pool_read(&p, in) && p.part && parts_check(&p, missing, sizeof missing);
-    if (good) {
-        enum dom_status status = domq_study_interval(&p.study);
-        if (status == DOM_OK)
-            study_answer(a, p.sigma, p.heights, &p.study, p.stops, p.dominoes, *missing ? missing : NULL);
-        good = status == DOM_OK || problem_status(problem, query->scene, status);
-    }
-    if (!standard)
-        fclose(in);
+    char missing[128];
+    struct pool p = {.part = NULL};
+    struct csv_table *csv =
+        csv_named(query->scene, query->means, query->given->word[0], true, &pool_kind, problem);
+    while (csv && csv_next(csv) && block_add(&p, csv))
+        ;
+    bool good = csv && !*csv->problem.text && parts_check(&p, csv, missing, sizeof missing);
+    good = csv_end(csv, problem) && good;
+    enum dom_status status = good ? domq_study_interval(&p.study) : DOM_OK;
+    if (good && status == DOM_OK)
+        study_answer(a, p.common[SIGMA], p.common[HEIGHTS], &p.study, p.stops, p.dominoes,
+                     *missing ? missing : NULL);
     free(p.stops);
     free(p.part);
-    return good;
+    return good && (status == DOM_OK || problem_status(problem, query->scene, status));
 }

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "session/open_csv.h"
+#include "io/escape.h"
+#include "io/io.h"
+#include "io/terminal.h"
+#include "language/names.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Returns the path of a file as it is named or, if it is not there, beside the script that names it.  Returns
+ * NULL if there is no memory; the caller frees the path. */
+static char *path_beside(const struct means *means, const char *name)
+{
+    const char *slash = means->script ? strrchr(means->script, '/') : NULL;
+    bool beside = slash && *name != '/' && access(name, F_OK) != 0;
+    char *path;
+    int folder = beside ? (int)(slash + 1 - means->script) : 0;
+    return asprintf(&path, "%.*s%s", folder, beside ? means->script : "", name) < 0 ? NULL : path;
+}
+
+bool csv_end(struct csv_table *csv, struct problem *problem)
+{
+    char shown[NAMES_SHOWN];
+    bool good = csv && *csv->problem.text == '\0';
+    if (csv && !good) {
+        /* A name must not hide the rest of the message. */
+        bool plain = strlen(csv->path) < 256 && !escape_needed(csv->path);
+        problem_error(problem, "%s:%ld:%d: %s", plain ? csv->path : names_shown(csv->path, shown),
+                      csv->problem.at.line, csv->problem.at.column, csv->problem.text);
+    }
+    csv_close(csv);
+    return good;
+}
+
+struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
+                            bool standard, const struct csv_kind *kind, struct problem *problem)
+{
+    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
+    char shown[NAMES_SHOWN];
+    standard = standard && strcmp(name, "-") == 0;
+    char *path = path_beside(means, name);
+    FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_read(path, interrupt);
+    struct csv_table *csv = in ? csv_open(in, path, kind, terminal_decimal_comma()) : NULL;
+    if (!csv)
+        problem_error(problem, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
+    if (in && !standard)
+        fclose(in);
+    if (!csv)
+        free(path);
+    else if (*csv->problem.text && !csv_end(csv, problem))
+        csv = NULL;
+    return csv;
+}

@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The reader of csv files: separators, quotes, line ends, units, decimal marks, limits, and what is wrong. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "language/csv.h"
+#include <math.h>
+#include <string.h>
+
+#define LENGTH "m", "m, mm", "mm", "write a length"
+
+static const struct csv_column columns[] = {
+    {"size", "length,total length", CSV_REQUIRED, LENGTH, 0, 1000, "up to 1000 m"},
+    {"gap", NULL, CSV_REQUIRED | CSV_ZERO | CSV_NOT_FIRST, LENGTH, 0, 1000, "up to 1000 m"},
+    {"count", NULL, CSV_EMPTY | CSV_WHOLE, "", "none", "", "write a number", 1, 9, "1 .. 9"},
+    {"word", NULL, CSV_TEXT, NULL, NULL, NULL, NULL, 0, 0, NULL},
+};
+static const struct csv_kind kind = {columns, 4,        false,       3,
+                                     "thing", "things", "size, gap", "size (mm), gap (mm)"};
+static const struct csv_kind headless = {columns, 4, true, 3, "thing", "things", "size, gap", "size, gap"};
+
+/* Writes the names of other columns above units, all rows as "size gap count word others; ...", then what is
+ * wrong, as "line:column: ...". */
+static void rows_show(const char *text, size_t length, const struct csv_kind *of, bool comma, char *shown,
+                      size_t size)
+{
+    FILE *in = fmemopen((void *)(uintptr_t)text, length, "r"), *out = fmemopen(shown, size, "w");
+    assert_non_null(in);
+    assert_non_null(out);
+    struct csv_table *csv = csv_open(in, NULL, of, comma);
+    assert_non_null(csv);
+    if (csv->units.cells > 0)
+        csv_write_others(csv, true, out);
+    while (!*csv->problem.text && csv_next(csv)) {
+        for (int k = 0; k < 3; k++)
+            fprintf(out, isnan(csv->value[k]) ? "- " : "%.10g ", (double)csv->value[k]);
+        fputs(csv_text(csv, 3), out);
+        csv_write_others(csv, false, out);
+        fputs("; ", out);
+    }
+    if (*csv->problem.text)
+        fprintf(out, "%ld:%d: %s", csv->problem.at.line, csv->problem.at.column, csv->problem.text);
+    csv_close(csv);
+    fclose(in);
+    fclose(out);
+}
+
+struct reading {
+    const char *text, *shown; /* shown: the beginning of what rows_show writes */
+};
+
+static void rows_check(const struct reading *cases, size_t count, const struct csv_kind *of, bool comma)
+{
+    for (size_t i = 0; i < count; i++) {
+        char shown[2048] = "";
+        rows_show(cases[i].text, strlen(cases[i].text), of, comma, shown, sizeof shown);
+        if (strncmp(shown, cases[i].shown, strlen(cases[i].shown)) != 0)
+            fail_msg("%s\nexpected: %s\nobtained: %s", cases[i].text, cases[i].shown, shown);
+    }
+}
+#define CHECK(cases, of, comma) rows_check(cases, sizeof cases / sizeof *cases, of, comma)
+
+/* The same two rows, as people and spreadsheets write them. */
+static void one_table(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "size (mm),gap (mm),count,word\n1500,,2,a\n2,0.25,,b\n",
+        "size (mm), gap (mm), count, word\r\n1500, -, 2, a\r\n2, .25, -, b",
+        "size (mm)\tgap (mm)\tcount\tword\r1500\t\t2\ta\r2\t0.25\t\tb\r",
+        "size (mm),\tgap (mm),\tcount,\tword\n1500,\t-,\t2,\ta\n2,\t0.25,\t,\tb\n",
+        "\xef\xbb\xbfsep=;\r\n\"size, mm\";\"gap, mm\";count;word\r\n1500;-;2;a\r\n2;0,25;;b;;;\r\n",
+        "\"sep=\t\"\nsize, mm\tgap, mm\tcount\tword\n1500\t\t2\ta\n2\t0,25\t\tb\n",
+        "size, mm\tgap, mm\tcount\tword\n1500\t\t2\ta\n2\t0,25\t\tb\t# the last\n",
+        "# a comment\n\n ,,, \nSIZE [mm],Gap_mm,Count,Word # it names\n1500,,2,a\n# "
+        "\"\n\n,,,\n2,\"0,25\",,\"b\"\n",
+        "size,gap,count,word\nmm,(mm),,\n1500,,2,a\n2,0.25,,b\n",
+        "length,gap,count,word\n1.5 m,,6/3,a\n2 mm,\"hypot(0.2 mm, 0.15 mm)\",,b\n",
+        "total length (mm);gap mm;count;word\n1500;;2;a\n2;hypot(0,0.25);;b\n",
+        "size (mm),gap (mm),count,word\n1500,,2,a\nsize (mm),gap (mm),count,word\n2,0.25,,b\n",
+        "word,count,gap (mm),size (mm)\na,2,,1500\n\"b\" ,,0.25,2",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        const struct reading one = {texts[i], "1.5 - 2 a; 0.002 0.00025 - b; "};
+        rows_check(&one, 1, &kind, false);
+        char shown[256] = "";
+        rows_show(texts[i], strlen(texts[i]), &kind, false, shown, sizeof shown);
+        assert_string_equal(shown, one.shown);
+    }
+}
+
+static void quotes(void **state)
+{
+    (void)state;
+#define HEAD "size (m),gap (m),note\n"
+    static const struct reading cases[] = {
+        {HEAD "1,,\"a \"\"b\"\", c\"", "1 - - ,\"a \"\"b\"\", c\"; "},
+        {HEAD "1,,\"a\nb\"\n2,3,5\" wide\n2,x", "1 - - ,\"a\nb\"; 2 3 - ,\"5\"\" wide\"; 5:3: gap at 'x'"},
+        {HEAD "1,,\"a\r\nb\rc\"", "1 - - ,\"a\nb\nc\"; "},
+        {HEAD "1,,\" # no comment \"", "1 - - ,\"# no comment\"; "},
+        {HEAD "1,,C# is no comment", "1 - - ,\"C# is no comment\"; "},
+        {HEAD "1,,\"é\"\"\",é,x", "2:10: too many cells: 5"},
+        {HEAD "1,,\"\"", "1 - - ,; "},
+        {HEAD "1,,\x1b[31m", "1 - - ,\\x1b[31m; "},
+        {HEAD "1,,\"a\n\nb", "2:4: this '\"' is never closed"},
+        {HEAD "1,,\"a\"b", "2:7: a ',' is missing after the closing '\"'"},
+        {HEAD "1,\"2\"\"\",", "2:5: gap ends before '\"'"},
+    };
+    CHECK(cases, &kind, false);
+}
+
+static void decimal_marks(void **state)
+{
+    (void)state;
+#define SEMICOLONS "size (m);gap (m);count\n"
+#define TABS       "size (m)\tgap (m)\tcount\n"
+    static const struct reading sure[] = {
+        {SEMICOLONS "1,234;;\n1,5;2;", "1.234 - - ; 1.5 2 - ; "},
+        {SEMICOLONS "1.234;;\n", "1.234 - - ; "},
+        {SEMICOLONS "1,5;;\n2.5;0,125;", "1.5 - - ; 2.5 0.125 - ; "},
+        {TABS "1,234\t\t\n1,5\t,5\t", "1.234 - - ; 1.5 0.5 - ; "},
+        {TABS "2,5e2\t\t\n1,234 mm\t0\t", "250 - - ; 0.001234 0 - ; "},
+        {HEAD "\"1,5\",,", "1.5 - - ,; "},
+        {HEAD "\"max(1.500,2)\",,", "2 - - ,; "},
+    };
+    CHECK(sure, &kind, false);
+    CHECK(sure, &kind, true);
+    /* As decimals, and the place of the first number that may have another meaning. */
+#define EITHER(a, b) "can be read as " a "." b " or as " a b "; write " a "." b "0 or " a b
+    static const struct reading doubtful[] = {
+        {TABS "1,234\t\t", "1.234 - - ; 2:1: '1,234' " EITHER("1", "234")},
+        {HEAD "1.5,,\n1,\"12,345 mm\",", "1.5 - - ,; 1 0.012345 - ,; 3:4: '12,345' " EITHER("12", "345")},
+        {SEMICOLONS "1,234;;\n1.5;0;", "1.234 - - ; 1.5 0 - ; 2:1: '1,234' " EITHER("1", "234")},
+        {SEMICOLONS "1.234;;\n1,5;0;", "1.234 - - ; 1.5 0 - ; 2:1: '1.234' " EITHER("1", "234")},
+    };
+    CHECK(doubtful, &kind, false);
+    rows_check(doubtful + 2, 2, &kind, true);
+    static const struct reading in_locale[] = {{TABS "1,234\t\t", "1.234 - - ; "},
+                                               {HEAD "\"12,345 mm\",,", "0.012345 - - ,; "}};
+    CHECK(in_locale, &kind, true);
+    static const struct reading wrong[] = {
+        {SEMICOLONS "1.234,5;;", "2:1: a number has several decimal marks"},
+        {SEMICOLONS "1,234,567;;", "2:1: a number has several decimal marks"},
+        {SEMICOLONS "48,;;", "2:3: size ends before ','"},
+        {HEAD "1,,x\n48,5,7,x",
+         "1 - - ,x; 3:1: too many cells: 4, but the first line has 3; a ',' separates them; "
+         "'48,5' is read as the cells 48 and 5: if it is one number, write 48.5"},
+        {HEAD "1, 2, 3, 4", "2:10: too many cells: 4, but the first line has 3; a ',' separates them"},
+    };
+    CHECK(wrong, &kind, false);
+}
+
+static void units(void **state)
+{
+    (void)state;
+    static const struct reading cases[] = {
+        {"size,gap\n1,2", "2:1: size has no unit: '1' would be 1 m; write 'size (mm)' in the first line, or "
+                          "'1 mm' in the cell"},
+        {"size,gap\n1 mm,0", "0.001 0 - ; "},
+        {"size (g),gap\n", "1:1: '(g)' is not a unit of size; its units are: m, mm"},
+        {"size (mm,gap\n1,2 m", "0.001 2 - ; "},
+        {"size,gap,count (m)", "1:10: '(m)' is not a unit of count; its units are: none"},
+        {"size (m),gap (m)\nmm,\n", "2:1: 'mm' is not the unit of size that the line above has"},
+        {"size (mm),gap\nmm,m\n2,3", "0.002 3 - ; "},
+        {"size,gap\nmm,1\n", "2:4: '1' is not a unit of gap"},
+        {"size (m),gap (m)\n1 g,0", "2:1: size: this is a mass; write a length"},
+        {"size (m),gap (m)\nh,0", "2:1: size at 'h': 'h' has no value in a file; write a length"},
+        {"size (m),gap,shop,\"a; b\"\n,mm,EUR\n1,2,3", ",shop (EUR),\"a; b\"1 0.002 - ,3,; "},
+    };
+    CHECK(cases, &kind, false);
+}
+
+static void names(void **state)
+{
+    (void)state;
+    static const struct reading cases[] = {
+        {"",
+         "1:1: the file has no things; the first line names size, gap, and each line after it is one thing"},
+        {"# only\n\n", "3:1: the file has no things"},
+        {"size (m),gap (m)\n", "2:1: the file has no things"},
+        {"size", "1:1: there is only one column"},
+        {"siz,gap", "1:1: unknown column 'siz'; did you mean 'size'?"},
+        {"size,gap,é,coun", "1:12: unknown column 'coun'; did you mean 'count'?"},
+        {"size,other", "1:1: the column 'gap' is missing; the first line names size, gap"},
+        {"size,gap,length", "1:10: 'length' is the size, as column 1 is; name one of them otherwise"},
+        {"1,2",
+         "1:1: the first line has a number, but it names the columns: write 'size (mm), gap (mm)' above"},
+        {"size m,gap m,count\n1,2,0", "2:5: count = 0 is too small; a count is 1 .. 9"},
+        {"size m,gap m,count\n1,2,1.5", "2:5: count = 1.5 is not a whole number"},
+        {"size m,gap m,count\n1,-2,1\n1,-2,1", "1 -2 1 ; 3:3: gap = -2 m is negative; a gap is up to 1000 m"},
+        {"size m,gap m,count\n1,2\n1", "1 2 - ; 3:1: too few cells: 1, but the first line has 3"},
+        {"size m,gap m,count\n1,,\n-,", "1 - - ; 3:1: size is missing; write a length"},
+        {"size m,gap m\n1,1\n1,1\n1,1\n1,1\n", "1 1 - ; 1 1 - ; 1 1 - ; 5:1: there are more than 3 things"},
+    };
+    CHECK(cases, &kind, false);
+    static const struct reading without[] = {
+        {"1 m,2 m,3,a\nsize,gap,count,word\n4 m,5 m,,b", "1 2 3 a; 4 5 - b; "},
+        {"size,gap,count,word\n1 m,2 m,3,a", "1 2 3 a; "},
+        {"1 m;2,5 m;3;a", "1 2.5 3 a; "},
+    };
+    CHECK(without, &headless, false);
+}
+
+/* Heads and rows of 63, 64 and 65 cells; lines at the limit; NUL bytes. */
+static void limits(void **state)
+{
+    (void)state;
+    enum { SIZE = CSV_LINE_MOST + 100 };
+    char *text = malloc(SIZE), shown[2048];
+    assert_non_null(text);
+    for (int head = CSV_CELLS_MOST - 1; head <= CSV_CELLS_MOST + 1; head++)
+        for (int row = head - 1; row <= head + 1; row++) {
+            int n = sprintf(text, "size m,gap m");
+            for (int i = 2; i < head; i++)
+                n += sprintf(text + n, ",x%d", i);
+            n += sprintf(text + n, "\n1 m,2");
+            for (int i = 2; i < row; i++)
+                n += sprintf(text + n, ",é");
+            rows_show(text, (size_t)n, &kind, false, shown, sizeof shown);
+            char many[64];
+            snprintf(many, sizeof many, "2:%d: too many cells: %d", 2 * head + 3, row);
+            const char *expected = head > CSV_CELLS_MOST  ? "1:"
+                                   : row > CSV_CELLS_MOST ? "2:131: the line has more than 64 cells"
+                                   : row > head           ? many
+                                                          : "1 2 - ";
+            assert_memory_equal(shown, expected, strlen(expected));
+        }
+    for (int more = -1; more <= 1; more++) { /* a line of 65535 bytes and its end is the longest */
+        int n = sprintf(text, "size m,gap m,note\n"), length = CSV_LINE_MOST - 1 + more;
+        memset(text + n, 'x', (size_t)length);
+        memcpy(text + n, "1,2,", 4);
+        strcpy(text + n + length, "\n");
+        rows_show(text, strlen(text), &kind, false, shown, sizeof shown);
+        const char *expected = more > 0 ? "2:1: the line is longer than 65535 bytes" : "1 2 - ,xxx";
+        assert_memory_equal(shown, expected, strlen(expected));
+    }
+    static const char nul[] = "size m,gap m\n1,2\n1,\0";
+    rows_show(nul, sizeof nul, &kind, false, shown, sizeof shown);
+    assert_string_equal(shown, "1 2 - ; 3:3: the line has a NUL byte; a csv file is text in UTF-8");
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_table), cmocka_unit_test(quotes), cmocka_unit_test(decimal_marks),
+        cmocka_unit_test(units),     cmocka_unit_test(names),  cmocka_unit_test(limits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
