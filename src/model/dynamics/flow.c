@@ -52,8 +52,7 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
     const struct geometry *geometry = c->geometry;
-    real d = geometry->h.x / geometry->h.y; /* tan theta_u */
-    real finest = geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d;
+    real finest = geometry_finest(geometry);
     while (finest <= *lo && finest < hi / 8) /* it leans */
         finest *= 8;
     for (real to = finest; *lo < to && to < hi / 8; to *= 8) {

@@ -179,9 +179,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     if (hi <= lo)
         return DOM_OK;
     struct sample last = {lo, rises(lo, c)};
-    real d = geometry->h.x / geometry->h.y, /* tan theta_u */
-        finest = (geometry->short_of > 0 ? fmin(d, sqrt(geometry->short_of)) : d) / 32;
-    for (real p = finest; begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN);
+    for (real p = geometry_finest(geometry) / 32; begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN);
          p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
     for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)

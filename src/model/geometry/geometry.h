@@ -66,7 +66,7 @@ struct geometry {
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
-    real short_of; /* 1 - r s >= 0: how far the head reaches beyond the next domino */
+    real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
     real leave_at; /* 1 - r^2 s^2; equal to leave_by v where a follower detaches */
     real leave_by; /* 2 r^2 L d */
     real weight;   /* r^-q, the weight of a follower in H over that of its leader (19; c1) */
@@ -158,6 +158,17 @@ KERNEL real geometry_inertia(const struct geometry *geometry, struct tilt t)
 KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt t)
 {
     return geometry->rounded.i.x * t.y - geometry->rounded.i.y * t.x;
+}
+
+/*
+ * Returns the smallest tilt over which the beginning of a cycle bends: theta_u, or the tilt at which the follower
+ * of an upright head has come down from pi/2, or the radius of its edge.
+ */
+KERNEL real geometry_finest(const struct geometry *geometry)
+{
+    const struct rounded *of = &geometry->rounded;
+    real theta_u = geometry->h.x / geometry->h.y, down = geometry->short_of + of->rho * of->rho / (2 * of->tall);
+    return down > 0 ? fmin(theta_u, sqrt(down)) : theta_u;
 }
 
 /* Return theta_u, at which one domino tips over, tan(theta_u / 2), and how much it rises to there. */

@@ -97,6 +97,15 @@ static struct apart apart_of(struct tilt a, struct tilt b, real by)
     return (struct apart){by, half_of_turn(a, b, by)};
 }
 
+/* Returns the same from the tangent alone, so that far dominoes, which are less and less apart, keep its digits. */
+static struct apart apart_by(real t)
+{
+    real square = t * t;
+    return (struct apart){square * square * square < UNIT ? 2 * t * (1 - square * ((real)1 / 3 - square / 5))
+                                                          : 2 * atan(t),
+                          t};
+}
+
 /* Returns h(A) - h(B) of one domino, as energy_change in energy_change.c. */
 static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, struct apart apart)
 {
@@ -127,9 +136,8 @@ static struct apart apart_next(const struct roller *a, const struct roller *b, s
     real R = more * (sines - cosines + by * A.y - b->theta * sines) +
              sines * (of->rho_1 * b->rolling.turn - geometry->L);
     real half = rough == 0 ? (real)0.5 : tan(rough / 2) / rough;
-    real D = R / (of->tall_1 * (a->link.contact.Y + b->link.contact.Y) * half + of->rho_1 * A.y),
-         t_D = half * D;
-    return (struct apart){by + D, (t + t_D) / (1 - t * t_D)};
+    real t_D = half * R / (of->tall_1 * (a->link.contact.Y + b->link.contact.Y) * half + of->rho_1 * A.y);
+    return apart_by((t + t_D) / (1 - t * t_D));
 }
 
 /* Returns the least a b for a b in [lo, hi]. */

@@ -77,6 +77,39 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
     return U + delta;
 }
 
+/*
+ * Returns the same turn u from E = l + c pi/2 - G, for turns so near to pi/2 that G has lost the digits of its
+ * cosine. The rest e = pi/2 - u obeys l (1 - cos e) + c e = E, where nothing cancels.
+ */
+static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
+{
+    real e = E > 0 ? 2 * E / (c + sqrt(c * c + 2 * l * E)) : E;
+    for (int i = 0; i < TURN_STEPS && e >= 0; i++) {
+        real x = sin(e), y = cos(e), off = l * x * x / (1 + y) + c * e - E, slope = l * x + c;
+        real by = off == 0 ? 0 : -off / (slope - off * l * y / (2 * slope));
+        if (fabs(by * by * by) <= REAL_EPSILON * e * e * e) {
+            *sine = y - by * (x + by * y / 2);
+            *cosine = x + by * (y - by * x / 2);
+            return PI / 2 - (e + by);
+        }
+        e += by;
+    }
+    return *sine = *cosine = REAL_NAN;
+}
+
+/* Returns sin theta - theta cos theta; where the terms cancel, from their series. */
+static real sine_excess(struct tilt t, real theta)
+{
+    if (fabs(theta) > (real)0.25)
+        return t.x - theta * t.y;
+    real square = theta * theta, term = theta * square / 3, sum = term;
+    for (int k = 2; fabs(term) > UNIT * fabs(sum); k++) {
+        term *= -square / (real)((2 * k - 2) * (2 * k + 1));
+        sum += term;
+    }
+    return sum;
+}
+
 /* Returns theta cos theta - sin theta + 1 - cos theta: the part of the contact that unequal radii have. */
 static real unequal(struct tilt t, real theta)
 {
@@ -88,12 +121,25 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
+/* From this part of the largest sine on a turn is near to pi/2. */
+#define TURN_NEAR ((real)15 / 16)
+
+/* Returns how far the contact is from the turn pi/2, at which the tip of the follower is as low as its rest. */
+static real left_of_reach(const struct geometry *geometry, struct tilt leader, real theta)
+{
+    const struct rounded *of = &geometry->rounded;
+    return geometry->short_of / geometry->r + (geometry->L - of->rho_1 * (PI / 2)) * leader.v -
+           (of->rho - of->rho_1) * (leader.v - sine_excess(leader, theta));
+}
+
 KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct tilt leader, real theta)
 {
     const struct rounded *of = &geometry->rounded;
     real more = of->rho - of->rho_1, c = of->rho_1 * leader.y, x = 0, y = 1;
-    real turn = turn_solve(of->tall_1, c,
-                           geometry->s - geometry->L * leader.v + more * unequal(leader, theta), &x, &y);
+    real G = geometry->s - geometry->L * leader.v + more * unequal(leader, theta);
+    real turn = G < TURN_NEAR * (of->tall_1 + c)
+                    ? turn_solve(of->tall_1, c, G, &x, &y)
+                    : turn_near_reach(of->tall_1, c, left_of_reach(geometry, leader, theta), &x, &y);
     /* Derivatives of the contact: b turn' = -x M + rho_1 x turn. */
     real M = geometry->L - more * (1 - theta), b = of->tall_1 * y + c,
          arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
@@ -227,13 +273,20 @@ static bool rounded_leave(struct geometry *geometry, real hi, real *theta)
            num_root(leader_arm, geometry, 0, hi, 2 * REAL_EPSILON, theta) == NUM_OK;
 }
 
-KERNEL struct tilt rounded_hit(const struct geometry *geometry, real gap)
+/* Returns the tilt at which a head hits the next domino, `gap` before it; left: how far it would reach beyond. */
+static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     real x = 1, y = 0;
-    if (gap >= geometry->span)
-        return (struct tilt){1, 0, 1};
-    turn_solve(geometry->rounded.tall, geometry->rounded.rho, gap, &x, &y);
+    if (gap < TURN_NEAR * (of->tall + of->rho))
+        turn_solve(of->tall, of->rho, gap, &x, &y);
+    else
+        turn_near_reach(of->tall, of->rho, left, &x, &y);
     return tilt_make(x, fmax(y, 0));
+}
+
+KERNEL struct tilt rounded_hit(const struct geometry *geometry, real gap)
+{
+    return hit_at(&geometry->rounded, gap, fmax(geometry->span - gap, 0));
 }
 
 KERNEL enum dom_status rounded_set(struct geometry *geometry)
@@ -244,7 +297,8 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry)
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
     of->tall_1 = of->tall / geometry->r;
-    geometry->c = rounded_hit(geometry, geometry->rs);
+    geometry->short_of = fmax(fma(-geometry->r, geometry->s, geometry->span), 0);
+    geometry->c = hit_at(of, geometry->rs, geometry->short_of);
     /* Nothing turns beyond theta_inf, so that the left side decreases up to pi/2. */
     if (num_root(far_turn, geometry, 0, PI / 2, 2 * REAL_EPSILON, &theta_inf) != NUM_OK)
         return DOM_NOT_CONVERGED;
@@ -265,6 +319,7 @@ KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *foll
     real theta = 0;
     of->rho_1 = follower->rounded.rho / geometry->r;
     of->tall_1 = follower->rounded.tall / geometry->r;
+    geometry->short_of = fmax(follower->span - geometry->rs, 0);
     bool leaves = rounded_leave(geometry, PI / 2, &theta);
     geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
 }
