@@ -230,9 +230,8 @@ KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, stru
         half_J1 += k.inertia * k.slope * second_derivative;
         if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
             break;
-        struct link leader = k;
+        second_derivative = link_second_derivative(&k, second_derivative);
         link_next(&k);
-        second_derivative = link_second_derivative(&leader, second_derivative, &k);
     }
     enum dom_status status = sum_result(geometry, &a, 0, k.i + 1, &at);
     if (n)

@@ -125,14 +125,13 @@ struct friction_link {
 
 static void friction_next(struct friction_link *k)
 {
-    struct link leader = k->link;
-    real b = contact_arm_b(&leader);
+    const struct contact *contact = &k->link.contact;
+    real b = contact_arm_b(&k->link);
     k->wrong_side = k->wrong_side || b <= 0;
-    k->noise +=
-        leader.contact.X < 0 ? (leader.contact.Y - leader.geometry->mu * leader.contact.X) / fabs(b) - 1 : 0;
+    k->noise += contact->X < 0 ? (contact->Y - k->link.geometry->mu * contact->X) / fabs(b) - 1 : 0;
     k->S *= torque_ratio(&k->link);
+    k->second_derivative = link_second_derivative(&k->link, k->second_derivative);
     link_next(&k->link);
-    k->second_derivative = link_second_derivative(&leader, k->second_derivative, &k->link);
 }
 
 static void drive_add(const struct friction_link *k, struct series *C)

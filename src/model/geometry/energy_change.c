@@ -142,7 +142,7 @@ enum {
  * g = -h'/2, where <> is the mean of the whole chain with the same weights I S theta'. Where a_k and c_k do
  * not decrease down the chain, no such sum is negative: all contacts push, at every speed.
  *
- * c increases by r L (y_1 + theta_1' x X) / Y^2 times a square (link_second_derivative), y_1 of the follower.
+ * c increases by r L (y_1 + theta_1' x X) / Y^2 times a square (link_second_derivative), y_1 = Y y - X x of the follower.
  * a does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0, where X, Y of the contact turn g to g_1,
  *
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
@@ -255,6 +255,8 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         if (pass & PASS_ERROR)
             e.t = bound_half_turn(&a, &b, &e.a, &e.b, t, e.t);
         t *= shrinks;
+        if (pass & PASS_SECOND_DERIVATIVE)
+            second_derivative = link_second_derivative(&a, second_derivative);
         struct link leader_a = a, leader_b = b;
         link_next(&a);
         if (pass & PASS_SHIFT) {
@@ -263,8 +265,6 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         } else {
             link_next(&b);
         }
-        if (pass & PASS_SECOND_DERIVATIVE)
-            second_derivative = link_second_derivative(&leader_a, second_derivative, &a);
         if (pass & PASS_ERROR) {
             bound_next(geometry, &leader_a, &a, &e.a);
             bound_next(geometry, &leader_b, &b, &e.b);
@@ -393,9 +393,8 @@ KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt h
             break;
         t *= shrinks;
         t_c *= shrinks_c;
-        struct link leader = a;
+        second_derivative = link_second_derivative(&a, second_derivative);
         link_next(&a);
-        second_derivative = link_second_derivative(&leader, second_derivative, &a);
         b.tilt = c.tilt;
         b.contact = c.contact;
         link_next(&c);

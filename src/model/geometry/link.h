@@ -53,14 +53,14 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower from that of its leader: d/dtheta of (14; b10) along the chain. */
-KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative,
-                                        const struct link *follower)
+/* Returns theta'' of a follower from that of its leader: d/dtheta of (14; b10) along the chain. The follower's
+ * cosine Y y - X x would lose its digits near pi/2. */
+KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;
     if (leader->tilt.x == 0 && Y == 0)
         return 0;
-    real turned = (follower->tilt.y + leader->step * leader->tilt.x * X) / (Y * Y);
+    real turned = (Y * leader->tilt.y - (1 - leader->step) * leader->tilt.x * X) / (Y * Y);
     return leader->step * second_derivative -
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }

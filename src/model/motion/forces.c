@@ -27,9 +27,8 @@ static size_t moving_list(const struct geometry *geometry, struct tilt head, str
         roller_follow(&walk);
         k[n].link = walk.link;
         k[n].second_derivative =
-            geometry->rounded.on
-                ? walk.second_derivative
-                : link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative, &walk.link);
+            geometry->rounded.on ? walk.second_derivative
+                                 : link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative);
         k[n].size = k[n - 1].size / k[n - 1].link.geometry->r;
     }
     return n;

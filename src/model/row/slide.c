@@ -46,10 +46,9 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
             return false;
         if (!slide_add(&s, &k, last ? 0 : ratio, c->head->tol) || last)
             break;
-        const struct link leader = k;
-        link_next(&k);
         s.S *= ratio;
-        s.curve = link_second_derivative(&leader, s.curve, &k);
+        s.curve = link_second_derivative(&k, s.curve);
+        link_next(&k);
     }
     rate->p = -2 * s.B / s.A * turn;
     rate->c = 2 * s.C / s.A * turn;
