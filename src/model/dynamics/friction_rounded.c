@@ -8,12 +8,36 @@
 #include "dynamics/flow.h"
 #include "geometry/rounded.h"
 
+/*
+ * The rounding errors of S, theta' and theta'' of one domino, in units. The arm a of a contact is a difference of
+ * two lengths of the size of b, which cancels where the follower is about to detach. The curve of the contact is a
+ * difference, too, and so is b where X < 0.
+ */
+struct rounding {
+    real S, slope, second_derivative;
+};
+
+static void rounding_next(struct rounding *e, const struct roller *k, real S, real a, real b)
+{
+    const struct link *link = &k->link;
+    const struct geometry *own = link->geometry;
+    const real slope = fabs(link->slope), step = fabs(link->step), curve = fabs(k->rolling.curve),
+               whole = own->r * k->rolling.b, ratio = fabs(a / b);
+    const real of_b = link->contact.X < 0 ? (2 * whole - b) / fabs(b) : 1,
+               of_curve = curve + 2 * (own->L * link->tilt.y + own->rounded.rho_1 * link->tilt.x) / k->rolling.b;
+    e->S = e->S * ratio + fabs(S) * ((2 * whole - a) / fabs(b) + ratio * of_b);
+    e->second_derivative = e->second_derivative * step + 2 * fabs(k->second_derivative) +
+                           slope * (slope * of_curve + 2 * e->slope * curve);
+    e->slope = e->slope * step + 2 * slope;
+}
+
 KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometry, struct tilt head,
                                                   struct equation_of_motion *equation)
 {
     struct series A = {0}, B = {0}, C = {0};
     struct roller k = roller_head(geometry, head);
-    real S = 1, noise = 1;
+    struct rounding e = {0};
+    real S = 1, A_error = 0, B_error = 0, C_error = 0;
     bool wrong_side = false;
     for (;;) {
         const struct link *link = &k.link;
@@ -21,15 +45,19 @@ KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometr
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        real i = geometry_inertia(own, link->tilt), slope = link->slope,
-             turns = i * k.second_derivative + slope * slope * geometry_inertia_slope(own, link->tilt) / 2,
+        real i = geometry_inertia(own, link->tilt), half_i1 = geometry_inertia_slope(own, link->tilt) / 2,
+             slope = link->slope, turns = i * k.second_derivative + slope * slope * half_i1, size = fabs(S),
              lift = own->reach + fabs(own->rounded.roll);
         series_add(&A, link->inertia * S * i * slope);
         series_add(&B, link->inertia * S * turns);
         series_add(&C, -link->weight * S * geometry_lift(own, link->tilt) / 2);
+        A_error += link->inertia * i * (e.S * fabs(slope) + size * e.slope);
+        B_error += link->inertia * (e.S * fabs(turns) + size * (i * e.second_derivative +
+                                                                2 * fabs(half_i1 * slope) * (e.slope + fabs(slope))));
+        C_error += link->weight * (e.S + size) * lift;
         if (link->i + 1 >= geometry->n || !link->leads)
             break;
-        real a = link_arm_a(link), b = link_arm_b(link), size = fabs(S), ratio = fabs(a / b),
+        real a = link_arm_a(link), b = link_arm_b(link), ratio = fabs(a / b),
              curve = fabs(k.second_derivative) + slope * slope * (fabs(k.rolling.curve) + 1),
              next = fmax(own->inertia * ratio, fmax(own->decay, own->decay_J));
         if (series_done(&C, link->weight * size * lift, fmax(own->weight * ratio, own->decay),
@@ -38,7 +66,7 @@ KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometr
             series_done(&B, link->inertia * size * curve, next, geometry->tol))
             break;
         wrong_side = wrong_side || b <= 0;
-        noise += link->contact.X < 0 ? own->r * k.rolling.b / fabs(b) : 0;
+        rounding_next(&e, &k, S, a, b);
         S *= a / b;
         roller_next(&k);
     }
@@ -49,9 +77,9 @@ KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometr
     *equation = (struct equation_of_motion){.A = A.sum + A.lost,
                                             .B = B.sum + B.lost,
                                             .C = C.sum + C.lost,
-                                            .A_size = A.size * noise,
-                                            .B_size = B.size * noise,
-                                            .C_size = C.size * noise,
+                                            .A_size = A.size + A_error,
+                                            .B_size = B.size + B_error,
+                                            .C_size = C.size + C_error,
                                             .n = k.link.i + 1};
     equation->locks = wrong_side || equation->A <= 0;
     return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
