@@ -273,6 +273,12 @@ static bool rounded_leave(struct geometry *geometry, real hi, real *theta)
            num_root(leader_arm, geometry, 0, hi, 2 * REAL_EPSILON, theta) == NUM_OK;
 }
 
+/* Returns how far a head reaches beyond the next domino, from how far it would reach with sharp edges. */
+static real beyond(const struct rounded *of, real sharp)
+{
+    return fmax(sharp - of->rho * (2 - PI / 2), 0);
+}
+
 /* Returns the tilt at which a head hits the next domino, `gap` before it; left: how far it would reach beyond. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
@@ -286,7 +292,7 @@ static struct tilt hit_at(const struct rounded *of, real gap, real left)
 
 KERNEL struct tilt rounded_hit(const struct geometry *geometry, real gap)
 {
-    return hit_at(&geometry->rounded, gap, fmax(geometry->span - gap, 0));
+    return hit_at(&geometry->rounded, gap, beyond(&geometry->rounded, 1 - gap));
 }
 
 KERNEL enum dom_status rounded_set(struct geometry *geometry)
@@ -297,7 +303,7 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry)
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
     of->tall_1 = of->tall / geometry->r;
-    geometry->short_of = fmax(fma(-geometry->r, geometry->s, geometry->span), 0);
+    geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
     geometry->c = hit_at(of, geometry->rs, geometry->short_of);
     /* Nothing turns beyond theta_inf, so that the left side decreases up to pi/2. */
     if (num_root(far_turn, geometry, 0, PI / 2, 2 * REAL_EPSILON, &theta_inf) != NUM_OK)
@@ -319,7 +325,7 @@ KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *foll
     real theta = 0;
     of->rho_1 = follower->rounded.rho / geometry->r;
     of->tall_1 = follower->rounded.tall / geometry->r;
-    geometry->short_of = fmax(follower->span - geometry->rs, 0);
+    geometry->short_of = beyond(&follower->rounded, 1 - geometry->rs);
     bool leaves = rounded_leave(geometry, PI / 2, &theta);
     geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
 }
