@@ -520,14 +520,12 @@ static void friction_takes_the_fuel(void **state)
 
 /*
  * Checks random trains: never NaN with OK; only statuses with a meaning; the same verdict from each function.
- * One train in a few hundred may be so close to its limit that the difference is lost: see
- * verdicts_at_the_limit.
  */
 static void anywhere(void **state)
 {
     (void)state;
     uint64_t seed = 56;
-    int met[64] = {0}, lost = 0;
+    int met[64] = {0};
     for (int i = 0; i < 2000; i++) {
         struct asked train = random_friction_train(&seed, i % 10 ? 1e-2 : 1e-3, 3);
         struct domq_launch launch;
@@ -535,10 +533,6 @@ static void anywhere(void **state)
         enum dom_status begins = ask_launch_find(&train, &launch, NULL);
         enum dom_status status = ask_barrier_find(&train, &b, NULL);
         met[status]++;
-        if (status == DOM_NOT_CONVERGED) {
-            lost++;
-            continue;
-        }
         if (begins != (status == DOM_STOPS ? DOM_OK : status))
             fail_train(dom_status_text(begins), &train, begins, status);
         if (status == DOM_LOCKS)
@@ -551,9 +545,9 @@ static void anywhere(void **state)
         if (status != DOM_NO_FUEL)
             assert_int_equal(b.margin >= 0, status == DOM_OK);
     }
-    print_message("# %d go on, %d stop, %d without fuel, %d lock, %d lost\n", met[DOM_OK], met[DOM_STOPS],
-                  met[DOM_NO_FUEL], met[DOM_LOCKS], lost);
-    assert_true(met[DOM_OK] > 100 && met[DOM_STOPS] > 100 && met[DOM_LOCKS] > 5 && lost < 20);
+    print_message("# %d go on, %d stop, %d without fuel, %d lock\n", met[DOM_OK], met[DOM_STOPS],
+                  met[DOM_NO_FUEL], met[DOM_LOCKS]);
+    assert_true(met[DOM_OK] > 100 && met[DOM_STOPS] > 100 && met[DOM_LOCKS] > 5);
 }
 
 /* Checks that r_max decreases with mu, is never the reach, and separates trains that go on from trains that

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rounded edges: published digits; Newton's law for the centre of each block, with contact points and forces
- * as vectors, which shares no formula with the model; and the limits in which edges become sharp.
+ * Rounded edges: published digits; quad; Newton's law for the centre of each block, with contact points and
+ * forces as vectors, which shares no formula with the model; and the limits in which edges become sharp.
  */
 #include "support.h"
 
@@ -100,6 +100,84 @@ static void contacts(void **state)
     print_message("# residual of the contact %.1e, in quad %.1e\n", worst[0], worst[1]);
     assert_true(worst[0] > 0 && worst[0] < 2e-15);
     assert_true(worst[1] < 1e-18); /* that of long double, in which it is computed */
+}
+
+/* ---- Where digits are few: near the reach, with hardly any friction, with edges that are nearly sharp ----
+ */
+
+/* Checks named trains against quad, whose digits are enough in any case. */
+static void difficult_limits(void **state)
+{
+    (void)state;
+    static const struct {
+        double s, d, q, mu, rho;
+    } table[] = {
+        {0.92, 7 / 48., 3, 0.1, 0.01},
+        {0.88, 7 / 48., 3, 0.1, 0.005},
+        {0.8724, 7 / 48., 4, 1e-7, 0},               /* the follower lies on its back at first */
+        {0.7, 7 / 48., 3, 0, 1e-9},                  /* an edge much smaller than the gap at the reach */
+        {0.25, 0.46409449423663324, 2, 0, 0.01},     /* the margin vanishes at r = 1 */
+        {0.61, 0.040268563801308083, 1e-6, 0, 3e-6}, /* weights that hardly decrease */
+        {0.4, 0.1, 4, 0.1, 0.05},                    /* no flat foot: theta_u is 0 */
+    };
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        struct asked train = train_of(table[i].s, table[i].rho, table[i].mu);
+        train.d = table[i].d;
+        train.q = table[i].q;
+        const double in_double = rmax_of(&train);
+        train.precision = DOM_QUAD;
+        train.tol = 1e-16;
+        assert_near("r_max", in_double, rmax_of(&train), 1e-11);
+    }
+}
+
+/* Returns a random train up to 1e-6 of its reach, with friction and edges of any size; each may be off. */
+static struct asked any_train(uint64_t *seed)
+{
+    static const double q[] = {1e-6, 1, 2, 3, 4};
+    const double rho = random_unit(seed) < 0.2 ? 0 : random_log(seed, 1e-9, 0.02);
+    const double mu = random_unit(seed) < 0.2 ? 0 : random_log(seed, rho > 0 ? 1e-2 : 1e-9, 0.6);
+    struct asked train = train_of(0, rho, mu);
+    train.d = fmax(random_log(seed, 0.02, 0.5), 2 * rho);
+    train.q = q[(int)(5 * random_unit(seed))];
+    if (random_unit(seed) < 0.4)
+        train.alpha = 0.9 * (random_unit(seed) - 0.5) * atan(((double)train.d - 2 * rho) / (1 - 2 * rho));
+    const double span = 1 - rho * (2 - M_PI / 2);
+    train.s =
+        span * (random_unit(seed) < 0.5 ? 0.02 + 0.97 * random_unit(seed) : 1 - random_log(seed, 1e-3, 1));
+    const double reach = span / (double)train.s;
+    train.r = fmax(random_unit(seed) < 0.5 ? exp(log(reach) * random_unit(seed))
+                                           : reach - (reach - 1) * random_log(seed, 1e-6, 1),
+                   1);
+    return train;
+}
+
+/* Checks that every such train has an answer or a verdict in each precision, and compares some with quad. */
+static void trains_anywhere(void **state)
+{
+    (void)state;
+    uint64_t seed = 29;
+    int goes = 0, stops = 0;
+    for (int n = 0; n < 1500; n++) {
+        struct asked train = any_train(&seed);
+        struct domq_barrier barrier, finer;
+        train.precision = n % 4 ? DOM_DOUBLE : DOM_FLOAT;
+        train.tol = domq_arithmetic(train.precision)->tol_default;
+        const enum dom_status status = ask_barrier_find(&train, &barrier, NULL);
+        goes += status == DOM_OK;
+        stops += status == DOM_STOPS;
+        if (status != DOM_OK && status != DOM_STOPS && status != DOM_LOCKS && status != DOM_NO_FUEL)
+            fail_msg("train %d: %s", n, dom_status_text(status));
+        assert_true(rmax_of(&train) != 0); /* NaN: even equal dominoes stop */
+        if (n % 32 != 1 || (status != DOM_OK && status != DOM_STOPS))
+            continue;
+        train.precision = DOM_QUAD;
+        train.tol = 1e-16;
+        assert_status(ask_barrier_find(&train, &finer, NULL), status);
+        assert_near("kinetic", (double)barrier.kinetic, (double)finer.kinetic, 1e-10);
+        assert_near("barrier", (double)barrier.barrier, (double)finer.barrier, 1e-10);
+    }
+    assert_true(goes > 500 && stops > 100);
 }
 
 /* ---- Newton's law ---- */
@@ -397,10 +475,11 @@ static void radii_that_do_not_fit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(largest_growths), cmocka_unit_test(edges_become_sharp),
-        cmocka_unit_test(contacts),        cmocka_unit_test(precisions_agree),
-        cmocka_unit_test(newtons_law),     cmocka_unit_test(energy_is_kept),
-        cmocka_unit_test(rows_are_trains), cmocka_unit_test(radii_that_do_not_fit),
+        cmocka_unit_test(largest_growths),  cmocka_unit_test(edges_become_sharp),
+        cmocka_unit_test(contacts),         cmocka_unit_test(precisions_agree),
+        cmocka_unit_test(difficult_limits), cmocka_unit_test(trains_anywhere),
+        cmocka_unit_test(newtons_law),      cmocka_unit_test(energy_is_kept),
+        cmocka_unit_test(rows_are_trains),  cmocka_unit_test(radii_that_do_not_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

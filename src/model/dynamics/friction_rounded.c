@@ -9,9 +9,9 @@
 #include "geometry/rounded.h"
 
 /*
- * The rounding errors of S, theta' and theta'' of one domino, in units. The arm a of a contact is a difference of
- * two lengths of the size of b, which cancels where the follower is about to detach. The curve of the contact is a
- * difference, too, and so is b where X < 0.
+ * The rounding errors of S, theta' and theta'' of one domino, in units. The arm a of a contact is a
+ * difference of two lengths of the size of b, which cancels where the follower is about to detach. The curve
+ * of the contact is a difference, too, and so is b where X < 0.
  */
 struct rounding {
     real S, slope, second_derivative;
@@ -24,7 +24,8 @@ static void rounding_next(struct rounding *e, const struct roller *k, real S, re
     const real slope = fabs(link->slope), step = fabs(link->step), curve = fabs(k->rolling.curve),
                whole = own->r * k->rolling.b, ratio = fabs(a / b);
     const real of_b = link->contact.X < 0 ? (2 * whole - b) / fabs(b) : 1,
-               of_curve = curve + 2 * (own->L * link->tilt.y + own->rounded.rho_1 * link->tilt.x) / k->rolling.b;
+               of_curve =
+                   curve + 2 * (own->L * link->tilt.y + own->rounded.rho_1 * link->tilt.x) / k->rolling.b;
     e->S = e->S * ratio + fabs(S) * ((2 * whole - a) / fabs(b) + ratio * of_b);
     e->second_derivative = e->second_derivative * step + 2 * fabs(k->second_derivative) +
                            slope * (slope * of_curve + 2 * e->slope * curve);
@@ -52,8 +53,9 @@ KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometr
         series_add(&B, link->inertia * S * turns);
         series_add(&C, -link->weight * S * geometry_lift(own, link->tilt) / 2);
         A_error += link->inertia * i * (e.S * fabs(slope) + size * e.slope);
-        B_error += link->inertia * (e.S * fabs(turns) + size * (i * e.second_derivative +
-                                                                2 * fabs(half_i1 * slope) * (e.slope + fabs(slope))));
+        B_error += link->inertia *
+                   (e.S * fabs(turns) +
+                    size * (i * e.second_derivative + 2 * fabs(half_i1 * slope) * (e.slope + fabs(slope))));
         C_error += link->weight * (e.S + size) * lift;
         if (link->i + 1 >= geometry->n || !link->leads)
             break;

@@ -179,8 +179,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     if (hi <= lo)
         return DOM_OK;
     struct sample last = {lo, rises(lo, c)};
-    for (real p = geometry_finest(geometry) / 32; begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN);
-         p *= 4)
+    for (real p = geometry_finest(geometry) / 32;
+         begins && p < (real)sample_place[0] * (hi - lo) && (p > lo || lo > REAL_MIN); p *= 4)
         barrier_sample(c, lo + p, tol, &last, b);
     for (int k = 0; k + 1 < BARRIER_SAMPLES; k++)
         barrier_sample(c, lo + (real)sample_place[k] * (hi - lo), tol, &last, b);

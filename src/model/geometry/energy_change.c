@@ -142,8 +142,9 @@ enum {
  * g = -h'/2, where <> is the mean of the whole chain with the same weights I S theta'. Where a_k and c_k do
  * not decrease down the chain, no such sum is negative: all contacts push, at every speed.
  *
- * c increases by r L (y_1 + theta_1' x X) / Y^2 times a square (link_second_derivative), y_1 = Y y - X x of the follower.
- * a does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0, where X, Y of the contact turn g to g_1,
+ * c increases by r L (y_1 + theta_1' x X) / Y^2 times a square (link_second_derivative), y_1 = Y y - X x of
+ * the follower. a does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0, where X, Y of the contact
+ * turn g to g_1,
  *
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *

@@ -161,14 +161,15 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest tilt over which the beginning of a cycle bends: theta_u, or the tilt at which the follower
- * of an upright head has come down from pi/2, or the radius of its edge.
+ * Returns the smallest tilt over which the beginning of a cycle bends: theta_u, or the tilt at which the
+ * follower of an upright head has come down from pi/2. Edges of the radius d/2 leave no theta_u.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
     const struct rounded *of = &geometry->rounded;
-    real theta_u = geometry->h.x / geometry->h.y, down = geometry->short_of + of->rho * of->rho / (2 * of->tall);
-    return down > 0 ? fmin(theta_u, sqrt(down)) : theta_u;
+    real theta_u = geometry->h.x / geometry->h.y,
+         down = sqrt(geometry->short_of + of->rho * of->rho / (2 * of->tall));
+    return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
 /* Return theta_u, at which one domino tips over, tan(theta_u / 2), and how much it rises to there. */

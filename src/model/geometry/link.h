@@ -53,8 +53,8 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower from that of its leader: d/dtheta of (14; b10) along the chain. The follower's
- * cosine Y y - X x would lose its digits near pi/2. */
+/* Returns theta'' of a follower from that of its leader: d/dtheta of (14; b10) along the chain. The
+ * follower's cosine Y y - X x would lose its digits near pi/2. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;

@@ -97,13 +97,13 @@ static struct apart apart_of(struct tilt a, struct tilt b, real by)
     return (struct apart){by, half_of_turn(a, b, by)};
 }
 
-/* Returns the same from the tangent alone, so that far dominoes, which are less and less apart, keep its digits. */
+/* Returns the same from the tangent alone, so that far dominoes, which are less and less apart, keep its
+ * digits. */
 static struct apart apart_by(real t)
 {
     real square = t * t;
-    return (struct apart){square * square * square < UNIT ? 2 * t * (1 - square * ((real)1 / 3 - square / 5))
-                                                          : 2 * atan(t),
-                          t};
+    return (struct apart){
+        square * square * square < UNIT ? 2 * t * (1 - square * ((real)1 / 3 - square / 5)) : 2 * atan(t), t};
 }
 
 /* Returns h(A) - h(B) of one domino, as energy_change in energy_change.c. */

@@ -78,8 +78,8 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
 }
 
 /*
- * Returns the same turn u from E = l + c pi/2 - G, for turns so near to pi/2 that G has lost the digits of its
- * cosine. The rest e = pi/2 - u obeys l (1 - cos e) + c e = E, where nothing cancels.
+ * Returns the same turn u from E = l + c pi/2 - G, for turns so near to pi/2 that G has lost the digits of
+ * its cosine. The rest e = pi/2 - u obeys l (1 - cos e) + c e = E, where nothing cancels.
  */
 static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
 {
@@ -124,7 +124,8 @@ static struct tilt tilt_of(real theta)
 /* From this part of the largest sine on a turn is near to pi/2. */
 #define TURN_NEAR ((real)15 / 16)
 
-/* Returns how far the contact is from the turn pi/2, at which the tip of the follower is as low as its rest. */
+/* Returns how far the contact is from the turn pi/2, at which the tip of the follower is as low as its rest.
+ */
 static real left_of_reach(const struct geometry *geometry, struct tilt leader, real theta)
 {
     const struct rounded *of = &geometry->rounded;
@@ -279,7 +280,8 @@ static real beyond(const struct rounded *of, real sharp)
     return fmax(sharp - of->rho * (2 - PI / 2), 0);
 }
 
-/* Returns the tilt at which a head hits the next domino, `gap` before it; left: how far it would reach beyond. */
+/* Returns the tilt at which a head hits the next domino, `gap` before it; left: how far it would reach
+ * beyond. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     real x = 1, y = 0;

@@ -26,9 +26,9 @@ static size_t moving_list(const struct geometry *geometry, struct tilt head, str
     for (; n < room && n < geometry->n && k[n - 1].link.leads; n++) {
         roller_follow(&walk);
         k[n].link = walk.link;
-        k[n].second_derivative =
-            geometry->rounded.on ? walk.second_derivative
-                                 : link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative);
+        k[n].second_derivative = geometry->rounded.on
+                                     ? walk.second_derivative
+                                     : link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative);
         k[n].size = k[n - 1].size / k[n - 1].link.geometry->r;
     }
     return n;
