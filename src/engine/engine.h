@@ -47,7 +47,7 @@ struct engine_grain {
 struct engine_hit {
     double time;    /* when; the clock starts with the push, or else with the first hit. NaN: before that */
     double until;   /* when it hits the next, or lies; NaN: it does neither */
-    double omega;   /* its angular velocity just after it was hit */
+    double omega;   /* its angular velocity just after it was hit; 0 if it has hardly moved */
     double kinetic; /* of all boxes then */
     double slid;    /* how far its foot has slid when the row ends; negative: backwards */
 };

@@ -16,7 +16,7 @@ static const double hinge_rate = 50;       /* in 1 / sqrt(height / g) of the for
 static const double shortest = 1.0 / 1024; /* shortest step over the normal one */
 static const double brakes = 0.9;          /* a step goes this part of the way to the next hit */
 static const double lies = 1e-3;           /* so low is the tip of a box that lies, over its height */
-static const double rests = 1e-5;          /* an angular velocity, in that unit */
+static const double rests = 1e-5;          /* an angular velocity that counts as 0, in that unit */
 static const double hinged_rest = 0.1, any_rest = 3; /* so long a box rests that has stopped, in that unit */
 static const double most_work = 30; /* work in steps, over the steps in a unit, for each box and some more:
                                      * twenty times as much as most rows take */
@@ -86,7 +86,8 @@ static void note_state(struct run *r)
         w->fall->gain = fmax(w->fall->gain, (energy - w->energy) / kinetic);
     w->energy = energy;
     if (w->hit) {
-        w->hit[w->head].omega = world_spin(w, w->head);
+        double spin = world_spin(w, w->head), unit = sqrt(w->row->box[w->head].height / w->row->g);
+        w->hit[w->head].omega = fabs(spin) * unit < rests ? 0 : spin;
         w->hit[w->head].kinetic = kinetic;
     }
 }

@@ -35,6 +35,13 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
         "$(json "$scene; effect push 0.5; set h 4.8; effect feet 0.3; verdict" | values verdict)"
 }
 
+@test "a domino that hardly moves has an angular velocity of 0, not one of rounding errors" {
+    for scene in 's 0.5; set r 1.932; effect row 3; effect friction 1; effect push 10' \
+        's 0.8; set r 1.24; effect row 2; effect friction 1; effect push 6'; do
+        same "$scene" 0 "$(json "set $scene; set method engine; fall" | values omega | tail -n 1)"
+    done
+}
+
 @test "feet slide, and the answer says how far and how sure it is" {
     run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall"
     [[ $output == *' slid'* && $output == *'Feet slide: that of domino '*' of its height.'* ]]

@@ -154,3 +154,18 @@ END
     run "$DOMINO" -e 'effect row 5; set r 1; effect push 5; place 4 60 mm; mend'
     run ! grep -qi push <<<"$output"
 }
+
+@test "sentences say 'both' of two, keep the digits before the point, and write m g s with blanks" {
+    local push='set s 0.05; set r 1; effect row 3; effect push 1000'
+    [[ $("$DOMINO" -n -e 'effect row 2; verdict') == 'Both fall; the last lies '* ]]
+    [[ $("$DOMINO" -n -e 'effect row 3; verdict') == 'All 3 fall; the last lies '* ]]
+    [[ $("$DOMINO" -n -e 'effect row 1; verdict') == 'It falls.'* ]]
+    [[ $("$DOMINO" -n -e "$push; verdict") =~ 'it has '[0-9]{4,}' times the energy that it needs.' ]]
+    [[ $("$DOMINO" -n -e "$push; draw") =~ 'with '[0-9]{4,}' times the energy that it needs.' ]]
+    "$DOMINO" -n -e step | grep -q ' m g s; all push'
+}
+
+@test "corners of a picture are 0 where only rounding errors are left" {
+    same tiny '(nothing)' "$("$DOMINO" -n -e 'set output csv; set header off; effect row 4; draw; draw at end' |
+        tr , '\n' | awk '$1 != 0 && $1 < 1e-12 && $1 > -1e-12')"
+}

@@ -73,6 +73,11 @@ static double times_of(const struct cost_row *row, const struct cost_row *other)
     return row && other ? row->seconds / other->seconds : 0;
 }
 
+static struct measured times_text(double times)
+{
+    return measured((domq_real)times, "", 3);
+}
+
 /* Prints what digits cost, in sentences: compares errors that were reached, not tolerances that were
  * requested. */
 static void cost_say(struct answer *a, const struct cost *cost, const struct costed *answer)
@@ -85,14 +90,14 @@ static void cost_say(struct answer *a, const struct cost *cost, const struct cos
     double quad = times_of(cost_reaching(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12), many);
     answer_say(a, "What is measured: %s.", answer->says);
     if (paper > 0)
-        answer_say(a, "To 6 digits the paper's recipe takes %.3g times our time.", paper);
+        answer_say(a, "To 6 digits the paper's recipe takes %s times our time.", times_text(paper).text);
     if (gsl > 0)
-        answer_say(a, "To 6 digits the solvers of GSL take %.3g times our time.", gsl);
+        answer_say(a, "To 6 digits the solvers of GSL take %s times our time.", times_text(gsl).text);
     if (few && many && quad > 0)
-        answer_say(a, "12 digits cost %.3g times what 3 digits cost; quad costs %.3g times double.",
-                   times_of(many, few), quad);
+        answer_say(a, "12 digits cost %s times what 3 digits cost; quad costs %s times double.",
+                   times_text(times_of(many, few)).text, times_text(quad).text);
     else if (few && many)
-        answer_say(a, "12 digits cost %.3g times what 3 digits cost.", times_of(many, few));
+        answer_say(a, "12 digits cost %s times what 3 digits cost.", times_text(times_of(many, few)).text);
     else
         answer_say(a, "Double precision has no 12 digits of it here: the parameters are too sensitive.");
 }
@@ -118,7 +123,8 @@ static bool run_cost(const struct query *query, struct answer *a, struct problem
     cost_say(a, &cost, answer);
     const struct cost_row *ours = cost_reaching(&cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
     if (proved > 0 && ours)
-        answer_say(a, "A proof of 12 digits takes %.3g times our time without one.", proved / ours->seconds);
+        answer_say(a, "A proof of 12 digits takes %s times our time without one.",
+                   times_text(proved / ours->seconds).text);
     return true;
 }
 

@@ -254,7 +254,7 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
                           effect_setting(query->scene, k, setting));
     const struct domq_train *t = &query->scene->train;
     if (is_row)
-        answer_say(a, "A row of %zu dominoes%s.", count, on);
+        answer_say(a, "A row of %zu domino%s%s.", count, count == 1 ? "" : "es", on);
     else
         answer_say(a, "An endless train, s = %.6g, r = %.6g, d = %.6g, q = %.6g%s.", (double)t->s,
                    (double)t->r, (double)t->d, (double)t->q, on);

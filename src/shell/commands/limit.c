@@ -54,11 +54,11 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
     if (used->ends == DOM_END_NONE)
         answer_say(a, "No domino can be larger than the one before: not even equal ones go on.\n");
     else
-        answer_say(
-            a, "With a gap of %.6g heights, each domino can be %.6g times as large as the one before. %s\n",
-            (double)train->s, (double)used->r_max,
-            used->ends == DOM_END_REACH ? "A larger one falls past the next without touching it."
-                                        : "With a larger growth there is too little energy to go on.");
+        answer_say(a,
+                   "With a gap of %.6g heights, each domino can be %s times as large as the one before. %s\n",
+                   (double)train->s, measured(used->r_max, "", 6).text,
+                   used->ends == DOM_END_REACH ? "A larger one falls past the next without touching it."
+                                               : "With a larger growth there is too little energy to go on.");
 }
 
 /* Says why the two fuels give different limits, or why one is missing. */
@@ -111,9 +111,9 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (limit.ends != DOM_END_NONE)
-        answer_say(
-            a, "A domino that just tips over topples one %.6g times as large, %.6g of its heights away.\n",
-            (double)limit.r_max, (double)train.s);
+        answer_say(a,
+                   "A domino that just tips over topples one %s times as large, %.6g of its heights away.\n",
+                   measured(limit.r_max, "", 6).text, (double)train.s);
     return answer_row(a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
                       limit.ends == DOM_END_NONE
                           ? "no growth possible: a domino that just tips over does not topple "

@@ -21,8 +21,8 @@ struct walk_units walk_units(const struct query *query, int cycle)
                                    : "mgh/2",
         .weight = (known ? mass * scale.g : 1) * heavier / grown,
         .weight_unit = known       ? "N"
-                       : cycle > 1 ? "(mg of the first head)"
-                                   : "mg",
+                       : cycle > 1 ? "(m g of the first head)"
+                                   : "m g",
     };
 }
 
@@ -234,20 +234,20 @@ static void say_hit(const struct query *query, const struct walk *w, const struc
     answer_say(a,
                "The head reaches the next domino, %s tall, at theta_c = %.6g %s: %s (2; a2). "
                "It turns "
-               "with %s; the cycle has set free %.6g %s, the fuel P (25; c7), and lasted %.6g s.",
+               "with %s; the cycle has set free %.6g %s, the fuel P (25; c7), and lasted %s.",
                measured(next.height, "m", 6).text,
                (double)style_angle(&query->state->settings.style, s->theta),
                style_angle_unit(&query->state->settings.style),
                w->train.rho != 0 ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
                spoken_omega(query, quad(sqrt)(s->omegasq) / u.tau).text, (double)(-s->climbed * u.energy),
-               u.energy_unit, (double)(s->time * u.tau));
+               u.energy_unit, measured(s->time * u.tau, "s", 6).text);
     if (domq_law(&w->train)->dissipates)
         answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
                    (double)(s->friction_work * u.energy), u.energy_unit);
     answer_say(a,
                "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r), "
-               "%.6g s (23; c5).",
-               (double)(s->time * next.tau));
+               "%s (23; c5).",
+               measured(s->time * next.tau, "s", 6).text);
 }
 
 static void say_between(const struct query *query, const struct walk *w, const struct domq_state *s,

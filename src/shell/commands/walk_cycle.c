@@ -95,8 +95,9 @@ bool run_cycle(const struct query *query, struct answer *a, struct problem *prob
     if (answer_for_people(a) &&
         domq_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK &&
         isfinite(contact.force))
-        answer_say(a, "The smallest contact force is %.4g times the weight of its domino%s.",
-                   (double)contact.force, contact.force > 0 ? ": the dominoes stay in contact" : "");
+        answer_say(a, "The smallest contact force is %s times the weight of its domino%s.",
+                   measured(contact.force, "", 4).text,
+                   contact.force > 0 ? ": the dominoes stay in contact" : "");
     if (verdict == DOM_STOPS)
         answer_say(a, "The train stops, it has too little energy to go on; 'why' says more.");
     return true;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/scene.h"
 #include "language/quad.h"
+#include <float.h>
 
 #define SMALLEST 0.01 /* of the head: smaller ones are dots */
 #define WIDEST   2.4  /* of a picture, in its own height: dominoes farther back are left out */
@@ -24,6 +25,18 @@ struct drawn drawn_at(int number, double height, double foot, double theta, doub
     k.corner[1] = along(k.corner[0], height, x, y);
     k.corner[2] = along(k.corner[1], d * height, -y, x);
     k.corner[3] = along(k.corner[0], d * height, -y, x);
+    return k;
+}
+
+struct drawn drawn_for_people(const struct drawn *domino)
+{
+    struct drawn k = *domino;
+    double least = 4 * DBL_EPSILON * (fabs(k.foot) + k.height);
+    for (int i = 0; i <= CORNERS; i++) {
+        struct point *p = i < CORNERS ? &k.corner[i] : &k.contact;
+        p->x = fabs(p->x) < least ? 0 : p->x;
+        p->y = fabs(p->y) < least ? 0 : p->y;
+    }
     return k;
 }
 

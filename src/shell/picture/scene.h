@@ -44,6 +44,9 @@ static inline struct point along(struct point from, double length, double x, dou
  * over its height. */
 struct drawn drawn_at(int number, double height, double foot, double theta, double d, double radius);
 
+/* Returns the domino with coordinates for people: 0 where only rounding errors are left of one. */
+struct drawn drawn_for_people(const struct drawn *domino);
+
 /* Writes the corners of its outline, with points along rounded edges. Returns how many. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 

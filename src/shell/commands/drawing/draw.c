@@ -255,8 +255,8 @@ static const struct column draw_columns[] = {
     {"foot_back_z", "h", "height of that", 0},
     {"contact_x", "h", "where its follower touches its back face", 0},
     {"contact_z", "h", "height of that", 0},
-    {"force", "mg", "the push there, square to the face, m of the head", 0},
-    {"of_own", "mg", "the same, m of this domino", 0},
+    {"force", "m g", "the push there, square to the face, m of the head", 0},
+    {"of_own", "m g", "the same, m of this domino", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -269,7 +269,7 @@ static void draw_rows(struct answer *answer, const struct stage *scene, enum dom
 {
     answer->style.errors = 0; /* a picture needs no bounds */
     for (int n = 0; n < scene->count; n++) {
-        const struct drawn *k = &scene->domino[n];
+        const struct drawn shown = drawn_for_people(&scene->domino[n]), *k = &shown;
         const struct point *p = k->corner;
         answer_row(
             answer,

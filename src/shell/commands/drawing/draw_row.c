@@ -61,7 +61,8 @@ static bool moment_time(struct problem *problem, const struct draw_what *what, c
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
     /* As it was answered, in few digits, the end may have been rounded up. */
     if ((double)*time > row->end * 1.005)
-        return problem_no_answer(problem, "the motion ends at %.4g s; 'draw at end' shows that", row->end);
+        return problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
+                                 measured((domq_real)row->end, "s", 4).text);
     return true;
 }
 
@@ -106,6 +107,7 @@ static void moment_rows(struct answer *a, const struct row_moment *m)
     for (size_t k = 0; k < m->row.count && !answer_lost(a); k++) {
         struct drawn d =
             falling_row_domino(&m->row, k, m->head > 0 ? m->tilt[k] : falling_row_lean(&m->row, k));
+        d = drawn_for_people(&d);
         const struct point *p = d.corner;
         answer_cells(a, cell_count((domq_real)k + 1), cell_real((domq_real)d.height),
                      cell_real((domq_real)d.foot), cell_real((domq_real)d.theta),

@@ -127,16 +127,6 @@ double row_step(double least)
 
 /* ---- In words ---- */
 
-/* "96 % of the energy that it needs", or "12 times the energy that it needs". */
-static const char *energy_text(double share, char text[128])
-{
-    if (share < 10)
-        snprintf(text, 128, "%.60s of the energy that it needs", share_text((domq_real)share).text);
-    else
-        snprintf(text, 128, "%.3g times the energy that it needs", share);
-    return text;
-}
-
 void falling_row_summary(const struct falling_row *row, char text[ROW_SENTENCE])
 {
     struct measured least = measured((domq_real)row->smallest, "m", 3),
@@ -148,16 +138,16 @@ void falling_row_summary(const struct falling_row *row, char text[ROW_SENTENCE])
 
 void falling_row_verdict(const struct falling_row *row, const char *mark, char text[ROW_SENTENCE])
 {
-    char energy[128];
     size_t end = row->verdict.domino;
     if (row->verdict.end == DOM_ROW_FALLS && isfinite(row->end) && row->count > 1)
-        snprintf(text, ROW_SENTENCE, "All %zu fall: the last lies %.3g s after the %s.", row->count, row->end,
+        snprintf(text, ROW_SENTENCE, "%.40s: the last lies %.40s after the %s.",
+                 all_fall_words(row->count).text, measured((domq_real)row->end, "s", 3).text,
                  row->tipped ? "first hit" : "push");
     else if (row->verdict.end == DOM_ROW_FALLS)
-        snprintf(text, ROW_SENTENCE, row->count > 1 ? "All %zu fall." : "It falls.", row->count);
+        snprintf(text, ROW_SENTENCE, "%.40s.", all_fall_words(row->count).text);
     else if (row->verdict.end == DOM_ROW_STOPS && row->share[end - 1] < 1)
         snprintf(text, ROW_SENTENCE, "Domino %zu (%s) stops the row: it has %s.", end, mark,
-                 energy_text(row->share[end - 1], energy));
+                 energy_words((domq_real)row->share[end - 1]).text);
     else
         snprintf(text, ROW_SENTENCE, "The row ends at domino %zu (%s): %s.", end, mark,
                  dom_row_end_text(row->verdict.end));
@@ -165,12 +155,11 @@ void falling_row_verdict(const struct falling_row *row, const char *mark, char t
 
 void falling_row_weakest(const struct falling_row *row, const char *mark, char text[ROW_SENTENCE])
 {
-    char energy[128];
     text[0] = '\0';
     if (row->verdict.weakest > 0 && row_weakest_is(row, row->verdict.weakest - 1))
         snprintf(text, ROW_SENTENCE, "Weakest%s: domino %zu (%s), with %s.",
                  row->verdict.end == DOM_ROW_FALLS ? "" : " of those that fall", row->verdict.weakest, mark,
-                 energy_text((double)row->verdict.spare + 1, energy));
+                 energy_words(row->verdict.spare + 1).text);
 }
 
 void falling_row_moment(const struct falling_row *row, size_t head, double time, char text[ROW_SENTENCE])

@@ -79,7 +79,8 @@ static void frame_caption(const struct row_film *f, const struct domq_moment *m,
     falling_row_moment(&f->row, m->head, (double)m->time, moment);
     falling_row_verdict(&f->row, "black", verdict);
     if (f->what->speed != 1)
-        snprintf(speed, sizeof speed, " (%.3g times as fast as it is)", (double)f->what->speed);
+        snprintf(speed, sizeof speed, " (%.30s times as fast as it is)",
+                 measured(f->what->speed, "", 3).text);
     if (!over)
         falling_row_summary(&f->row, verdict);
     snprintf(text, (size_t)3 * ROW_SENTENCE, "%s\n%s%s", moment, verdict, over ? "" : speed);
@@ -121,8 +122,9 @@ static bool film_times(struct row_film *f)
         return problem_no_answer(
             f->problem,
             "that would be %.0f frames, and at most %d are drawn; a larger speed, 'speed "
-            "%.3g', or a smaller rate makes fewer",
-            moving, FRAMES_MOST, (double)f->what->speed * 1.05 * (moving + (double)held) / FRAMES_MOST);
+            "%s', or a smaller rate makes fewer",
+            moving, FRAMES_MOST,
+            measured(f->what->speed * (domq_real)(1.05 * (moving + (double)held) / FRAMES_MOST), "", 3).text);
     f->frames = (size_t)moving + 1 + (f->answer ? 0 : held);
     f->time = malloc(f->frames * sizeof *f->time);
     f->tilt = malloc(row->count * sizeof *f->tilt);

@@ -62,15 +62,15 @@ static void fall_note(const struct ran *ran, char *note, size_t size)
     const struct domq_verdict *v = &ran->verdict;
     const struct domq_fall *last = &ran->fall[ran->count - 1];
     if (v->end == DOM_ROW_STOPS && last->barrier > 0 && isfinite(last->barrier))
-        snprintf(note, size, "Domino %zu stops: it has %.3g %% of the energy that it needs.", v->domino,
-                 100 * (double)(last->kinetic / last->barrier));
+        snprintf(note, size, "Domino %zu stops: it has %.40s of the energy that it needs.", v->domino,
+                 measured(fall_share(last), "share", 3).text);
     else if (v->end != DOM_ROW_FALLS)
         snprintf(note, size, "The row ends at domino %zu: %s.", v->domino, dom_row_end_text(v->end));
     else if (v->weakest && isfinite(v->spare))
-        snprintf(note, size, "All %zu fall. Domino %zu is the weakest: it has %.3g %% more than it needs.",
-                 ran->scene.row.count, v->weakest, 100 * (double)v->spare);
+        snprintf(note, size, "%.40s. Domino %zu is the weakest: it has %.40s more than it needs.",
+                 all_fall_words(ran->scene.row.count).text, v->weakest, measured(v->spare, "share", 3).text);
     else
-        snprintf(note, size, "All %zu fall.", ran->scene.row.count);
+        snprintf(note, size, "%.40s.", all_fall_words(ran->scene.row.count).text);
 }
 
 static bool fall_chart(const struct query *query, struct answer *a, struct problem *problem,
@@ -170,8 +170,8 @@ static bool speed_chart(const struct query *query, struct answer *a, struct prob
     snprintf(chart.x.label, sizeof chart.x.label, "distance from the first domino in %s", unit.name);
     snprintf(chart.y.label, sizeof chart.y.label, "speed in m/s");
     if (ran->verdict.end == DOM_ROW_FALLS && isfinite(ran->verdict.seconds))
-        snprintf(chart.note, sizeof chart.note, "All %zu fall; the last lies after %.4g s.",
-                 ran->scene.row.count, (double)ran->verdict.seconds);
+        snprintf(chart.note, sizeof chart.note, "%.40s; the last lies after %.40s.",
+                 all_fall_words(ran->scene.row.count).text, measured(ran->verdict.seconds, "s", 4).text);
     else
         snprintf(chart.note, sizeof chart.note, "The row ends at domino %zu: %s.", ran->verdict.domino,
                  dom_row_end_text(ran->verdict.end));

@@ -51,6 +51,30 @@ struct measured share_text(domq_real share)
     return measured(share, "share", digits);
 }
 
+/* The share from which energy is shown as a multiple. */
+#define MANY 10
+
+struct words energy_words(domq_real share)
+{
+    struct words words;
+    if (share < MANY)
+        snprintf(words.text, sizeof words.text, "%.60s of the energy that it needs", share_text(share).text);
+    else
+        snprintf(words.text, sizeof words.text, "%.60s times the energy that it needs",
+                 measured(share, "", 3).text);
+    return words;
+}
+
+struct words all_fall_words(size_t count)
+{
+    struct words words;
+    if (count > 2)
+        snprintf(words.text, sizeof words.text, "All %zu fall", count);
+    else
+        snprintf(words.text, sizeof words.text, "%s", count == 2 ? "Both fall" : "It falls");
+    return words;
+}
+
 domq_real fall_share(const struct domq_fall *f)
 {
     return f->barrier > 0 && isfinite(f->barrier) ? f->kinetic / f->barrier : DOMQ_NAN;
@@ -61,15 +85,16 @@ static void all_say(struct answer *a, const struct scene_row *scene, const struc
 {
     size_t count = scene->row.count;
     const char *start = isnan(scene->row.push) ? "first hit" : "push";
+    const struct words fall = all_fall_words(count);
     if (!timed)
-        answer_say(a, "All %zu fall: no gap has to change.", count);
-    else if (count == 1)
-        answer_say(a, isnan(scene->row.push) ? "It falls." : "It falls, and lies %.4g s after the push.",
-                   (double)v->seconds);
+        answer_say(a, "%s: no gap has to change.", fall.text);
+    else if (count == 1 && isnan(scene->row.push))
+        answer_say(a, "%s.", fall.text);
     else if (isfinite(v->seconds))
-        answer_say(a, "All %zu fall; the last lies %.4g s after the %s.", count, (double)v->seconds, start);
+        answer_say(a, "%s%s lies %s after the %s.", fall.text, count == 1 ? ", and" : "; the last",
+                   measured(v->seconds, "s", 4).text, start);
     else
-        answer_say(a, "All %zu fall, but one almost stops, so that its time cannot be computed.", count);
+        answer_say(a, "%s, but one almost stops, so that its time cannot be computed.", fall.text);
 }
 
 /* Prints where the row ends, and why. */
@@ -78,16 +103,13 @@ static void end_say(struct answer *a, const struct scene_row *scene, const struc
 {
     size_t count = scene->row.count;
     if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
-        answer_say(a, "The row stops at domino %zu of %zu, which has %s of the energy that it needs.%s",
-                   v->domino, count, share_text(fall_share(last)).text,
+        answer_say(a, "The row stops at domino %zu of %zu, which has %s.%s", v->domino, count,
+                   energy_words(fall_share(last)).text,
                    count > 1 ? " 'mend' looks for a change that saves the row." : "");
     else
         answer_say(a, "The row ends at domino %zu of %zu: %s.", v->domino, count,
                    v->end == DOM_ROW_STOPS && !scene->row.engine ? locks_farther_on : report_why(scene, v));
 }
-
-/* The share from which energy is shown as a multiple. */
-#define MANY 10
 
 void verdict_say(struct answer *a, const struct scene_row *scene, const struct domq_verdict *v,
                  const struct domq_fall *last, bool timed)
@@ -100,10 +122,6 @@ void verdict_say(struct answer *a, const struct scene_row *scene, const struct d
     if (v->weakest == 0 || !isfinite(v->spare))
         return;
     const char *which = falls ? "" : "Of the dominoes before it, ";
-    if (v->spare + 1 < MANY)
-        answer_say(a, "%s%comino %zu has the least to spare: it has %s of the energy that it needs.", which,
-                   falls ? 'D' : 'd', v->weakest, share_text(v->spare + 1).text);
-    else
-        answer_say(a, "%s%comino %zu has the least to spare: it has %.3g times the energy that it needs.",
-                   which, falls ? 'D' : 'd', v->weakest, (double)v->spare + 1);
+    answer_say(a, "%s%comino %zu has the least to spare: it has %s.", which, falls ? 'D' : 'd', v->weakest,
+               energy_words(v->spare + 1).text);
 }

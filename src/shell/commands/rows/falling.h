@@ -11,6 +11,15 @@ struct cell cell_narrow(domq_real value, int digits);
 /* Returns "74 %", with enough digits to differ from 100 %, for a share of something that is needed. */
 struct measured share_text(domq_real share);
 
+/* Returns "96 % of the energy that it needs", or "12 times the energy that it needs". */
+struct words {
+    char text[96];
+};
+struct words energy_words(domq_real share);
+
+/* Returns "All 8 fall", "Both fall" or "It falls". */
+struct words all_fall_words(size_t count);
+
 /* Returns the energy of a domino that is hit, as a share of the energy that it needs; NaN if it needs none.
  */
 domq_real fall_share(const struct domq_fall *fall);
