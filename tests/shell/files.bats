@@ -149,6 +149,18 @@ soon() { timeout 30 "$@"; }
     done
 }
 
+@test "'>>' of two programs at once writes the names of the columns once" {
+    enter
+    mkfifo ask
+    soon "$DOMINO" -e 'source ask >> rows.csv' 3>&- &
+    exec 4>ask # the first has opened its file, and waits
+    "$DOMINO" -e 'pair 0.3 >> rows.csv'
+    echo 'pair 0.5' >&4
+    exec 4>&-
+    wait
+    same 'one head' "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5')" "$(cat rows.csv)"
+}
+
 # ---- Descriptors ----
 
 @test "where standard streams are closed, no file takes their place" {

@@ -2,7 +2,6 @@
 /* Runs lines: the commands in them, with their answers in the files after '>'. */
 #include "answer/format.h"
 #include "interpreter/forms.h"
-#include "io/io.h"
 #include "io/terminal.h"
 #include "picture/ending.h"
 #include "picture/picture.h"
@@ -12,7 +11,6 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #define TRAIN_NOTE "the endless train at these parameters, not the row: 'fall' runs that."
 
@@ -148,24 +146,6 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     return true;
 }
 
-/* Finds the last head in a file, which the answer is appended to. */
-static void head_find(const struct session *session, const char *path, char head[ANSWER_HEAD])
-{
-    struct stat status;
-    const struct format *format = session_answers(session);
-    bool file = format->is_head && stat(path, &status) == 0 && S_ISREG(status.st_mode);
-    FILE *in = file ? io_read(path, session->state.scene.compute.interrupt) : NULL;
-    char *line = NULL;
-    size_t size = 0;
-    *head = '\0';
-    while (in && text_read(&line, &size, in) != -1)
-        if (format->is_head(line))
-            snprintf(head, ANSWER_HEAD, "%s", line);
-    free(line);
-    if (in)
-        fclose(in);
-}
-
 /* Runs a command whose answer goes to the file after '>' or '>>', in the format of the file's ending. */
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
                            const struct arguments *given)
@@ -197,9 +177,8 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
         session->output->format = ending->kind == ENDING_PICTURE
                                       ? &format_table /* for people, also with 'set output csv' */
                                       : ending->format;
+        session->output->is_head = session_answers(session)->is_head;
         session_direct(session);
-        if (append)
-            head_find(session, path, session->output->head);
         done = run_call(session, c, given, problem);
         wrong = output_pop(&session->output, done);
         session_direct(session);

@@ -111,12 +111,30 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* Copies the text into an open file, from its current place; false with errno. */
-static bool text_copy(FILE *text, int to)
+/* Returns how many bytes of the text are a line that names columns and is the last such line of the file: rows that
+ * are appended go on below it. */
+static long head_again(const struct file *f)
+{
+    char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
+    bool (*is_head)(const char *) = f->output.is_head;
+    rewind(f->output.out);
+    if (!is_head || !fgets(first, sizeof first, f->output.out) || !is_head(first))
+        return 0;
+    FILE *in = io_read(f->target.path, f->interrupt);
+    for (bool begins = true; in && fgets(line, sizeof line, in); begins = strchr(line, '\n') != NULL)
+        if (begins && is_head(line))
+            memcpy(last, line, sizeof last);
+    if (in)
+        fclose(in);
+    return strcmp(first, last) == 0 ? (long)strlen(first) : 0;
+}
+
+/* Copies the text from a place on into an open file, from its current place; false with errno. */
+static bool text_copy(FILE *text, long from, int to)
 {
     char block[4096];
     size_t n;
-    rewind(text);
+    fseek(text, from, SEEK_SET);
     while ((n = fread(block, 1, sizeof block, text)) > 0)
         if (!io_write(to, block, n))
             return false;
@@ -127,14 +145,15 @@ static bool text_copy(FILE *text, int to)
  * Copies the text into the file, or appends it.  If there is no room, the file stays as it was: room is taken
  * before the first byte is written over, and rows that were appended only in part are removed.
  */
-static bool file_fill(const struct output *o, int file)
+static bool file_fill(const struct file *f, int file)
 {
+    const struct output *o = &f->output;
     struct stat old, text;
     if (fstat(file, &old) != 0 || fstat(fileno(o->out), &text) != 0)
         return false;
     int reason = o->append || text.st_size == 0 ? 0 : posix_fallocate(file, 0, text.st_size);
     bool room = reason == 0 || reason == EINVAL || reason == EOPNOTSUPP;
-    bool whole = room && text_copy(o->out, file);
+    bool whole = room && text_copy(o->out, o->append ? head_again(f) : 0, file);
     reason = room ? errno : reason;
     if (!(whole && o->append) && ftruncate(file, whole ? text.st_size : old.st_size) != 0 && whole)
         return false;
@@ -188,7 +207,7 @@ static bool file_commit(const struct file *f)
         file = file_lock(f);
         before = io_block();
     }
-    bool whole = file >= 0 && file_fill(&f->output, file);
+    bool whole = file >= 0 && file_fill(f, file);
     int reason = errno;
     if (file >= 0 && close(file) != 0 && whole) {
         whole = false;
