@@ -131,7 +131,7 @@ END
 @test "a file that an answer around a command writes is not written by the command, too" {
     printf 'rmax > out\nfuel\n' >script
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'source script > out; print 7'
-    same message "script:1:8: rmax: cannot write 'out': the answer of a command around this one goes there; choose another file" "$stderr"
+    same message "script:1:8: rmax: cannot write 'out': this session is writing it already; choose another file" "$stderr"
     printf 'rmax > other\nfuel\n' >script
     "$DOMINO" -e 'source script > out'
     same outer "$("$DOMINO" -e fuel)" "$(cat out)"

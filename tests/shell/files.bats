@@ -161,6 +161,52 @@ soon() { timeout 30 "$@"; }
     same 'one head' "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5')" "$(cat rows.csv)"
 }
 
+@test "a file that the session is writing is refused, under any of its names, and stays as it is" {
+    enter
+    answer=$("$DOMINO" -e fuel)
+    echo old >twice && ln twice hard && ln twice hard.gif && ln -s twice soft && ln -s new dangling
+    while IFS='|' read -r begin then name; do
+        run --separate-stderr "$DOMINO" --keep-going -e "$begin" -e "$then" -e 'log off; tee off; fuel'
+        [[ $stderr == *"cannot write '$name': this session is writing it already; choose another file" ]] ||
+            same "$begin; $then" refused "$stderr"
+        same "$begin; $then: goes on" "$answer" "$(tail -n 3 <<<"$output")"
+        [ ! -s new ] || same "$begin; $then: the log" 1 "$(grep -c '^# A log' new)"
+        same "$begin; $then: the other file" 1 "$(grep -c . twice)"
+        rm -f new
+        echo old >twice
+    done <<'END'
+log new|rmax > new|new
+log new|rmax > dangling|dangling
+log dangling|save new|new
+log new|tee ./new|./new
+tee twice; fuel > /dev/null; echo x|rmax > soft|soft
+tee twice; echo x|rmax >> hard|hard
+tee soft; echo x|animate hard.gif|hard.gif
+END
+    "$DOMINO" -e 'log new; fuel; log new; log off' >/dev/null # the same again is no other
+    same 'log anew' 2 "$(grep -c '^# A log' new)"
+    run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel; log out" >out'
+    same 'standard output' "-e:1: log: cannot write 'out': this session is writing it already; choose another file" "$stderr"
+    same 'its answer' "$answer" "$(cat out)"
+    echo 'fuel > /dev/null; tee /dev/null' >script
+    same 'devices take more than one' "$answer" "$("$DOMINO" -e 'log /dev/null; tee /dev/null; source script; fuel' | tail -n 3)"
+}
+
+@test "files whose names are as long as a name may be" {
+    enter
+    local name ascii other
+    ascii=$(printf 'x%.0s' {1..255}) other=$(printf 'ü%.0s' {1..127})
+    for name in "${ascii:0:248}" "${ascii:0:249}" "$ascii" "$other" "x$other"; do
+        for call in 'fuel >' 'fuel >>' save; do
+            "$DOMINO" -e "$call $name"
+            [ -s "$name" ] && "$DOMINO" -e "$call $name"
+            rm "$name"
+        done
+    done
+    run -1 "$DOMINO" -e "fuel > x$ascii"
+    [[ $output == *': File name too long' ]]
+}
+
 # ---- Descriptors ----
 
 @test "where standard streams are closed, no file takes their place" {

@@ -46,7 +46,24 @@ static char *real_path(const char *path)
     return real ? real : at;
 }
 
-const char *target_begin(struct target *t, const char *path)
+/* Returns true if an open target is the file of the other one. */
+static bool is_same(const struct target *open, const struct target *t)
+{
+    struct stat now;
+    return strcmp(open->path, t->path) == 0 ||
+           (t->exists && stat(open->path, &now) == 0 && now.st_dev == t->status.st_dev &&
+            now.st_ino == t->status.st_ino);
+}
+
+bool target_is_standard(const struct target *t)
+{
+    struct stat out;
+    return t->exists && fstat(STDOUT_FILENO, &out) == 0 && out.st_dev == t->status.st_dev &&
+           out.st_ino == t->status.st_ino;
+}
+
+const char *target_begin(struct target *t, const char *path, bool may_be_standard,
+                         const struct target *except)
 {
     if (escape_needed(path)) /* what a script asks for must be what its reader sees */
         return "the name has control characters, or is not UTF-8; no such file is written";
@@ -54,11 +71,14 @@ const char *target_begin(struct target *t, const char *path)
     if (!t->path)
         return strerror(errno);
     t->exists = stat(path, &t->status) == 0;
-    for (const struct target *o = targets; o; o = o->next)
-        if (strcmp(o->path, t->path) == 0) {
-            free(t->path);
-            return "the answer of a command around this one goes there; choose another file";
-        }
+    bool written = !may_be_standard && target_is_standard(t);
+    bool regular = !t->exists || S_ISREG(t->status.st_mode);
+    for (const struct target *o = targets; o && regular && !written; o = o->next)
+        written = o != except && is_same(o, t);
+    if (written) {
+        free(t->path);
+        return "this session is writing it already; choose another file";
+    }
     targets = t;
     return NULL;
 }
@@ -73,13 +93,6 @@ void target_end(struct target *t)
 }
 
 /* ---- The beginning ---- */
-
-/* Returns true if standard output goes to this file. */
-static bool is_standard(const struct stat *file)
-{
-    struct stat out;
-    return fstat(STDOUT_FILENO, &out) == 0 && out.st_dev == file->st_dev && out.st_ino == file->st_ino;
-}
 
 /* Opens a temporary file in the folder of the file, or where temporary files are; NULL with errno if a new
  * file may not be made in that folder. */
@@ -98,7 +111,7 @@ static FILE *file_open(struct file *f, const char *path)
     const struct target *t = &f->target;
     if (t->exists && access(path, W_OK) != 0)
         return NULL;
-    if (t->exists && is_standard(&t->status)) {
+    if (target_is_standard(t)) {
         fflush(stdout);
         return fdopen(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0), "a");
     }
@@ -111,8 +124,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* Returns how many bytes of the text are a line that names columns and is the last such line of the file: rows that
- * are appended go on below it. */
+/* Returns how many bytes of the text are a line that names columns and is the last such line of the file:
+ * rows that are appended go on below it. */
 static long head_again(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
@@ -168,7 +181,14 @@ static int beside(const struct target *t, char **name)
     const struct stat *now = t->exists ? &t->status : NULL;
     mode_t mask = umask(0);
     umask(mask);
-    int file = asprintf(name, "%s.XXXXXX", t->path) < 0 ? -1 : mkostemp(*name, O_CLOEXEC);
+    /* The name begins as that of the file, and is short enough wherever that is. */
+    enum { SHOWN = 100 };
+    const char *slash = strrchr(t->path, '/'), *last = slash ? slash + 1 : t->path;
+    size_t length = strlen(last);
+    for (length = length < SHOWN ? length : SHOWN; ((unsigned char)last[length] & 0xc0) == 0x80;)
+        length--; /* no character of UTF-8 is cut */
+    int all = (int)(last - t->path) + (int)length;
+    int file = asprintf(name, "%.*s.XXXXXX", all, t->path) < 0 ? -1 : mkostemp(*name, O_CLOEXEC);
     /* The group first: its change takes away bits of the mode. */
     if (file < 0 || ((!now || fchown(file, (uid_t)-1, now->st_gid) == 0) &&
                      fchmod(file, now ? now->st_mode & 0777 : 0666 & ~mask) == 0))
@@ -254,7 +274,7 @@ const char *file_push(struct output **top, const char *path, bool append,
         return strerror(ENOMEM);
     *f = (struct file){.output = {.kind = OUTPUT_FILE, .path = path, .append = append, .pop = file_pop},
                        .interrupt = interrupt};
-    const char *wrong = target_begin(&f->target, path);
+    const char *wrong = target_begin(&f->target, path, true, NULL);
     if (!wrong && !(f->output.out = file_open(f, path))) {
         wrong = strerror(errno);
         target_end(&f->target);

@@ -15,9 +15,14 @@ struct target {
 
 /*
  * Begins to write a file, unless its name cannot be shown as it is (escape.h) or the program is writing it
- * already.  Returns NULL, or why not.
+ * already, under any of its names: for another target than `except`, or as standard output where that may not
+ * be. Returns NULL, or why not.
  */
-const char *target_begin(struct target *target, const char *path);
+const char *target_begin(struct target *target, const char *path, bool may_be_standard,
+                         const struct target *except);
+
+/* Returns true if standard output goes to the file. */
+bool target_is_standard(const struct target *target);
 
 /* Ends it, and frees what it holds. */
 void target_end(struct target *target);

@@ -22,7 +22,7 @@ struct output {
     FILE *messages;       /* takes errors and notes: standard error, or memory until the pager has ended */
     const char *path;     /* the name of the file after '>' as it was typed; NULL where there is none */
     bool append;          /* the file comes after '>>' */
-    const struct format *format; /* named by the ending of the file; NULL: 'set output' chooses */
+    const struct format *format;       /* named by the ending of the file; NULL: 'set output' chooses */
     bool (*is_head)(const char *line); /* whether a line of the file names columns; NULL: no line does */
     /* Ends the level, of which only the memory of *output is left, to be freed.  Returns why what was to be
      * kept cannot be written, or NULL. */

@@ -72,28 +72,30 @@ static const char *record_pop(struct output *o, bool keep)
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt)
 {
-    struct record *r = malloc(sizeof *r);
-    if (!r)
-        return strerror(ENOMEM);
     bool log = kind == OUTPUT_LOG;
-    *r = (struct record){.output = {.kind = kind, .pop = record_pop}};
-    const char *wrong = target_begin(&r->target, path);
-    int file = wrong ? -1 : io_open(path, O_WRONLY | O_CREAT | (log ? O_APPEND : O_TRUNC), 0666, interrupt);
-    r->file = file < 0 ? NULL : io_stream(file, log ? "a" : "w", interrupt);
-    r->output.out = r->file ? fopencookie(r, "w", (cookie_io_functions_t){.write = record_write}) : NULL;
-    if (!wrong && !r->output.out) {
-        wrong = strerror(errno);
-        target_end(&r->target);
-        if (r->file)
-            fclose(r->file);
-    }
+    struct output **before = output_find(top, kind);
+    struct record *r = calloc(1, sizeof *r);
+    const char *wrong =
+        !r ? strerror(ENOMEM)
+           : target_begin(&r->target, path, false, before ? &((struct record *)*before)->target : NULL);
     if (wrong) {
         free(r);
         return wrong;
     }
-    struct output **before = output_find(top, kind);
+    int file = io_open(path, O_WRONLY | O_CREAT | (log ? O_APPEND : O_TRUNC), 0666, interrupt);
+    r->file = file < 0 ? NULL : io_stream(file, log ? "a" : "w", interrupt);
+    FILE *out = r->file ? fopencookie(r, "w", (cookie_io_functions_t){.write = record_write}) : NULL;
+    if (!out) {
+        wrong = strerror(errno);
+        target_end(&r->target);
+        if (r->file)
+            fclose(r->file);
+        free(r);
+        return wrong;
+    }
     if (before)
         output_pop(before, true);
+    r->output = (struct output){.kind = kind, .out = out, .pop = record_pop};
     output_push(top, &r->output);
     terminal_lend(r->output.out, true);
     if (log)
