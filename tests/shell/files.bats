@@ -207,6 +207,17 @@ END
     [[ $output == *': File name too long' ]]
 }
 
+@test "temporary files are where TMPDIR says" {
+    enter
+    command -v gnuplot >/dev/null || skip 'no gnuplot'
+    run -1 --separate-stderr env TMPDIR="$PWD/none" "$DOMINO" -e 'plot energy > x.svg'
+    same 'no such folder' '-e:1: plot: cannot draw: No such file or directory' "$stderr"
+    mkdir own
+    TMPDIR=$PWD/own "$DOMINO" -e 'plot energy > x.svg'
+    [ -s x.svg ]
+    same 'nothing is left' '(nothing)' "$(ls own)"
+}
+
 # ---- Descriptors ----
 
 @test "where standard streams are closed, no file takes their place" {

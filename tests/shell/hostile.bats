@@ -173,6 +173,17 @@ harmless() { # FILE
     same 'and cancel' 1 "$("$DOMINO" -e 'print ((1 m)^64)^15 / ((1 m)^60)^16')"
 }
 
+@test "NUL bytes without end: the first ends the file, and the session goes on" {
+    for command in 'source /dev/zero' 'pool /dev/zero' 'effect row /dev/zero'; do
+        run -1 --separate-stderr timeout 30 "$DOMINO" --keep-going -e "$command; print 41 + 1"
+        [[ $stderr =~ (NUL|too long) ]] || same "$command" 'why not' "$stderr"
+        same "$command: goes on" 42 "$output"
+    done
+    run -1 --separate-stderr timeout 30 "$DOMINO" --keep-going - -e 'print 41 + 1' </dev/zero
+    same 'standard input' 'stdin:1: the line has a NUL byte; commands are text' "$stderr"
+    same 'the next source' 42 "$output"
+}
+
 @test "a line without end: one message, little memory, and the session goes on" {
     # 100 MB in a session that may have 200 MB; a sanitizer has its own ideas of memory.
     line() { head -c 100000000 /dev/zero | tr '\0' 7 && printf '\nprint 41 + 1\n'; }

@@ -57,7 +57,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
         else
             session_error(session, "the line has a NUL byte; commands are text");
         session->line += more;
-        if (session_stops(session, errors))
+        if (session_stops(session, errors) || (!whole && length > TEXT_MOST))
             break;
         errno = 0;
     }

@@ -81,7 +81,9 @@ ssize_t text_read(char **line, size_t *size, FILE *in)
     enum { LEAST = 256 };
     size_t n = 0;
     int c = 0;
-    while ((c = getc_unlocked(in)) != EOF && c != '\n') {
+    bool nul = false;
+    while (!(nul && n > TEXT_MOST) && (c = getc_unlocked(in)) != EOF && c != '\n') {
+        nul = nul || c == '\0';
         if (n + 1 >= *size && n <= TEXT_MOST) {
             size_t larger = *size ? 2 * *size : LEAST;
             char *more = realloc(*line, larger);

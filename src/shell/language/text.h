@@ -32,6 +32,7 @@ void text_free(struct text *text);
  * Reads the next line of a stream, without its end, as getline does: in *line, of *size bytes, which the
  * caller frees.  Returns its length, -1 at the end of the stream, after an error or without memory (errno).
  * No more than TEXT_MOST bytes are kept, and one more says that it was longer: the rest is read and dropped.
+ * After a NUL byte it is left: a device may have such bytes without end.
  */
 ssize_t text_read(char **line, size_t *size, FILE *in);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/graphics.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "picture/picture.h"
 #include <errno.h>
@@ -140,7 +141,7 @@ bool graphics_show(const struct query *query, struct answer *a, struct problem *
     char terminal[128];
     int width, height;
     bool kitty = graphics_of(a->out) == GRAPHICS_KITTY;
-    FILE *png = kitty ? tmpfile() : NULL;
+    FILE *png = kitty ? io_temporary(NULL) : NULL;
     if (kitty && !png)
         return problem_error(problem, "cannot draw: %s", strerror(errno));
     picture_size(a->out, &width, &height);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/movie.h"
+#include "io/io.h"
 #include <errno.h>
 #include <string.h>
 #include <strings.h>
@@ -59,7 +60,7 @@ bool movie_begin(const struct query *query, struct answer *a, struct problem *pr
     const char *wrong = file_push(&m->file, path, false, query->scene->compute.interrupt);
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
-    if (m->kind->ffmpeg && !(m->frames = tmpfile())) {
+    if (m->kind->ffmpeg && !(m->frames = io_temporary(NULL))) {
         (void)output_pop(&m->file, false);
         return problem_error(problem, "cannot draw: %s", strerror(errno));
     }
@@ -94,7 +95,7 @@ static bool movie_convert(const struct query *query, struct problem *problem, st
         argv[n++] = *option;
     /* Its standard output under a name: as a file ffmpeg goes back in it, and writes how long the film is. */
     argv[n] = "file:/proc/self/fd/1"; /* a NULL follows */
-    FILE *complaints = tmpfile();
+    FILE *complaints = io_temporary(NULL);
     if (!complaints)
         return problem_error(problem, "cannot draw: %s", strerror(errno));
     int wrong = program_run(query, (char *const *)argv, m->frames, m->file->out, complaints);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/picture.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include "picture/ending.h"
@@ -81,7 +82,7 @@ static bool script_begin(struct problem *problem, struct picture *picture, const
     static const int points[] = {1, 2, 6, 4, 8, 10};
     if (!gnuplot_ready(problem))
         return false;
-    picture->script = tmpfile();
+    picture->script = io_temporary(NULL);
     if (!picture->script)
         return problem_error(problem, "cannot draw: %s", strerror(errno));
     fprintf(picture->script, "set encoding utf8\nset terminal %s\n", terminal);
@@ -253,7 +254,7 @@ static bool draw(const struct query *query, struct problem *problem, const struc
 
 bool picture_end(const struct query *query, struct problem *problem, struct picture *picture, bool whole)
 {
-    FILE *drawing = whole ? tmpfile() : NULL, *complaints = drawing ? tmpfile() : NULL;
+    FILE *drawing = whole ? io_temporary(NULL) : NULL, *complaints = drawing ? io_temporary(NULL) : NULL;
     bool drawn = complaints ? draw(query, problem, picture, drawing, complaints)
                             : whole && problem_error(problem, "cannot draw: %s", strerror(errno));
     if (drawing)

@@ -5,6 +5,7 @@
  */
 #include "answer/format.h"
 #include "commands/plots/plots.h"
+#include "io/io.h"
 #include "session/parameters.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -117,7 +118,7 @@ static bool points_read(FILE *rows, struct points *p)
 static bool points_find(const struct query *query, struct answer *a, struct problem *problem,
                         struct points *p)
 {
-    FILE *rows = tmpfile();
+    FILE *rows = io_temporary(NULL);
     if (!rows) {
         problem_error(problem, "cannot draw: %s", strerror(errno));
         return false;
