@@ -3,6 +3,7 @@
 #include "commands/tables.h"
 #include "interpreter/line.h"
 #include "io/io.h"
+#include "io/standard.h"
 #include "prompt/input.h"
 #include <errno.h>
 #include <getopt.h>
@@ -175,7 +176,7 @@ int main(int argc, char **argv)
     bool dies = signal(SIGPIPE, SIG_IGN) == SIG_DFL; /* where the caller does not ignore it */
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
-    session_init(&session, stdout);
+    session_init(&session, standard_stream(NULL));
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
@@ -194,8 +195,8 @@ int main(int argc, char **argv)
     session_close(&session);
     /* Buffered output may fail as late as here. */
     errno = 0;
-    bool gone = reader_gone(), lost = ferror(stdout) != 0;
-    if (fclose(stdout) != 0 || lost) {
+    bool gone = reader_gone(), lost = ferror(session.standard.out) != 0;
+    if (fclose(session.standard.out) != 0 || lost) {
         if (dies &&
             (gone ||
              errno ==

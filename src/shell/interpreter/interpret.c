@@ -205,6 +205,7 @@ static bool is_silent(const struct session *session, const struct command *c, bo
 static void run_command(struct session *session, struct reader *r)
 {
     const char *begin = r->at;
+    fflush(output_base(session->output)->out); /* no answer waits for the next one */
     struct problem problem = {.kind = PROBLEM_NONE};
     struct query query = session_query(session);
     r->query = &query;

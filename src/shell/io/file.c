@@ -9,6 +9,7 @@
 #include "io/escape.h"
 #include "io/io.h"
 #include "io/output.h"
+#include "io/standard.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -112,7 +113,7 @@ static FILE *file_open(struct file *f, const char *path)
     if (t->exists && access(path, W_OK) != 0)
         return NULL;
     if (target_is_standard(t)) {
-        fflush(stdout);
+        standard_flush();
         return fdopen(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0), "a");
     }
     f->held = !t->exists || S_ISREG(t->status.st_mode);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/io.h"
 #include "domino_quad.h"
+#include "io/standard.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -104,7 +105,7 @@ static ssize_t channel_read(void *cookie, char *bytes, size_t size)
     const struct channel *c = cookie;
     struct pollfd ready = {.fd = c->file, .events = POLLIN};
     if (poll(&ready, 1, 0) != 1)
-        fflush(stdout);
+        standard_flush();
     for (;;) {
         if (!io_wait(c->file, POLLIN, NULL, c->interrupt))
             return -1;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/output.h"
+#include "io/standard.h"
 #include <stdlib.h>
 
 struct output output_standard(FILE *out)
@@ -22,6 +23,12 @@ const char *output_pop(struct output **top, bool keep)
     *top = o->below;
     free(o);
     return wrong;
+}
+
+void output_flush(struct output *o)
+{
+    fflush(o->out);
+    standard_flush();
 }
 
 struct output **output_find(struct output **top, enum output_kind kind)

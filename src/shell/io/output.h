@@ -44,6 +44,9 @@ void output_push(struct output **top, struct output *output);
  */
 const char *output_pop(struct output **top, bool keep);
 
+/* Writes what waits on its way down the stack, now. */
+void output_flush(struct output *output);
+
 /* Returns the pointer to the highest level of this kind, NULL if there is none. */
 struct output **output_find(struct output **top, enum output_kind kind);
 

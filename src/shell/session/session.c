@@ -104,11 +104,11 @@ static void session_tell(const struct session *session, const struct problem *pr
     const struct format *format = format_at(session->state.settings.style.output);
     const struct failure failure = {problem->command, problem->text, session->source, session->line,
                                     problem->column};
-    FILE *out = output_base(session->output)->out;
+    struct output *output = output_base(session->output);
     if (!format->failed || !session->source)
         return;
-    format->failed(out, &failure);
-    fflush(out);
+    format->failed(output->out, &failure);
+    output_flush(output);
 }
 
 /* Writes a message; `is_error` tells problems from notes. */
@@ -119,7 +119,7 @@ static void session_write(struct session *session, const struct problem *problem
     if (source && escape_needed(source))
         source = names_shown(source, shown); /* a name may not hide the message after it */
     int n = 0;
-    fflush(session->out); /* so that both streams keep their order where they share a file */
+    output_flush(session->output); /* so that both streams keep their order where they share a file */
     ticker_stop();
     session_caret(session, problem->column);
     if (source && problem->column)
