@@ -1136,18 +1136,6 @@ END
     same 'to a file' $'1\n5\n2' "$(grep . file)"
 }
 
-@test "an interrupted script leaves no draft" {
-    cd "$BATS_TEST_TMPDIR" || false
-    mkdir drafts
-    "$DOMINO" -e 'curve 0.01 1 10000000 > drafts/x' 3>&- &
-    until [ -n "$(ls drafts)" ]; do kill -0 $!; done
-    kill -TERM $!
-    local code=0
-    wait $! || code=$?
-    same 'ended by SIGTERM' 143 "$code"
-    same 'what is left' '(nothing)' "$(ls drafts)"
-}
-
 @test "angle deg: functions take degrees, print answers in them" {
     same 'sin(90)' 1 "$("$DOMINO" -e 'set angle deg; print sin(90)')"
     same 'thetac' '36.8699 deg' "$("$DOMINO" -e 'set angle deg; print thetac')"
