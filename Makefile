@@ -181,7 +181,7 @@ $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c languag
 # Where the quotes and comments of a line end.
 $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # How csv files are read.
-$(B)/unit/test_csv: $(call OBJ,$(addprefix src/shell/,io/escape.c $(addprefix language/,csv.c csv_table.c expression.c names.c quad.c text.c units.c)))
+$(B)/unit/test_csv: $(call OBJ,$(addprefix src/shell/,io/escape.c $(addprefix language/,csv.c csv_cells.c expression.c names.c quad.c text.c units.c)))
 # What completion offers, by the tables of commands.
 $(B)/unit/test_complete $(B)/unit/test_lines: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
 $(B)/unit/test_complete $(B)/unit/test_lines: GSL := $(B)/libdomino.a $(GSL) -lreadline
@@ -284,18 +284,20 @@ race: | $(FIRST)
 # ---- Fuzzing and speed ----
 
 # Runs the line interpreter under libFuzzer, ASan and UBSan: on bytes, from a seeded corpus, then on grammatical lines
-# that bytes choose from the tables of commands. FUZZ_SHOW=1 with an input of the second shows its lines.
+# that bytes choose from the tables of commands; and the reader of csv files. FUZZ_SHOW=1 with an input of the second
+# shows its lines.
 FUZZ_SECONDS ?= 600
-FUZZ         := fuzz_line fuzz_grammar
+FUZZ         := fuzz_line fuzz_grammar fuzz_csv
 FUZZ_RUN     := -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
                 -print_final_stats=1
 FUZZ_FLAGS   := -O1 -g1 -Wno-double-promotion -fsanitize=address,undefined -fno-sanitize-recover=all
 fuzz: | $(FIRST)
 	$(Q)$(MAKE) --no-print-directory B=$(B)/fuzz CC=clang CFLAGS='$(FUZZ_FLAGS) -fsanitize=fuzzer-no-link' \
 	  $(FUZZ:%=$(B)/fuzz/%)
-	$(Q)rm -rf $(B)/fuzz/corpus $(B)/fuzz/lines && cp -r tests/fuzz/corpus $(B)/fuzz/corpus && mkdir $(B)/fuzz/lines
+	$(Q)rm -rf $(B)/fuzz/corpus $(B)/fuzz/lines $(B)/fuzz/tables && cp -r tests/fuzz/corpus $(B)/fuzz/corpus && mkdir $(B)/fuzz/lines $(B)/fuzz/tables
 	$(B)/fuzz/fuzz_line $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=400 -dict=tests/fuzz/words.dict $(B)/fuzz/corpus
 	$(B)/fuzz/fuzz_grammar $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=300 -len_control=0 $(abspath $(B))/fuzz/lines
+	$(B)/fuzz/fuzz_csv $(FUZZ_RUN) -max_total_time=$(FUZZ_SECONDS) -max_len=400 -dict=tests/fuzz/csv.dict $(abspath $(B))/fuzz/tables
 
 $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o $(filter-out %/main.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/libdomino.a
 	$(call SAY,LD,$@)

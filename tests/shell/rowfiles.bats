@@ -42,14 +42,14 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     printf '48, 7.5, 20\n' >nameless.csv
     wrong 'effect row nameless.csv' "the first line has a number, but it names the columns: write 'height \(mm\), "
     printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv
-    wrong 'effect row commas.csv' "commas.csv:2:1: too many cells: 5, .*'48,0' is read as the cells 48 and 0: if it is one number, write 48\.0"
+    wrong 'effect row commas.csv' "commas.csv:2:8: too many cells: 5, .*'48,0' is read as the cells 48 and 0: if it is one number, write 48\.0"
     printf 'height (mm)\tthickness (mm)\tgap (mm)\n1,234\t75\t-\n' >thousands.csv
     wrong 'effect row thousands.csv' "thousands.csv:2:1: '1,234' can be read as 1\.234 or as 1234; write 1\.2340 or 1234"
     printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv
     same 'empty cells at the end' 0.02 "$(json 'effect row cells.csv; row' | values gap | tail -n 1)"
     # As many cells as can be read in the first line, and a row with more of them.
     { printf 'height (mm),thickness (mm),gap (mm)%s\n' "$(printf ',x%s' {4..64})" && printf '48,7,-%s,é\n' "$(printf ',%s' {4..64})"; } >most.csv
-    wrong 'effect row most.csv' 'most.csv:2:185: the line has more than 64 cells'
+    wrong 'effect row most.csv' 'most.csv:2:185: too many cells: 65, but the first line has 64'
 }
 
 @test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {

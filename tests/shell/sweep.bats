@@ -275,7 +275,7 @@ parts() { # PARTS ROWS
     pool_fails 'has no blocks of a study' </dev/null
     pool_fails ":1:1: the column 'heights' is missing; .* 'domino --shard I/N' .* writes blocks" <<<'sigma,mass'
     sed '2s/,100,/,x,/' "$BATS_TEST_TMPDIR/all" | pool_fails ":2:[0-9]+: rows at 'x'"
-    sed '2s/^[^,]*,/-1,/' "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: sigma = -1 m is negative'
+    sed '2s/^[^,]*,/-1,/' "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: sigma = -1 is negative'
     sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: the counts of this block do not add up'
     wrong_line "pool $BATS_TEST_TMPDIR/none" 'No such file'
     run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"

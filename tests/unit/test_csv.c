@@ -15,10 +15,10 @@
 #define LENGTH "m", "m, mm", "mm", "write a length"
 
 static const struct csv_column columns[] = {
-    {"size", "length,total length", CSV_REQUIRED, LENGTH, 0, 1000, "up to 1000 m"},
-    {"gap", NULL, CSV_REQUIRED | CSV_ZERO | CSV_NOT_FIRST, LENGTH, 0, 1000, "up to 1000 m"},
+    {"size", "length,total length", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1000, "up to 1000 m"},
+    {"gap", NULL, CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1000, "up to 1000 m"},
     {"count", NULL, CSV_EMPTY | CSV_WHOLE, "", "none", "", "write a number", 1, 9, "1 .. 9"},
-    {"word", NULL, CSV_TEXT, NULL, NULL, NULL, NULL, 0, 0, NULL},
+    {"word", NULL, 0, NULL, NULL, NULL, NULL, 0, 0, NULL},
 };
 static const struct csv_kind kind = {columns, 4,        false,       3,
                                      "thing", "things", "size, gap", "size (mm), gap (mm)"};
@@ -39,7 +39,7 @@ static void rows_show(const char *text, size_t length, const struct csv_kind *of
     while (!*csv->problem.text && csv_next(csv)) {
         for (int k = 0; k < 3; k++)
             fprintf(out, isnan(csv->value[k]) ? "- " : "%.10g ", (double)csv->value[k]);
-        fputs(csv_text(csv, 3), out);
+        fputs(csv_cell(csv, 3).text, out);
         csv_write_others(csv, false, out);
         fputs("; ", out);
     }
@@ -148,7 +148,7 @@ static void decimal_marks(void **state)
         {SEMICOLONS "1,234,567;;", "2:1: a number has several decimal marks"},
         {SEMICOLONS "48,;;", "2:3: size ends before ','"},
         {HEAD "1,,x\n48,5,7,x",
-         "1 - - ,x; 3:1: too many cells: 4, but the first line has 3; a ',' separates them; "
+         "1 - - ,x; 3:8: too many cells: 4, but the first line has 3; a ',' separates them; "
          "'48,5' is read as the cells 48 and 5: if it is one number, write 48.5"},
         {HEAD "1, 2, 3, 4", "2:10: too many cells: 4, but the first line has 3; a ',' separates them"},
     };
@@ -190,9 +190,10 @@ static void names(void **state)
         {"size,gap,length", "1:10: 'length' is the size, as column 1 is; name one of them otherwise"},
         {"1,2",
          "1:1: the first line has a number, but it names the columns: write 'size (mm), gap (mm)' above"},
-        {"size m,gap m,count\n1,2,0", "2:5: count = 0 is too small; a count is 1 .. 9"},
+        {"size m,gap m,count\n1,2,0", "2:5: count = 0 is too small; the range of count is 1 .. 9"},
         {"size m,gap m,count\n1,2,1.5", "2:5: count = 1.5 is not a whole number"},
-        {"size m,gap m,count\n1,-2,1\n1,-2,1", "1 -2 1 ; 3:3: gap = -2 m is negative; a gap is up to 1000 m"},
+        {"size m,gap m,count\n1,-2,1\n1,-2,1",
+         "1 -2 1 ; 3:3: gap = -2 m is negative; the range of gap is up to 1000 m"},
         {"size m,gap m,count\n1,2\n1", "1 2 - ; 3:1: too few cells: 1, but the first line has 3"},
         {"size m,gap m,count\n1,,\n-,", "1 - - ; 3:1: size is missing; write a length"},
         {"size m,gap m\n1,1\n1,1\n1,1\n1,1\n", "1 1 - ; 1 1 - ; 1 1 - ; 5:1: there are more than 3 things"},
@@ -206,30 +207,39 @@ static void names(void **state)
     CHECK(without, &headless, false);
 }
 
-/* Heads and rows of 63, 64 and 65 cells; lines at the limit; NUL bytes. */
+/* Heads and rows of as many cells as can be read, one less and one more; lines at the limit; NUL bytes. */
 static void limits(void **state)
 {
     (void)state;
     enum { SIZE = CSV_LINE_MOST + 100 };
     char *text = malloc(SIZE), shown[2048];
     assert_non_null(text);
-    for (int head = CSV_CELLS_MOST - 1; head <= CSV_CELLS_MOST + 1; head++)
-        for (int row = head - 1; row <= head + 1; row++) {
-            int n = sprintf(text, "size m,gap m");
-            for (int i = 2; i < head; i++)
-                n += sprintf(text + n, ",x%d", i);
-            n += sprintf(text + n, "\n1 m,2");
-            for (int i = 2; i < row; i++)
-                n += sprintf(text + n, ",é");
-            rows_show(text, (size_t)n, &kind, false, shown, sizeof shown);
-            char many[64];
-            snprintf(many, sizeof many, "2:%d: too many cells: %d", 2 * head + 3, row);
-            const char *expected = head > CSV_CELLS_MOST  ? "1:"
-                                   : row > CSV_CELLS_MOST ? "2:131: the line has more than 64 cells"
-                                   : row > head           ? many
-                                                          : "1 2 - ";
-            assert_memory_equal(shown, expected, strlen(expected));
-        }
+    enum { OTHERS = CSV_OTHERS_MOST, CELLS = CSV_CELLS_MOST };
+    static const struct {
+        int head, row; /* cells; two of them are in the table */
+        const char *shown;
+    } cases[] = {
+        {OTHERS + 1, OTHERS + 1, "1 2 - ,"},
+        {OTHERS + 1, OTHERS + 2, "2:133: too many cells: 66, but the first line has 65"},
+        {OTHERS + 2, OTHERS + 1, "1 2 - ,"},
+        {OTHERS + 2, OTHERS + 2, "1 2 - ,"},
+        {OTHERS + 2, OTHERS + 3, "2:135: too many cells: 67, but the first line has 66"},
+        {OTHERS + 2, CELLS, "2:135: too many cells: 76, but the first line has 66"},
+        {OTHERS + 2, CELLS + 1, "2:155: the line has more than 76 cells"},
+        {OTHERS + 3, OTHERS + 3, "1:1: 65 columns are not used; at most 64"},
+        {CELLS, CELLS, "1:1: 74 columns are not used; at most 64"},
+        {CELLS + 1, 2, "1:302: the line has more than 76 cells"},
+    };
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        int n = sprintf(text, "size m,gap m");
+        for (int i = 2; i < cases[k].head; i++)
+            n += sprintf(text + n, ",x%d", i);
+        n += sprintf(text + n, "\n1 m,2");
+        for (int i = 2; i < cases[k].row; i++)
+            n += sprintf(text + n, ",é");
+        rows_show(text, (size_t)n, &kind, false, shown, sizeof shown);
+        assert_memory_equal(shown, cases[k].shown, strlen(cases[k].shown));
+    }
     for (int more = -1; more <= 1; more++) { /* a line of 65535 bytes and its end is the longest */
         int n = sprintf(text, "size m,gap m,note\n"), length = CSV_LINE_MOST - 1 + more;
         memset(text + n, 'x', (size_t)length);

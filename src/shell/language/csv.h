@@ -24,54 +24,42 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { CSV_CELLS_MOST = 64, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20, CSV_COLUMNS_MOST = 12 };
+/* Limits: columns of a kind, other columns of a file, and both; bytes of a line with its end, and of a file.
+ */
+enum { CSV_COLUMNS_MOST = 12, CSV_OTHERS_MOST = 64, CSV_CELLS_MOST = CSV_COLUMNS_MOST + CSV_OTHERS_MOST };
+enum { CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
+
+/* Properties of a column: each file has it; its cells may be empty; its first cell may be empty or out of
+ * range; its values are whole numbers. */
+enum { CSV_REQUIRED = 1, CSV_EMPTY = 2, CSV_NOT_FIRST = 4, CSV_WHOLE = 8 };
+
+/* A column that a kind of table may have; the texts are for messages. */
+struct csv_column {
+    const char *name, *also; /* its synonyms, as "spacing,distance"; NULL for none */
+    unsigned is;
+    const char *unit, *units, *usual; /* of its values, in SI, "" for plain numbers, NULL for text; all that a
+                                         file may have; and the one that is proposed */
+    const char *write;                /* "write a length such as 48 mm" */
+    double lowest, highest;           /* values, of which 0 is CSV_ABOVE_0 */
+    const char *range;                /* "0 or more, up to 1e9 m" */
+};
+#define CSV_ABOVE_0 4.9e-324 /* the lowest value of a range that begins above 0 */
+
+struct csv_kind {
+    const struct csv_column *column;
+    int columns;           /* at most CSV_COLUMNS_MOST */
+    bool headless;         /* the first line may be missing: the columns are then these, in this order */
+    size_t most;           /* rows */
+    const char *row, *all; /* what a row is, "domino", and what several are, "dominoes" */
+    const char *names;     /* what the first line names, for messages */
+    const char *example;   /* a first line */
+};
 
 /* A place in a file: lines and columns count from 1, and a column is a character. */
 struct csv_place {
     long line;
     int column;
 };
-
-struct csv_problem {
-    struct csv_place at;
-    char text[640]; /* "" while nothing is wrong */
-};
-
-/* ---- Kinds of tables ---- */
-
-/* Properties of a column. */
-enum {
-    CSV_REQUIRED = 1,    /* each file has it */
-    CSV_EMPTY = 2,       /* its cells may be empty */
-    CSV_NOT_FIRST = 4,   /* its first cell may be empty, or out of range */
-    CSV_ZERO = 8,        /* 0 is in the range */
-    CSV_NEGATIVE = 16,   /* the range is that of the absolute value */
-    CSV_WHOLE = 32,      /* only whole numbers are in the range */
-    CSV_UNIT_KNOWN = 64, /* a number without a unit is in the unit of the column */
-    CSV_TEXT = 128,      /* its cells are text */
-};
-
-/* A column that tables of a kind may have. */
-struct csv_column {
-    const char *name, *also; /* its synonyms, as "spacing,distance"; NULL for none */
-    unsigned is;
-    const char *unit, *units, *usual; /* of its values, in SI, or ""; all, and the usual one, for messages */
-    const char *write;                /* for messages: "write a length such as 48 mm" */
-    double lowest, highest;           /* values are above 0, and in this range */
-    const char *range;
-};
-
-struct csv_kind {
-    const struct csv_column *column;
-    int columns;           /* at most CSV_COLUMNS_MOST */
-    bool headless;         /* the first line may be missing: the columns are then those of the table */
-    size_t most;           /* the number of rows is at most this */
-    const char *row, *all; /* what a row is, "domino", and what several are, "dominoes" */
-    const char *names;     /* what the first line names, for messages */
-    const char *example;   /* a first line */
-};
-
-/* ---- Reading ---- */
 
 struct csv_cell {
     const char *text; /* without its quotes, and without blanks around it */
@@ -96,49 +84,55 @@ struct csv_mark {
 /* A table that is being read. */
 struct csv_table {
     const struct csv_kind *kind;
-    struct csv_problem problem;
-    char *path, *text, *next; /* the file, and its part that has not been read yet, which is at this place */
+    struct csv_problem {
+        struct csv_place at;
+        char text[640]; /* "" while nothing is wrong */
+    } problem;
+    char *path, *text; /* path: of the file, for messages */
+    char *next;        /* what has not been read of the text, at this place */
     struct csv_place at;
+    bool blank;            /* a blank or a line end is before it */
     const char *cut_short; /* why the text is not the whole file, or NULL */
     char separator;        /* 0 until it is known */
     struct csv_record head, units, row;
-    bool pending;                 /* `row` is the next row already */
-    size_t rows;                  /* read so far */
-    int column[CSV_COLUMNS_MOST]; /* where the file has each column of the table, from 1; 0 if it does not */
-    domq_real unit[CSV_COLUMNS_MOST];  /* that the first line has; 0 for none */
-    domq_real value[CSV_COLUMNS_MOST]; /* of each column of the table in this row, in SI; NaN if the cell is
-                                          empty */
-    bool other[CSV_CELLS_MOST];        /* the column of the file is not in the table */
+    bool pending;                      /* the row has been read, and is the next one */
+    size_t rows;                       /* that were read */
+    int column[CSV_COLUMNS_MOST];      /* where the file has each column of its kind, from 1; 0 for nowhere */
+    domq_real unit[CSV_COLUMNS_MOST];  /* of each, by the first lines; 0 for none */
+    domq_real value[CSV_COLUMNS_MOST]; /* of each in this row, in SI; NaN if its cell is empty */
+    bool other[CSV_CELLS_MOST];        /* the column of the file is not one of its kind */
     char unused[200];                  /* the names of these, but for notes; "" for none */
     bool locale_comma;                 /* the locale has decimal commas */
     struct csv_mark point, comma;
 };
 
 /*
- * Reads a file and the first line of its table.  The path is for messages, and is freed with the table.
- * Returns a table that may have a problem already; NULL with errno if there is no memory for one.
+ * Reads a file and the first line of its table; the path is freed with the table.  Returns a table that may
+ * have a problem already, or NULL with errno if there is no memory for one.
  */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 void csv_close(struct csv_table *csv); /* which may be NULL */
 
-/* Reads the next row into csv->value.  Returns false at the end of the table, or with a problem. */
+/* Reads the next row.  Returns false at the end of the table, or with a problem. */
 bool csv_next(struct csv_table *csv);
 
-/* Return the text of the cell that this row has in a column of the table, "" if there is none; and its place,
- * or that of the row if there is none or the column is -1. */
-const char *csv_text(const struct csv_table *csv, int k);
-struct csv_place csv_at(const struct csv_table *csv, int k);
+/* Returns the cell of this row in column k of its kind: an empty one, at the place of the row, if it has
+ * none, or if k is -1. */
+struct csv_cell csv_cell(const struct csv_table *csv, int k);
 
 /* Describes a problem, and returns false. */
 bool csv_wrong(struct csv_table *csv, struct csv_place at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Returns true if a value is in the range of a column of the table; else describes the problem. */
+/* Returns true if a value is in the range of column k; else describes the problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
-/* ---- Lines and cells ---- */
+/* Writes, each after a comma, the names of the other columns, or what this row has there. */
+void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
-/* Loads a file; false if there is no memory, or it cannot be read. */
+/* ---- Lines and cells: csv_cells.c ---- */
+
+/* Reads the text of a file.  Returns false with a problem. */
 bool csv_load(struct csv_table *csv, FILE *in);
 
 /* Reads the next record that is not empty.  Returns false at the end of the file, or with a problem. */
@@ -147,12 +141,8 @@ bool csv_read(struct csv_table *csv, struct csv_record *record);
 /* Returns how messages name the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_table *csv);
 
-/* Writes a cell: between quotes if it has one of these characters, and with control characters escaped other
- * than line ends and tabs. */
+/* Writes a cell, between quotes if it has one of these characters. Control characters but line ends and tabs
+ * are escaped. */
 void csv_write(FILE *out, const char *text, const char *quoted);
-
-/* Writes, each after a comma, the names of the columns that are not in the table, or what this row has there.
- */
-void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 #endif

@@ -16,16 +16,15 @@ enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, LEAN, RELATIVE, DOM
 /* The bounds of masses are those of single precision. */
 static const struct csv_column columns[KINDS] = {
     {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
-    {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, 0, 1e11, "more than 0, up to 1e11 m"},
-    {"gap", "spacing,distance", CSV_REQUIRED | CSV_ZERO | CSV_NOT_FIRST, LENGTH, 0, 1e9,
-     "0 or more, up to 1e9 m"},
+    {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11, "more than 0, up to 1e11 m"},
+    {"gap", "spacing,distance", CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1e9, "0 or more, up to 1e9 m"},
     {"mass", "weight", 0, "kg", "kg, g, t, lb, oz", "g", WEIGHT "'mass (g)'", 1e-40, 1e38,
      "1e-40 .. 1e38 kg"},
-    {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3", WEIGHT "'density (g/cm^3)'", 0, 1e9,
-     "more than 0, up to 1e9 kg/m^3"},
-    {"width", NULL, 0, LENGTH, 0, 1e9, "more than 0, up to 1e9 m"},
-    {"radius", NULL, CSV_ZERO, LENGTH, 0, 1e9, "0 or more, up to 1e9 m"},
-    {"lean", "plumb,tilt", CSV_ZERO | CSV_NEGATIVE, LENGTH, 0, 1e9, "what its top is off plumb, up to 1e9 m"},
+    {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3", WEIGHT "'density (g/cm^3)'",
+     CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
+    {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
+    {"radius", NULL, 0, LENGTH, 0, 1e9, "0 or more, up to 1e9 m"},
+    {"lean", "plumb,tilt", 0, LENGTH, -1e9, 1e9, "-1e9 .. 1e9 m"},
     {"relative", NULL, 0, PLAIN "the mass over that of the first domino", 1e-40, 1e38, "1e-40 .. 1e38"},
     {"domino", "nr,no,no.,number", 0, PLAIN "the program does not use it", 1, 1e6, "1 .. 1e6"},
 };
@@ -69,18 +68,19 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     if (csv->column[RELATIVE] && !rows->weighed)
         domino.mass = value[RELATIVE];
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
-        return csv_wrong(csv, csv_at(csv, THICKNESS),
+        return csv_wrong(csv, csv_cell(csv, THICKNESS).at,
                          "thickness / height = %s is out of range; it is 1e-12 .. 100",
                          quad_shown(ratio).text);
     if (2 * domino.radius > thickness)
-        return csv_wrong(csv, csv_at(csv, RADIUS), "radius = %s m is more than half of the thickness, %s m",
+        return csv_wrong(csv, csv_cell(csv, RADIUS).at,
+                         "radius = %s m is more than half of the thickness, %s m",
                          quad_shown(domino.radius).text, quad_shown(thickness / 2).text);
     if (domino.lean != 0 && !lean_stands(&domino, slope, message))
-        return csv_wrong(csv, csv_at(csv, LEAN), "%s", message);
+        return csv_wrong(csv, csv_cell(csv, LEAN).at, "%s", message);
     if (!csv_check(csv, MASS, domino.mass))
         return false;
     if (!row_grow(rows))
-        return csv_wrong(csv, csv_at(csv, -1), "out of memory");
+        return csv_wrong(csv, csv->row.at, "out of memory");
     rows->width[rows->count] = width;
     rows->domino[rows->count++] = domino;
     return true;

@@ -10,9 +10,9 @@ enum { GAP, SPEED, ERROR, KINDS };
 
 static const struct csv_column columns[KINDS] = {
     {"gap", "spacing,distance,separation", CSV_REQUIRED, "m", "m, mm, cm, km, in, ft, yd", "mm",
-     "write a length such as 9 mm", 0, 1e9, "more than 0, up to 1e9 m"},
-    {"speed", "velocity,v", CSV_REQUIRED, SPEEDS, 0, 3e8, "more than 0, up to 3e8 m/s"},
-    {"error", "errors,sigma,uncertainty,speed error", CSV_EMPTY, SPEEDS, 0, 3e8,
+     "write a length such as 9 mm", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
+    {"speed", "velocity,v", CSV_REQUIRED, SPEEDS, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
+    {"error", "errors,sigma,uncertainty,speed error", CSV_EMPTY, SPEEDS, CSV_ABOVE_0, 3e8,
      "more than 0, up to 3e8 m/s"},
 };
 
@@ -31,11 +31,11 @@ static bool row_keep(struct csv_table *csv, struct measured_rows *rows)
     const domq_real *value = csv->value;
     bool known = value[ERROR] > 0;
     if (rows->count > 0 && known != rows->errors)
-        return csv_wrong(csv, csv_at(csv, ERROR),
+        return csv_wrong(csv, csv_cell(csv, ERROR).at,
                          "some speeds have an error and some have none; give all of them one, or none");
     struct measured_row *more = realloc(rows->row, (rows->count + 1) * sizeof *more);
     if (!more)
-        return csv_wrong(csv, csv_at(csv, -1), "out of memory");
+        return csv_wrong(csv, csv->row.at, "out of memory");
     rows->errors = known;
     rows->row = more;
     rows->row[rows->count++] = (struct measured_row){value[GAP], value[SPEED], known ? value[ERROR] : 0};

@@ -190,24 +190,23 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
 
 enum { SIGMA, HEIGHTS, SEED, SCENE, DOMINOES, OF, FIRST, ROWS, FALL, UNKNOWN, STOPS, FIELDS };
 
-#define BLOCKS        "'domino --shard I/N' with 'set output csv' writes blocks of a study"
-#define PLAIN(more)   CSV_REQUIRED | (more), "", "none", "", BLOCKS
-#define COUNTED(more) PLAIN(CSV_WHOLE | (more))
-#define COUNTS        COUNT_MAX, "a whole number, at most 10000000"
+#define BLOCKS "'domino --shard I/N' with 'set output csv' writes blocks of a study"
+#define NUMBER CSV_REQUIRED, "", "none", "", BLOCKS, 0
+#define COUNT  CSV_REQUIRED | CSV_WHOLE, "", "none", "", BLOCKS
+#define TEXT   CSV_REQUIRED, NULL, NULL, NULL, BLOCKS, 0, 0, NULL
 
 static const struct csv_column pool_columns[FIELDS] = {
-    {"sigma", NULL, CSV_REQUIRED | CSV_ZERO | CSV_UNIT_KNOWN, "m", "m, mm, cm, km, in, ft, yd", "mm", BLOCKS,
-     0, 1e9, "0 or more, up to 1e9 m"},
-    {"heights", NULL, PLAIN(CSV_ZERO), 0, 1, "0 .. 1"},
-    {"seed", NULL, PLAIN(CSV_ZERO), 0, 1e38, "0 or more, up to 1e38"},
-    {"scene", NULL, CSV_REQUIRED | CSV_TEXT, NULL, NULL, NULL, BLOCKS, 0, 0, NULL},
-    {"dominoes", NULL, COUNTED(0), 1, COUNTS},
-    {"of", NULL, COUNTED(0), 1, COUNTS},
-    {"first", NULL, COUNTED(0), 1, COUNTS},
-    {"rows", NULL, COUNTED(0), 1, BLOCK_ROWS, "a whole number, at most 100"},
-    {"fall", NULL, COUNTED(CSV_ZERO), 0, COUNTS},
-    {"unknown", NULL, COUNTED(CSV_ZERO), 0, COUNTS},
-    {"stops", NULL, CSV_REQUIRED | CSV_TEXT, NULL, NULL, NULL, BLOCKS, 0, 0, NULL},
+    {"sigma", NULL, NUMBER, 1e9, "0 or more, up to 1e9 m"},
+    {"heights", NULL, NUMBER, 1, "0 .. 1"},
+    {"seed", NULL, NUMBER, 1e38, "0 or more, up to 1e38"},
+    {"scene", NULL, TEXT},
+    {"dominoes", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
+    {"of", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
+    {"first", NULL, COUNT, 1, COUNT_MAX, "1 .. 10000000"},
+    {"rows", NULL, COUNT, 1, BLOCK_ROWS, "1 .. 100"},
+    {"fall", NULL, COUNT, 0, BLOCK_ROWS, "0 .. 100"},
+    {"unknown", NULL, COUNT, 0, BLOCK_ROWS, "0 .. 100"},
+    {"stops", NULL, TEXT},
 };
 
 static const struct csv_kind pool_kind = {
@@ -218,7 +217,6 @@ static const struct csv_kind pool_kind = {
     .row = "block",
     .all = "blocks of a study",
     .names = "sigma, heights, seed, scene, dominoes, of, first, rows, fall, unknown, stops: " BLOCKS,
-    .example = "sigma,heights,seed,scene,dominoes,of,first,rows,fall,unknown,stops",
 };
 
 struct part {
@@ -232,17 +230,17 @@ struct pool {
     struct domq_study study;
     size_t of, dominoes, *stops;
     struct part *part;
-    size_t parts, room;
+    size_t parts;
 };
 
 static bool study_begin(struct pool *p, struct csv_table *csv)
 {
     memcpy(p->common, csv->value, sizeof p->common);
-    p->scene = csv_text(csv, SCENE);
+    p->scene = csv_cell(csv, SCENE).text;
     p->of = (size_t)csv->value[OF];
     p->dominoes = (size_t)csv->value[DOMINOES];
     p->stops = calloc(p->dominoes, sizeof *p->stops);
-    return p->stops || csv_wrong(csv, csv_at(csv, -1), "out of memory");
+    return p->stops || csv_wrong(csv, csv->row.at, "out of memory");
 }
 
 /* Adds the counts of "5:12 6:3", and writes their sum. */
@@ -261,19 +259,6 @@ static bool stops_add(struct pool *p, const char *text, size_t *sum)
     return true;
 }
 
-static bool part_add(struct pool *p, struct csv_table *csv, struct part part)
-{
-    if (p->parts == p->room) {
-        p->room = 2 * p->room + 64;
-        struct part *more = realloc(p->part, p->room * sizeof *more);
-        if (!more)
-            return csv_wrong(csv, part.at, "out of memory");
-        p->part = more;
-    }
-    p->part[p->parts++] = part;
-    return true;
-}
-
 static bool block_add(struct pool *p, struct csv_table *csv)
 {
     const domq_real *value = csv->value;
@@ -281,21 +266,25 @@ static bool block_add(struct pool *p, struct csv_table *csv)
     if (!same)
         return false;
     for (int k = 0; k < FIRST; k++)
-        same = same && (k == SCENE ? strcmp(csv_text(csv, k), p->scene) == 0 : value[k] == p->common[k]);
+        same = same && (k == SCENE ? strcmp(csv_cell(csv, k).text, p->scene) == 0 : value[k] == p->common[k]);
     if (!same)
         return csv_wrong(
-            csv, csv_at(csv, -1),
+            csv, csv->row.at,
             "this block is of another study: sigma, heights, seed, row or number of rows differ");
     size_t first = (size_t)value[FIRST], rows = (size_t)value[ROWS], fall = (size_t)value[FALL],
            unknown = (size_t)value[UNKNOWN], stopped;
-    if (first + rows - 1 > p->of || !stops_add(p, csv_text(csv, STOPS), &stopped) ||
+    if (first + rows - 1 > p->of || !stops_add(p, csv_cell(csv, STOPS).text, &stopped) ||
         fall + unknown + stopped != rows)
-        return csv_wrong(csv, csv_at(csv, -1),
-                         "the counts of this block do not add up to its number of rows");
+        return csv_wrong(csv, csv->row.at, "the counts of this block do not add up to its number of rows");
     p->study.rows += rows;
     p->study.fall += fall;
     p->study.unknown += unknown;
-    return part_add(p, csv, (struct part){first, rows, csv_at(csv, -1)});
+    struct part *more = realloc(p->part, (p->parts + 1) * sizeof *more);
+    if (!more)
+        return csv_wrong(csv, csv->row.at, "out of memory");
+    p->part = more;
+    p->part[p->parts++] = (struct part){first, rows, csv->row.at};
+    return true;
 }
 
 static int by_first(const void *a, const void *b)

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Feeds the reader of csv files arbitrary bytes, as a row, and checks that the columns that it keeps are read
+ * back as they were.  Some bytes stand for texts that bring heads, rows and lines to their limits.
+ */
+#include "io/io.h"
+#include "session/rowfile.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/* Writes the text of a byte: so many times. */
+static void byte_write(FILE *out, uint8_t byte)
+{
+    static const struct {
+        const char *text;
+        int times;
+    } texts[] = {
+        {"height (mm),thickness (mm),gap (mm)", 1},
+        {"height;thickness;gap\nmm;mm;mm\n", 1},
+        {"\n48,7.5,20", 1},
+        {"\n48,5;7,5;20", 1},
+        {",x", CSV_OTHERS_MOST - 1},
+        {";1", CSV_CELLS_MOST - 4},
+        {"y", CSV_LINE_MOST - 100},
+        {"", 0},
+    };
+    if (byte < sizeof texts / sizeof *texts)
+        for (int i = 0; i < texts[byte].times; i++)
+            fputs(texts[byte].text, out);
+    else
+        putc(byte == 0xff ? '\0' : byte, out);
+}
+
+/* Reads a row; returns false if it is wrong, and aborts if nothing says why. */
+static bool row_read(const char *text, size_t size, bool comma, struct listed_row *row)
+{
+    FILE *in = fmemopen((void *)(uintptr_t)text, size, "r");
+    struct csv_table *csv = in ? csv_open(in, NULL, &rowfile_kind, comma) : NULL;
+    if (!csv)
+        abort();
+    bool good = !*csv->problem.text && rowfile_read(csv, 0, row);
+    if (good == (*csv->problem.text != '\0') ||
+        (!good && (csv->problem.at.line < 1 || csv->problem.at.column < 1)))
+        abort();
+    csv_close(csv);
+    fclose(in);
+    return good;
+}
+
+/* Aborts if the other columns of a row are not the same when they are read back. */
+static void others_check(const struct listed_row *row)
+{
+    char *text;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    const char *others = row->others;
+    fprintf(out, "height (m),thickness (m),gap (m)%s\n", others);
+    for (size_t k = 0; k < row->count; k++) {
+        others += strlen(others) + 1;
+        fprintf(out, "1,0.1,0%s\n", others);
+    }
+    fclose(out);
+    struct listed_row again;
+    if (!row_read(text, size, false, &again) || again.count != row->count ||
+        memcmp(again.others, row->others, (size_t)(others + strlen(others) + 1 - row->others)) != 0) {
+        fprintf(stderr, "this is not read back: %s\n", text);
+        abort();
+    }
+    listed_free(&again);
+    free(text);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    char *text;
+    size_t length;
+    struct listed_row row;
+    FILE *out = open_memstream(&text, &length);
+    for (size_t i = 0; i < size && ftell(out) < 1 << 20; i++)
+        byte_write(out, data[i]);
+    fclose(out);
+    if (length > 0 && row_read(text, length, data[0] & 1, &row)) {
+        for (size_t k = 0; k < row.count; k++)
+            if (!(row.domino[k].height > 0 && row.domino[k].thickness > 0 && row.domino[k].gap >= 0 &&
+                  row.domino[k].mass > 0))
+                abort();
+        others_check(&row);
+        listed_free(&row);
+    }
+    free(text);
+    return 0;
+}
