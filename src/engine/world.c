@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "world.h"
-#include "room.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -208,12 +207,9 @@ static void pave(struct world *w)
 
 enum engine_status world_make(struct world *w)
 {
-    enum engine_status status = chipmunk_load(&w->cp);
-    if (status != ENGINE_OK)
-        return status;
-    w->has_room = room_take(w->row->count);
-    if (!w->has_room)
-        return ENGINE_NO_MEMORY;
+    w->cp = chipmunk_load();
+    if (!w->cp)
+        return ENGINE_NO_LIBRARY;
     w->body = calloc(w->row->count, sizeof *w->body);
     w->space = w->cp->cpSpaceNew();
     if (!w->body || !w->space)
@@ -257,6 +253,4 @@ void world_free(struct world *w)
     if (w->space)
         w->cp->cpSpaceFree(w->space);
     free(w->body);
-    if (w->has_room)
-        room_give(w->row->count);
 }

@@ -42,9 +42,9 @@ static bool row_read(const char *text, size_t size, bool comma, struct listed_ro
     struct csv_table *csv = in ? csv_open(in, NULL, &rowfile_kind, comma) : NULL;
     if (!csv)
         abort();
-    bool good = !*csv->problem.text && rowfile_read(csv, 0, row);
-    if (good == (*csv->problem.text != '\0') ||
-        (!good && (csv->problem.at.line < 1 || csv->problem.at.column < 1)))
+    bool good = !*csv->file.problem.text && rowfile_read(csv, 0, row);
+    if (good == (*csv->file.problem.text != '\0') ||
+        (!good && (csv->file.problem.at.line < 1 || csv->file.problem.at.column < 1)))
         abort();
     csv_close(csv);
     fclose(in);

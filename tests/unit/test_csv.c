@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "language/csv.h"
+#include "language/csv_table.h"
 #include <math.h>
 #include <string.h>
 
@@ -36,15 +36,16 @@ static void rows_show(const char *text, size_t length, const struct csv_kind *of
     assert_non_null(csv);
     if (csv->units.cells > 0)
         csv_write_others(csv, true, out);
-    while (!*csv->problem.text && csv_next(csv)) {
+    while (!*csv->file.problem.text && csv_next(csv)) {
         for (int k = 0; k < 3; k++)
             fprintf(out, isnan(csv->value[k]) ? "- " : "%.10g ", (double)csv->value[k]);
         fputs(csv_cell(csv, 3).text, out);
         csv_write_others(csv, false, out);
         fputs("; ", out);
     }
-    if (*csv->problem.text)
-        fprintf(out, "%ld:%d: %s", csv->problem.at.line, csv->problem.at.column, csv->problem.text);
+    if (*csv->file.problem.text)
+        fprintf(out, "%ld:%d: %s", csv->file.problem.at.line, csv->file.problem.at.column,
+                csv->file.problem.text);
     csv_close(csv);
     fclose(in);
     fclose(out);

@@ -1,420 +1,177 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/csv.h"
-#include "language/expression.h"
-#include "language/names.h"
-#include "language/quad.h"
+#include "io/escape.h"
 #include "language/text.h"
 #include <ctype.h>
+#include <errno.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char digits[] = "0123456789";
-
-struct csv_cell csv_cell(const struct csv_table *csv, int k)
+bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, ...)
 {
-    int i = k >= 0 ? csv->column[k] - 1 : -1;
-    return i >= 0 && i < csv->row.cells ? csv->row.cell[i] : (struct csv_cell){.text = "", .at = csv->row.at};
-}
-
-/* Returns true for a cell that has no value. */
-static bool is_empty(const char *text)
-{
-    return *text == '\0' || strcmp(text, "-") == 0;
-}
-
-/* ---- Units ---- */
-
-enum { UNIT = 32 };
-
-/* Copies the unit in "mm", "(mm)" or "[mm]"; returns false if the text is not a unit. */
-static bool unit_copy(const char *text, char unit[UNIT])
-{
-    const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");
-    struct quantity q = {.value = 1};
-    bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
-    char *cube = strstr(unit, "\u00b3");
-    if (cube)
-        memcpy(cube, "^3", 2);
-    const char *stop = one && *unit ? unit_scan(unit, &q) : NULL;
-    return stop && *stop == '\0';
-}
-
-static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv_place at)
-{
-    char unit[UNIT], shown[NAMES_SHOWN];
-    const struct csv_column *c = &csv->kind->column[k];
-    bool known = unit_copy(text, unit) && c->unit && *c->unit;
-    struct quantity q = expression_unit(unit);
-    names_shown(text, shown);
-    if (!known || !quantity_alike(q, expression_unit(c->unit)))
-        return csv_wrong(csv, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name, c->units);
-    if (csv->unit[k] > 0 && csv->unit[k] != q.value)
-        return csv_wrong(csv, at, "'%s' is not the unit of %s that the line above has; leave one out", shown,
-                         c->name);
-    csv->unit[k] = q.value;
-    return true;
-}
-
-/* Reads the line below the names: it may have their units, or is the first row. */
-static bool units_read(struct csv_table *csv)
-{
-    char unit[UNIT];
-    bool units = false, good = true;
-    if (!csv_read(csv, &csv->row))
-        return !*csv->problem.text;
-    for (int k = 0; k < csv->kind->columns; k++)
-        units = units || unit_copy(csv_cell(csv, k).text, unit);
-    for (int k = 0; k < csv->kind->columns && units && good; k++)
-        good =
-            is_empty(csv_cell(csv, k).text) || unit_read(csv, k, csv_cell(csv, k).text, csv_cell(csv, k).at);
-    if (units)
-        csv->units = csv->row;
-    csv->pending = !units;
-    return good;
-}
-
-/* ---- The first line ---- */
-
-static const char *column_names(const void *context, int k)
-{
-    const struct csv_kind *kind = context;
-    return k < kind->columns ? kind->column[k].name : NULL;
-}
-
-/* Returns true if a list such as "spacing,distance" has this name. */
-static bool is_among(const char *list, const char *name)
-{
-    size_t length = strlen(name);
-    for (const char *next; list; list = next ? next + 1 : NULL) {
-        next = strchr(list, ',');
-        if (strncmp(list, name, length) == 0 && (list[length] == ',' || list[length] == '\0'))
-            return true;
-    }
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(file->problem.text, sizeof file->problem.text, format, arguments);
+    va_end(arguments);
+    file->problem.at = at;
     return false;
 }
 
-/* Copies the name of a column in lower case, and returns where its unit is: after a bracket or a comma, or
- * the last word if that is a unit. */
-static const char *name_split(const char *text, char name[NAMES_SHOWN])
+const char *csv_separator_name(const struct csv_file *file)
 {
-    char last[UNIT];
-    size_t length = strcspn(text, "([,"), word = strlen(text);
-    while (word > 0 && text[word - 1] != ' ' && text[word - 1] != '_')
-        word--;
-    if (text[length] == '\0' && word > 0 && unit_copy(text + word, last))
-        length = word;
-    const char *unit = text + length + strspn(text + length, " \t,");
-    while (length > 0 && strchr(" \t_", text[length - 1]))
-        length--;
-    name_copy(text, length, name, NAMES_SHOWN);
-    for (char *c = name; *c; c++)
-        *c = (char)tolower((unsigned char)*c);
-    return unit;
+    return file->separator == ';' ? "';'" : file->separator == ',' ? "','" : "tab";
 }
 
-/* Reads the name and the unit of column i of the file. */
-static bool name_read(struct csv_table *csv, int i, const char *text)
+/* Leaves out the byte order mark, and makes every line end '\n'. */
+static void text_unify(char *text)
 {
-    const struct csv_kind *kind = csv->kind;
-    const struct csv_place at = csv->head.cell[i].at;
-    char name[NAMES_SHOWN], shown[NAMES_SHOWN];
-    const char *unit = name_split(text, name), *close = NULL;
-    bool note = is_among(",note,notes,comment,comments,remark", name);
-    int k = 0;
-    while (k < kind->columns && strcmp(kind->column[k].name, name) != 0 &&
-           !is_among(kind->column[k].also, name))
-        k++;
-    csv->other[i] = k == kind->columns;
-    if (isdigit((unsigned char)*text) || *text == '.')
-        return csv_wrong(csv, at, "the first line has a number, but it names the columns: write '%s' above",
-                         kind->example);
-    if (csv->other[i] && !note && (close = names_closest(column_names, kind, name)) != NULL)
-        return csv_wrong(csv, at, "unknown column '%s'; did you mean '%s'?", name, close);
-    size_t used = strlen(csv->unused);
-    if (csv->other[i] && !note)
-        snprintf(csv->unused + used, sizeof csv->unused - used, "%s'%.40s'", used ? ", " : "",
-                 names_shown(text, shown));
-    if (csv->other[i])
-        return true;
-    if (csv->column[k] > 0)
-        return csv_wrong(csv, at, "'%s' is the %s, as column %d is; name one of them otherwise", name,
-                         kind->column[k].name, csv->column[k]);
-    csv->column[k] = i + 1;
-    return *unit == '\0' || unit_read(csv, k, unit, at);
-}
-
-/* Takes the columns of the table for those of a file that begins with its first row. */
-static void head_assume(struct csv_table *csv)
-{
-    csv->row = csv->head;
-    csv->pending = true;
-    csv->head.cells = csv->kind->columns;
-    for (int k = 0; k < csv->kind->columns; k++) {
-        csv->head.cell[k].text = csv->kind->column[k].name;
-        csv->column[k] = k + 1;
+    char *to = text, before = '\0';
+    for (const char *c = text + (strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0); *c; c++) {
+        char now = *c;
+        if (now != '\n' || before != '\r')
+            *to++ = now == '\r' ? '\n' : now;
+        before = now;
     }
+    *to = '\0';
 }
 
-static bool head_read(struct csv_table *csv)
+bool csv_load(struct csv_file *file, FILE *in)
 {
-    const struct csv_kind *kind = csv->kind;
-    struct text text;
-    int others = 0;
-    bool good = true;
-    if (!csv_read(csv, &csv->head))
-        return !*csv->problem.text; /* the file is empty: csv_next describes it */
-    if (csv->head.cells == 1)
-        return csv_wrong(csv, csv->head.at,
-                         "there is only one column; the first line names %s, separated by ',', ';' or tabs",
-                         kind->names);
-    if (kind->headless && isdigit((unsigned char)*csv->head.cell[0].text)) {
-        head_assume(csv);
-        return true;
+    enum { FIRST = 4096 };
+    for (size_t n = 0, size = 0, got = 1; got > 0 && !file->cut_short; n += got) {
+        if (n + 1 >= size) {
+            char *more = realloc(file->text, size = size ? 2 * size : FIRST);
+            if (!more)
+                return csv_wrong(file, file->at, "out of memory");
+            file->text = more;
+        }
+        got = fread(file->text + n, 1, size - 1 - n, in);
+        file->text[n + got] = '\0';
+        if (ferror(in))
+            return csv_wrong(file, file->at, "cannot read any further: %s", strerror(errno));
+        file->cut_short = strlen(file->text + n) < got
+                              ? "the line has a NUL byte; a csv file is text in UTF-8"
+                          : n + got >= CSV_FILE_MOST - 1 ? "the file is larger than 64 MB"
+                                                         : NULL;
     }
-    for (int i = 0; i < csv->head.cells && good; i++) {
-        const char *name = csv->head.cell[i].text;
-        if (!text_make(&text, name, strlen(name)))
-            return csv_wrong(csv, csv->head.at, "out of memory");
-        good = name_read(csv, i, text.line);
-        others += csv->other[i];
-        text_free(&text);
-    }
-    if (good &&
-        others > CSV_OTHERS_MOST) /* with all columns of the kind there would be too many to read back */
-        return csv_wrong(csv, csv->head.at, "%d columns are not used; at most %d such columns can be kept",
-                         others, CSV_OTHERS_MOST);
-    for (int k = 0; k < kind->columns && good; k++)
-        if ((kind->column[k].is & CSV_REQUIRED) && csv->column[k] == 0)
-            return csv_wrong(csv, csv->head.at, "the column '%s' is missing; the first line names %s",
-                             kind->column[k].name, kind->names);
-    return good && units_read(csv);
+    text_unify(file->text);
+    file->next = file->text;
+    return true;
 }
 
-struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma)
+/* ---- Cells ---- */
+
+/* Moves to the next character. */
+static void step(struct csv_file *file)
 {
-    struct csv_table *csv = malloc(sizeof *csv);
-    if (csv) {
-        *csv = (struct csv_table){
-            .path = path, .at = {1, 1}, .blank = true, .kind = kind, .locale_comma = locale_comma};
-        (void)(csv_load(csv, in) && head_read(csv)); /* the table has the problem */
-    }
-    return csv;
+    char c = *file->next++;
+    file->blank = isspace((unsigned char)c);
+    file->at.line += c == '\n';
+    file->at.column = c == '\n' ? 1 : file->at.column + (((unsigned char)*file->next & 0xc0) != 0x80);
 }
 
-void csv_close(struct csv_table *csv)
+/* Skips blanks, but not the separator, which may be a tab. */
+static void skip(struct csv_file *file)
 {
-    if (csv) {
-        free(csv->path);
-        free(csv->text);
-    }
-    free(csv);
+    while (*file->next && *file->next != file->separator && strchr(" \t\f\v", *file->next))
+        step(file);
 }
 
-/* ---- Numbers ---- */
+/* Returns true where a line ends, or a comment begins. */
+static bool at_end(const struct csv_file *file)
+{
+    return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->blank);
+}
+
+/* Reads a cell and what is after it: its separator, with *more, or the rest of the line. */
+static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
+{
+    skip(file);
+    const struct csv_place open = file->at;
+    bool quoted = *file->next == '"', closed = false, line = true;
+    if (quoted) {
+        step(file);
+        skip(file);
+    }
+    char *to = file->next;
+    *cell = (struct csv_cell){to, file->at, quoted};
+    while (quoted ? *file->next && !closed : !at_end(file) && *file->next != file->separator) {
+        bool quote = quoted && *file->next == '"';
+        if (quote)
+            step(file);
+        closed = quote && *file->next != '"';
+        if (!closed) {
+            *to++ = *file->next;
+            step(file);
+        }
+    }
+    skip(file);
+    *more = !at_end(file);
+    if (quoted && !closed)
+        return csv_wrong(file, open, "this '\"' is never closed; write another '\"' at the end of the cell");
+    if (*more && *file->next != file->separator)
+        return csv_wrong(file, file->at, "a %s is missing after the closing '\"'", csv_separator_name(file));
+    for (; line && *file->next; step(file)) /* a comment goes to the end of its line */
+        line = !*more && *file->next != '\n';
+    while (to > cell->text && isspace((unsigned char)to[-1]))
+        to--;
+    *to = '\0';
+    return true;
+}
 
 /*
- * Looks at the decimal marks of a cell, and makes decimal commas points.  A comma between parentheses
- * separates the arguments of a function.
+ * Finds the separator: the one of "sep=;", which spreadsheets write above the first line, and which is
+ * skipped; or ';' if the first line has one; or a comma, unless a tab comes directly between two names.
  */
-static bool marks_read(struct csv_table *csv, struct csv_place at, char *text)
+static void separator_find(struct csv_file *file)
 {
-    int depth = 0;
-    for (char *c = text; *c; c++) {
-        size_t before = 0, after = strspn(c + 1, digits);
-        while (c - before > text && isdigit((unsigned char)(c - before)[-1]))
-            before++;
-        depth += (*c == '(') - (*c == ')');
-        bool comma = *c == ',' && depth == 0 && after > 0;
-        if (!comma && (*c != '.' || before + after == 0))
-            continue;
-        const char *end = c + 1 + after;
-        if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
-            return csv_wrong(csv, at,
-                             "a number has several decimal marks; write it without separators of "
-                             "thousands");
-        struct csv_mark *mark = comma ? &csv->comma : &csv->point;
-        bool sure =
-            before < 1 || before > 3 || *(c - before) == '0' || after != 3 || *end == 'e' || *end == 'E';
-        mark->seen = true;
-        mark->sure = mark->sure || sure;
-        if (!sure && mark->at.line == 0) {
-            mark->at = at;
-            name_copy(c - before, before, mark->before, sizeof mark->before);
-            name_copy(c + 1, after, mark->after, sizeof mark->after);
+    const char *name = file->next + (*file->next == '"'), *tab = text_end(file->next, "\t\n");
+    bool named = strncasecmp(name, "sep=", 4) == 0 && name[4] && strchr(",;\t", name[4]);
+    bool tabs = *tab == '\t' && tab > file->next && tab[-1] != ',' && !strchr(" \t,#\n", tab[1]);
+    bool commas = *text_end(file->next, ",\n") == ',';
+    file->separator = named                                 ? name[4]
+                      : *text_end(file->next, ";\n") == ';' ? ';'
+                      : commas && !tabs                     ? ','
+                                                            : '\t';
+    while (named && *file->next && *file->next != '\n')
+        step(file);
+}
+
+bool csv_read(struct csv_file *file, struct csv_record *record)
+{
+    bool empty = true, good = true;
+    while (good && empty && *file->next) {
+        const char *begin = file->next;
+        if (!file->separator && !strchr("\n#", *skip_blanks(begin)))
+            separator_find(file);
+        *record = (struct csv_record){.at = file->at};
+        for (bool more = true; good && more;) {
+            struct csv_cell cell;
+            good = cell_read(file, &cell, &more);
+            empty = empty && !*cell.text;
+            if (record->cells < CSV_CELLS_MOST)
+                record->cell[record->cells++] = cell;
+            else if (good && *cell.text)
+                good = csv_wrong(file, cell.at, "the line has more than %d cells", CSV_CELLS_MOST);
         }
-        *c = '.';
-        c += after;
+        if (good && file->next - begin > CSV_LINE_MOST)
+            return csv_wrong(file, record->at, "the line is longer than %d bytes", CSV_LINE_MOST - 1);
     }
-    return true;
+    if (*file->next == '\0' && file->cut_short)
+        return csv_wrong(file, file->at, "%s", file->cut_short);
+    return good && !empty;
 }
 
-/* Describes the first number that may be read in two ways, now that all of them are known; returns true if
- * there is none. */
-static bool marks_check(struct csv_table *csv)
+void csv_write(FILE *out, const char *text, const char *quoted)
 {
-    bool decimal = csv->comma.sure || csv->locale_comma || csv->separator == ';';
-    bool comma = csv->comma.at.line > 0 && (!decimal || csv->point.seen);
-    const struct csv_mark *m = comma ? &csv->comma : &csv->point;
-    const char *a = m->before, *b = m->after;
-    return (!comma && (m->at.line == 0 || !csv->comma.seen)) ||
-           csv_wrong(csv, m->at, "'%s%c%s' can be read as %s.%s or as %s%s; write %s.%s0 or %s%s", a,
-                     comma ? ',' : '.', b, a, b, a, b, a, b, a, b);
-}
-
-static bool no_names(struct expression *e, const char *name, const char *key,
-                     const struct quantity *arguments, int count, struct quantity *result)
-{
-    (void)key, (void)arguments, (void)count, (void)result;
-    return expression_fail(e, "'%s' has no value in a file", name);
-}
-
-/* Describes that a unit is missing.  None is assumed: metres in a file of millimetres would be towers. */
-static bool unit_missing(struct csv_table *csv, int k, const char *text)
-{
-    const struct csv_column *c = &csv->kind->column[k];
-    char shown[NAMES_SHOWN], here[64] = "";
-    names_shown(text, shown);
-    if (*c->unit == 'm')
-        snprintf(here, sizeof here, ", or '%.40s %s' in the cell", shown, c->usual);
-    return csv_wrong(csv, csv_cell(csv, k).at,
-                     "%s has no unit: '%s' would be %s %s; write '%s (%s)' in the first line%s", c->name,
-                     shown, shown, c->unit, c->name, c->usual, here);
-}
-
-/* Evaluates the text of a cell, in SI, without a check of its range. */
-static bool number_read(struct csv_table *csv, int k, const struct text *text)
-{
-    const struct csv_column *c = &csv->kind->column[k];
-    char shown[NAMES_SHOWN], is[48];
-    struct quantity q = {.value = 0};
-    struct expression e = {.text = text->line, .lookup = no_names, .angle = 1};
-    bool good = expression_evaluate(&e, &q);
-    const char *rest = good ? skip_blanks(e.end) : e.end;
-    struct csv_place cell = csv_cell(csv, k).at, at = cell;
-    if (rest > text->line)
-        at.column += text_column(text, rest) - 1;
-    names_shown(rest, shown);
-    if (!good)
-        return csv_wrong(csv, at, *rest ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown, e.message,
-                         c->write);
-    if (*rest)
-        return csv_wrong(csv, at, "%s ends before '%s'; %s", c->name, shown, c->write);
-    bool bare = quantity_bare(q);
-    if (!bare && !quantity_alike(q, expression_unit(c->unit)))
-        return csv_wrong(csv, cell, "%s: this is %s; %s", c->name, expression_kind(q, is, sizeof is),
-                         c->write);
-    domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0';
-    if (bare && unit == 0 && q.value != 0)
-        return unit_missing(csv, k, text->line);
-    csv->value[k] = bare ? q.value * unit : q.value;
-    return true;
-}
-
-bool csv_check(struct csv_table *csv, int k, domq_real value)
-{
-    const struct csv_column *c = &csv->kind->column[k];
-    double near = (double)value; /* the bounds are decimals, and are in the range as doubles */
-    bool whole = !(c->is & CSV_WHOLE) || value == quad(floor)(value);
-    const char *is = !whole              ? "not a whole number"
-                     : near > c->highest ? "too large"
-                     : near >= c->lowest ? NULL
-                     : near < 0          ? "negative"
-                                         : "too small";
-    return !is || csv_wrong(csv, csv_cell(csv, k).at, "%s = %s%s%s is %s; the range of %s is %s", c->name,
-                            quad_shown(value).text, *c->unit ? " " : "", c->unit, is, c->name, c->range);
-}
-
-/* ---- Rows ---- */
-
-/* Reads the value of a column of the table in this row. */
-static bool value_read(struct csv_table *csv, int k)
-{
-    const struct csv_column *c = &csv->kind->column[k];
-    const char *typed = csv_cell(csv, k).text;
-    struct text text;
-    bool unused = csv->rows == 0 && c->is & CSV_NOT_FIRST;
-    csv->value[k] = DOMQ_NAN;
-    if (csv->column[k] == 0 || !c->unit || (is_empty(typed) && (unused || c->is & CSV_EMPTY)))
-        return true;
-    if (csv->column[k] > csv->row.cells)
-        return csv_wrong(csv, csv->row.at,
-                         "too few cells: %d, but the first line has %d; a %s separates them", csv->row.cells,
-                         csv->head.cells, csv_separator_name(csv));
-    if (is_empty(typed))
-        return csv_wrong(csv, csv_cell(csv, k).at, "%s is missing; %s", c->name, c->write);
-    if (!text_make(&text, typed, strlen(typed)))
-        return csv_wrong(csv, csv->row.at, "out of memory");
-    bool good = marks_read(csv, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
-                (unused || csv_check(csv, k, csv->value[k]));
-    text_free(&text);
-    return good;
-}
-
-/* Describes that the row has more cells than the first line, and how a decimal comma in it was read. */
-static bool cells_many(struct csv_table *csv, int cells)
-{
-    const struct csv_record *row = &csv->row;
-    char reading[160] = "";
-    for (int i = 0; i + 1 < cells && !*reading && csv->separator == ','; i++) {
-        const struct csv_cell *a = &row->cell[i], *b = a + 1;
-        int one = (int)strspn(a->text, digits), two = (int)strspn(b->text, digits);
-        if (one && two && !a->text[one] && !a->quoted && b->at.column == a->at.column + one + 1)
-            snprintf(reading, sizeof reading,
-                     "; '%.9s,%.9s' is read as the cells %.9s and %.9s: if it is one number, write %.9s.%.9s",
-                     a->text, b->text, a->text, b->text, a->text, b->text);
+    char piece[ESCAPE_PIECE];
+    const char *quote = strpbrk(text, quoted) ? "\"" : "";
+    fputs_unlocked(quote, out);
+    for (size_t length; *text; text += length) {
+        length = escape_next(text, piece);
+        bool plain = *text == '\n' || *text == '\t';
+        fputs_unlocked(*text == '"' ? "\"\"" : plain ? (char[]){*text, '\0'} : piece, out);
     }
-    return csv_wrong(csv, row->cell[csv->head.cells].at,
-                     "too many cells: %d, but the first line has %d; a %s separates them%s", cells,
-                     csv->head.cells, csv_separator_name(csv), reading);
-}
-
-/* Reads the next row, without a first line that comes again, as where files were joined. */
-static bool row_read(struct csv_table *csv)
-{
-    const struct csv_record *row = &csv->row;
-    for (bool again = true; again; csv->pending = false) {
-        if (!csv->pending && !csv_read(csv, &csv->row))
-            return false;
-        again = row->cells == csv->head.cells;
-        for (int i = 0; i < row->cells && again; i++)
-            again = strcmp(row->cell[i].text, csv->head.cell[i].text) == 0;
-    }
-    return true;
-}
-
-bool csv_next(struct csv_table *csv)
-{
-    const struct csv_kind *kind = csv->kind;
-    if (!row_read(csv)) {
-        if (!*csv->problem.text && csv->rows == 0)
-            csv_wrong(csv, csv->at,
-                      "the file has no %s; the first line names %s, and each line after it is one %s",
-                      kind->all, kind->names, kind->row);
-        return !*csv->problem.text && marks_check(csv) && false;
-    }
-    if (csv->rows == kind->most)
-        return csv_wrong(csv, csv->row.at, "there are more than %zu %s", kind->most, kind->all);
-    int cells = csv->row.cells;
-    while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* as spreadsheets write them */
-        cells--;
-    bool good = cells <= csv->head.cells || cells_many(csv, cells);
-    for (int k = 0; k < kind->columns && good; k++)
-        good = value_read(csv, k);
-    csv->rows += good;
-    return good;
-}
-
-void csv_write_others(const struct csv_table *csv, bool names, FILE *out)
-{
-    for (int i = 0; i < csv->head.cells; i++) {
-        const struct csv_record *record = names ? &csv->head : &csv->row;
-        const char *text = i < record->cells ? record->cell[i].text : "";
-        const char *unit = names && *text && i < csv->units.cells ? csv->units.cell[i].text : "";
-        char name[256];
-        snprintf(name, sizeof name, "%s (%s)", text, unit);
-        if (csv->other[i]) {
-            putc(',', out);
-            csv_write(out, *unit ? name : text, ",;\t\"\n#");
-        }
-    }
+    fputs_unlocked(quote, out);
 }

@@ -1,59 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Tables in csv files, as people and spreadsheets write them.
+ * The lines and cells of csv files, as people and spreadsheets write them; csv_table.h knows what they mean.
  *
  * The cells of a line are separated by ',', ';' or tabs: the first line decides, or a line "sep=;" above it.
  * A cell between quotes may contain separators, line ends, and '""' for a quote.  A line ends with LF, CRLF
  * or CR.  A byte order mark, empty lines and blanks around a cell do not count, and a '#' at the beginning of
  * a line or after a blank begins a comment.
- *
- * The first line names the columns, in any order and in any case, and their units: "height (mm)", "height
- * [mm]", "height, mm", "height mm" or "height_mm"; or the line below it has the units.  A cell is an
- * expression, and a unit of its own counts; '-' is an empty cell.  A file means the same in every session:
- * names of a session have no value in it, and a bare angle is in radians.
- *
- * A number has a decimal point or a decimal comma.  "1,234" might also be 1234: it has a decimal comma if ';'
- * separates the cells, if the locale has decimal commas, or if another number of the file can have no other
- * meaning; else it is an error.  So is "1.234" in a file with decimal commas.
  */
 #ifndef SHELL_CSV_H
 #define SHELL_CSV_H
 
-#include "domino_quad.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
-/* Limits: columns of a kind, other columns of a file, and both; bytes of a line with its end, and of a file.
- */
-enum { CSV_COLUMNS_MOST = 12, CSV_OTHERS_MOST = 64, CSV_CELLS_MOST = CSV_COLUMNS_MOST + CSV_OTHERS_MOST };
-enum { CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
-
-/* Properties of a column: each file has it; its cells may be empty; its first cell may be empty or out of
- * range; its values are whole numbers. */
-enum { CSV_REQUIRED = 1, CSV_EMPTY = 2, CSV_NOT_FIRST = 4, CSV_WHOLE = 8 };
-
-/* A column that a kind of table may have; the texts are for messages. */
-struct csv_column {
-    const char *name, *also; /* its synonyms, as "spacing,distance"; NULL for none */
-    unsigned is;
-    const char *unit, *units, *usual; /* of its values, in SI, "" for plain numbers, NULL for text; all that a
-                                         file may have; and the one that is proposed */
-    const char *write;                /* "write a length such as 48 mm" */
-    double lowest, highest;           /* values, of which 0 is CSV_ABOVE_0 */
-    const char *range;                /* "0 or more, up to 1e9 m" */
-};
-#define CSV_ABOVE_0 4.9e-324 /* the lowest value of a range that begins above 0 */
-
-struct csv_kind {
-    const struct csv_column *column;
-    int columns;           /* at most CSV_COLUMNS_MOST */
-    bool headless;         /* the first line may be missing: the columns are then these, in this order */
-    size_t most;           /* rows */
-    const char *row, *all; /* what a row is, "domino", and what several are, "dominoes" */
-    const char *names;     /* what the first line names, for messages */
-    const char *example;   /* a first line */
-};
+/* Limits: the cells of a line, the bytes of a line with its end, and the bytes of a file. */
+enum { CSV_CELLS_MOST = 76, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
 
 /* A place in a file: lines and columns count from 1, and a column is a character. */
 struct csv_place {
@@ -74,72 +36,31 @@ struct csv_record {
     struct csv_place at;
 };
 
-/* What is known of decimal points, or of decimal commas. */
-struct csv_mark {
-    bool seen, sure;          /* sure: in some number the mark can only be a decimal one */
-    struct csv_place at;      /* of the first number in which it might separate thousands; line 0 for none */
-    char before[4], after[4]; /* the digits of that number */
-};
-
-/* A table that is being read. */
-struct csv_table {
-    const struct csv_kind *kind;
+/* A file that is being read. */
+struct csv_file {
     struct csv_problem {
         struct csv_place at;
         char text[640]; /* "" while nothing is wrong */
     } problem;
-    char *path, *text; /* path: of the file, for messages */
-    char *next;        /* what has not been read of the text, at this place */
+    char *text, *next; /* next: what has not been read of the text, at this place */
     struct csv_place at;
     bool blank;            /* a blank or a line end is before it */
     const char *cut_short; /* why the text is not the whole file, or NULL */
     char separator;        /* 0 until it is known */
-    struct csv_record head, units, row;
-    bool pending;                      /* the row has been read, and is the next one */
-    size_t rows;                       /* that were read */
-    int column[CSV_COLUMNS_MOST];      /* where the file has each column of its kind, from 1; 0 for nowhere */
-    domq_real unit[CSV_COLUMNS_MOST];  /* of each, by the first lines; 0 for none */
-    domq_real value[CSV_COLUMNS_MOST]; /* of each in this row, in SI; NaN if its cell is empty */
-    bool other[CSV_CELLS_MOST];        /* the column of the file is not one of its kind */
-    char unused[200];                  /* the names of these, but for notes; "" for none */
-    bool locale_comma;                 /* the locale has decimal commas */
-    struct csv_mark point, comma;
 };
 
-/*
- * Reads a file and the first line of its table; the path is freed with the table.  Returns a table that may
- * have a problem already, or NULL with errno if there is no memory for one.
- */
-struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
-void csv_close(struct csv_table *csv); /* which may be NULL */
-
-/* Reads the next row.  Returns false at the end of the table, or with a problem. */
-bool csv_next(struct csv_table *csv);
-
-/* Returns the cell of this row in column k of its kind: an empty one, at the place of the row, if it has
- * none, or if k is -1. */
-struct csv_cell csv_cell(const struct csv_table *csv, int k);
-
 /* Describes a problem, and returns false. */
-bool csv_wrong(struct csv_table *csv, struct csv_place at, const char *format, ...)
+bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Returns true if a value is in the range of column k; else describes the problem. */
-bool csv_check(struct csv_table *csv, int k, domq_real value);
-
-/* Writes, each after a comma, the names of the other columns, or what this row has there. */
-void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
-
-/* ---- Lines and cells: csv_cells.c ---- */
-
-/* Reads the text of a file.  Returns false with a problem. */
-bool csv_load(struct csv_table *csv, FILE *in);
+/* Reads the text of a file, which the caller frees.  Returns false with a problem. */
+bool csv_load(struct csv_file *file, FILE *in);
 
 /* Reads the next record that is not empty.  Returns false at the end of the file, or with a problem. */
-bool csv_read(struct csv_table *csv, struct csv_record *record);
+bool csv_read(struct csv_file *file, struct csv_record *record);
 
 /* Returns how messages name the separator: "','", "';'" or "tab". */
-const char *csv_separator_name(const struct csv_table *csv);
+const char *csv_separator_name(const struct csv_file *file);
 
 /* Writes a cell, between quotes if it has one of these characters. Control characters but line ends and tabs
  * are escaped. */

@@ -121,8 +121,10 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     struct csv_table *csv = csv_named(scene, means, name, false, &rowfile_kind, problem);
     if (!csv)
         return false;
-    bool good = rowfile_read(csv, scene->train.alpha, row);
-    if (good && rowfile_has_radii(csv) && !scene->effect[DOM_EFFECT_edges].on)
+    bool good = rowfile_read(csv, scene->train.alpha, row), rounded = false;
+    for (size_t k = 0; k < row->count; k++)
+        rounded = rounded || row->domino[k].radius > 0;
+    if (rounded && !scene->effect[DOM_EFFECT_edges].on)
         means_note(means, "%s:%ld: the radii are used while the effect edges is on: 'effect edges on'",
                    csv->path, csv->head.at.line);
     if (good && *csv->unused)

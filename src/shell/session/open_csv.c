@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/open_csv.h"
-#include "io/escape.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/names.h"
@@ -23,12 +22,11 @@ static char *path_beside(const struct means *means, const char *name)
 bool csv_end(struct csv_table *csv, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    bool good = csv && *csv->problem.text == '\0';
+    bool good = csv && *csv->file.problem.text == '\0';
     if (csv && !good) {
-        /* A name must not hide the rest of the message. */
-        bool plain = strlen(csv->path) < 256 && !escape_needed(csv->path);
-        problem_error(problem, "%s:%ld:%d: %s", plain ? csv->path : names_shown(csv->path, shown),
-                      csv->problem.at.line, csv->problem.at.column, csv->problem.text);
+        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path, shown);
+        problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
+                      csv->file.problem.text);
     }
     csv_close(csv);
     return good;
@@ -49,7 +47,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct means *means
         fclose(in);
     if (!csv)
         free(path);
-    else if (*csv->problem.text && !csv_end(csv, problem))
+    else if (*csv->file.problem.text && !csv_end(csv, problem))
         csv = NULL;
     return csv;
 }

@@ -3,7 +3,7 @@
 #ifndef SHELL_OPEN_CSV_H
 #define SHELL_OPEN_CSV_H
 
-#include "language/csv.h"
+#include "language/csv_table.h"
 #include "session/query.h"
 
 /*

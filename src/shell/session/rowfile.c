@@ -68,19 +68,19 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     if (csv->column[RELATIVE] && !rows->weighed)
         domino.mass = value[RELATIVE];
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
-        return csv_wrong(csv, csv_cell(csv, THICKNESS).at,
+        return csv_wrong(&csv->file, csv_cell(csv, THICKNESS).at,
                          "thickness / height = %s is out of range; it is 1e-12 .. 100",
                          quad_shown(ratio).text);
     if (2 * domino.radius > thickness)
-        return csv_wrong(csv, csv_cell(csv, RADIUS).at,
+        return csv_wrong(&csv->file, csv_cell(csv, RADIUS).at,
                          "radius = %s m is more than half of the thickness, %s m",
                          quad_shown(domino.radius).text, quad_shown(thickness / 2).text);
     if (domino.lean != 0 && !lean_stands(&domino, slope, message))
-        return csv_wrong(csv, csv_cell(csv, LEAN).at, "%s", message);
+        return csv_wrong(&csv->file, csv_cell(csv, LEAN).at, "%s", message);
     if (!csv_check(csv, MASS, domino.mass))
         return false;
     if (!row_grow(rows))
-        return csv_wrong(csv, csv->row.at, "out of memory");
+        return csv_wrong(&csv->file, csv->row.at, "out of memory");
     rows->width[rows->count] = width;
     rows->domino[rows->count++] = domino;
     return true;
@@ -91,7 +91,7 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
     if (csv->column[MASS] && csv->column[DENSITY])
-        return csv_wrong(csv, csv->head.cell[csv->column[DENSITY] - 1].at,
+        return csv_wrong(&csv->file, csv->head.cell[csv->column[DENSITY] - 1].at,
                          "both mass and density are given; leave one of these columns out");
     csv_write_others(csv, true, others);
     putc('\0', others);
@@ -106,12 +106,7 @@ static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row 
         free(rows->width);
         rows->width = NULL;
     }
-    return !*csv->problem.text;
-}
-
-bool rowfile_has_radii(const struct csv_table *csv)
-{
-    return csv->column[RADIUS] > 0;
+    return !*csv->file.problem.text;
 }
 
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows)
@@ -122,8 +117,8 @@ bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *row
     bool good = others && rows_read(csv, slope, rows, others) && !ferror(others);
     if (others)
         good = fclose(others) == 0 && good;
-    if (!good && !*csv->problem.text)
-        csv_wrong(csv, csv->at, "out of memory");
+    if (!good && !*csv->file.problem.text)
+        csv_wrong(&csv->file, csv->file.at, "out of memory");
     if (!good)
         listed_free(rows);
     return good;

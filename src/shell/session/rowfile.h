@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row of dominoes in a csv file (language/csv.h), as it was measured:
+ * A row of dominoes in a csv file (language/csv_table.h), as it was measured:
  *
  *     # the hall, first try
  *     height (mm), thickness (mm), gap (mm), mass (g)
@@ -15,7 +15,7 @@
 #ifndef SHELL_ROWFILE_H
 #define SHELL_ROWFILE_H
 
-#include "language/csv.h"
+#include "language/csv_table.h"
 #include "session/scene.h"
 
 extern const struct csv_kind rowfile_kind;
@@ -26,7 +26,5 @@ extern const struct csv_kind rowfile_kind;
  * false if the table has a problem, and keeps nothing then.  Free the rows with listed_free.
  */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
-
-bool rowfile_has_radii(const struct csv_table *csv);
 
 #endif

@@ -31,11 +31,11 @@ static bool row_keep(struct csv_table *csv, struct measured_rows *rows)
     const domq_real *value = csv->value;
     bool known = value[ERROR] > 0;
     if (rows->count > 0 && known != rows->errors)
-        return csv_wrong(csv, csv_cell(csv, ERROR).at,
+        return csv_wrong(&csv->file, csv_cell(csv, ERROR).at,
                          "some speeds have an error and some have none; give all of them one, or none");
     struct measured_row *more = realloc(rows->row, (rows->count + 1) * sizeof *more);
     if (!more)
-        return csv_wrong(csv, csv->row.at, "out of memory");
+        return csv_wrong(&csv->file, csv->row.at, "out of memory");
     rows->errors = known;
     rows->row = more;
     rows->row[rows->count++] = (struct measured_row){value[GAP], value[SPEED], known ? value[ERROR] : 0};

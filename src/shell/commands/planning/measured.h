@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Measured speeds of rows of equal dominoes in a csv file (language/csv.h):
+ * Measured speeds of rows of equal dominoes in a csv file (language/csv_table.h):
  *
  *     # a hard floor
  *     gap (mm), speed (m/s), error (m/s)

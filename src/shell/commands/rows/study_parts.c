@@ -240,7 +240,7 @@ static bool study_begin(struct pool *p, struct csv_table *csv)
     p->of = (size_t)csv->value[OF];
     p->dominoes = (size_t)csv->value[DOMINOES];
     p->stops = calloc(p->dominoes, sizeof *p->stops);
-    return p->stops || csv_wrong(csv, csv->row.at, "out of memory");
+    return p->stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
 /* Adds the counts of "5:12 6:3", and writes their sum. */
@@ -269,19 +269,20 @@ static bool block_add(struct pool *p, struct csv_table *csv)
         same = same && (k == SCENE ? strcmp(csv_cell(csv, k).text, p->scene) == 0 : value[k] == p->common[k]);
     if (!same)
         return csv_wrong(
-            csv, csv->row.at,
+            &csv->file, csv->row.at,
             "this block is of another study: sigma, heights, seed, row or number of rows differ");
     size_t first = (size_t)value[FIRST], rows = (size_t)value[ROWS], fall = (size_t)value[FALL],
            unknown = (size_t)value[UNKNOWN], stopped;
     if (first + rows - 1 > p->of || !stops_add(p, csv_cell(csv, STOPS).text, &stopped) ||
         fall + unknown + stopped != rows)
-        return csv_wrong(csv, csv->row.at, "the counts of this block do not add up to its number of rows");
+        return csv_wrong(&csv->file, csv->row.at,
+                         "the counts of this block do not add up to its number of rows");
     p->study.rows += rows;
     p->study.fall += fall;
     p->study.unknown += unknown;
     struct part *more = realloc(p->part, (p->parts + 1) * sizeof *more);
     if (!more)
-        return csv_wrong(csv, csv->row.at, "out of memory");
+        return csv_wrong(&csv->file, csv->row.at, "out of memory");
     p->part = more;
     p->part[p->parts++] = (struct part){first, rows, csv->row.at};
     return true;
@@ -302,7 +303,7 @@ static bool parts_check(struct pool *p, struct csv_table *csv, char *missing, si
     for (size_t i = 0; i <= p->parts; i++) {
         size_t first = i < p->parts ? p->part[i].first : p->of + 1;
         if (first < next)
-            return csv_wrong(csv, p->part[i].at,
+            return csv_wrong(&csv->file, p->part[i].at,
                              "row %zu of the study is in the file twice; leave one part out", first);
         if (first > next && !*missing)
             snprintf(missing, size, "%zu of the %zu rows are missing, the first is number %zu",
@@ -320,7 +321,7 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
         csv_named(query->scene, query->means, query->given->word[0], true, &pool_kind, problem);
     while (csv && csv_next(csv) && block_add(&p, csv))
         ;
-    bool good = csv && !*csv->problem.text && parts_check(&p, csv, missing, sizeof missing);
+    bool good = csv && !*csv->file.problem.text && parts_check(&p, csv, missing, sizeof missing);
     good = csv_end(csv, problem) && good;
     enum dom_status status = good ? domq_study_interval(&p.study) : DOM_OK;
     if (good && status == DOM_OK)
