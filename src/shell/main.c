@@ -17,8 +17,8 @@
 
 enum { EXIT_USAGE = 2 };
 
-static const char usage[] =
-    "usage: domino [-n] [--bail | --keep-going] [--safe] [--shard I/N] [-e COMMANDS | -f FILE | FILE] ...\n";
+static const char usage[] = "usage: domino [-n] [--bail | --keep-going] [--safe] [--interruptible]\n"
+                            "              [--shard I/N] [-e COMMANDS | -f FILE | FILE] ...\n";
 
 static const char help[] =
     "\n"
@@ -32,6 +32,7 @@ static const char help[] =
     "      --bail              stop at the first error, also on standard input\n"
     "      --keep-going        go on after errors, also in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
+    "      --interruptible     SIGINT ends the command that runs, not the program\n"
     "      --shard I/N         of a curve, sweep or placement compute the part I of N\n"
     "  -h, --help              print this help\n"
     "  -V, --version           print the version\n"
@@ -40,11 +41,17 @@ static const char help[] =
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
-    {"execute", required_argument, NULL, 'e'}, {"file", required_argument, NULL, 'f'},
-    {"no-init", no_argument, NULL, 'n'},       {"bail", no_argument, NULL, 'b'},
-    {"keep-going", no_argument, NULL, 'k'},    {"safe", no_argument, NULL, 's'},
-    {"help", no_argument, NULL, 'h'},          {"version", no_argument, NULL, 'V'},
-    {"shard", required_argument, NULL, 'p'},   {NULL, 0, NULL, 0},
+    {"execute", required_argument, NULL, 'e'},
+    {"file", required_argument, NULL, 'f'},
+    {"no-init", no_argument, NULL, 'n'},
+    {"bail", no_argument, NULL, 'b'},
+    {"keep-going", no_argument, NULL, 'k'},
+    {"safe", no_argument, NULL, 's'},
+    {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},
+    {"shard", required_argument, NULL, 'p'},
+    {"interruptible", no_argument, NULL, 'i'},
+    {NULL, 0, NULL, 0},
 };
 
 /* '-': a FILE counts in its place among the options. */
@@ -55,6 +62,36 @@ struct plan {
     bool init, prompt, sources;
     bool keep_going; /* -e, -f and FILE go on after an error */
 };
+
+/* ---- Signals that end a script, which first writes what it has found ---- */
+
+/* Set by the handler: `interrupted` ends the command that runs, `ended` the script. */
+static volatile sig_atomic_t interrupted, ended;
+
+/* SIGINT ends the command alone. */
+static bool interruptible;
+
+static void on_signal(int number)
+{
+    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads look at it: dom_raised */
+    if (number != SIGINT || !interruptible)
+        ended = number;
+}
+
+/* A signal that ends the script ends each wait, too; a second one ends the program at once. */
+static void signals_begin(struct session *session)
+{
+    static const int all[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction before, action = {.sa_handler = on_signal};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        bool command = all[i] == SIGINT && interruptible;
+        action.sa_flags = command ? SA_RESTART : (int)SA_RESETHAND;
+        if (command || (sigaction(all[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL))
+            sigaction(all[i], &action, NULL);
+    }
+    session->state.scene.compute.interrupt = &interrupted;
+    session->resumes = interruptible ? &interrupted : NULL;
+}
 
 /* "2/7"; false, with a message, for anything else. */
 static bool shard_read(const char *text, struct shard *shard)
@@ -83,8 +120,7 @@ static bool stopped(const struct session *session)
 static void run_file(struct session *session, const char *name)
 {
     bool standard = strcmp(name, "-") == 0;
-    FILE *in = standard ? io_stdin(session->state.scene.compute.interrupt)
-                        : io_read(name, session->state.scene.compute.interrupt);
+    FILE *in = standard ? io_stdin(&ended) : io_read(name, &ended);
     if (!in) {
         session->source = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
@@ -112,6 +148,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
             plan->keep_going = option == 'k';
         }
         session->means.safe = session->means.safe || option == 's';
+        interruptible = interruptible || option == 'i';
         plan->init = plan->init && option != 'n';
         plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
         if (option == 'h' || option == 'V') {
@@ -176,10 +213,12 @@ int main(int argc, char **argv)
     bool dies = signal(SIGPIPE, SIG_IGN) == SIG_DFL; /* where the caller does not ignore it */
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
-    session_init(&session, standard_stream(NULL));
+    session_init(&session, standard_stream(&ended));
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+    if (!plan.prompt)
+        signals_begin(&session);
     if (plan.prompt && plan.init)
         run_init(&session);
     if (plan.sources) {
@@ -205,9 +244,14 @@ int main(int argc, char **argv)
             raise(SIGPIPE);
         }
         int reason = session.standard.error ? session.standard.error : errno;
-        fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
-                reason ? strerror(reason) : "");
+        if (!ended)
+            fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
+                    reason ? strerror(reason) : "");
         failed = true;
+    }
+    if (ended) {
+        signal(ended, SIG_DFL);
+        raise(ended);
     }
     return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

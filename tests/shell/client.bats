@@ -77,6 +77,75 @@ END
     same 'bounds are other columns' 2 "$("$DOMINO" -e 'set output csv; pair; set errors on; pair' | grep -c '^s,')"
 }
 
+# A study that would take minutes, after a quick answer.
+long='print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000'
+
+@test "a finished answer is written while the next one is computed, into pipes and files" {
+    "$DOMINO" -n -e "$long" >out 3>&- &
+    until [ -s out ]; do kill -0 $!; done
+    kill -KILL $!
+    wait $! || true
+    same 'a file' 42 "$(cat out)"
+    exec 5< <(exec "$DOMINO" -n -e "$long" 3>&-)
+    read -r -t 60 said <&5
+    same 'a pipe' 42 "$said"
+    kill -KILL $!
+    exec 5<&-
+}
+
+@test "a signal that ends a script leaves the answer of the rows that placement and budget have counted" {
+    for call in 'placement 9000000' 'budget 0.95 20000'; do
+        for wait in 0.3 1 3 9; do # how long it takes until there are some
+            "$DOMINO" -n -e "set output csv; effect row 13; effect placement 8 mm; $call; print 7" >out 2>err 3>&- &
+            sleep "$wait"
+            kill -TERM $!
+            wait $! && status=0 || status=$?
+            same "$call: ended by SIGTERM" 143 "$status"
+            same "$call: said" "-e:1: ${call%% *}: interrupted" "$(cat err)"
+            ! grep -q '^[0-9].*interrupted' out || break
+        done
+        same "$call: names and numbers" 2 "$(wc -l <out)"
+    done
+    [[ $(sed -n 2p out) =~ ^0\.95,[0-9.e-]+,.*,interrupted ]]
+}
+
+@test "with --interruptible SIGINT ends the command, and the program goes on; without it the program ends" {
+    cat >interrupt.py <<'END'
+import json, signal, subprocess, sys, threading
+domino = subprocess.Popen(["domino", "-n"] + sys.argv[1:], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True, bufsize=1)
+def ask(line):
+    domino.stdin.write(line + "\n")
+    return json.loads(domino.stdout.readline())
+domino.stdin.write("set output json\n")
+ask("effect row 13")
+answered = threading.Event()
+def interrupt(): # until the study has begun, and is answered
+    while not answered.wait(0.2):
+        domino.send_signal(signal.SIGINT)
+thread = threading.Thread(target=interrupt)
+if len(sys.argv) > 1:
+    domino.send_signal(signal.SIGINT) # while no command runs
+ask("effect placement 8 mm")
+domino.stdin.write("placement 9000000\n")
+thread.start()
+for line in domino.stdout:
+    answer = json.loads(line)
+    print(answer.get("reason", answer.get("error")))
+    if "error" in answer:
+        break
+answered.set()
+thread.join()
+if len(sys.argv) > 1:
+    print(ask("print 41 + 1")["value"])
+domino.stdin.close()
+print(domino.wait(60))
+END
+    said=$(timeout 60 python3 interrupt.py --interruptible)
+    [[ $said =~ ^interrupted(\ after\ [0-9]+\ of\ 9000000\ rows$'\n'interrupted)?$'\n'42$'\n'1$ ]] || same 'it goes on' 42 "$said"
+    same 'as a script' '-2' "$(timeout 60 python3 interrupt.py | tail -n 1)"
+}
+
 @test "an answer that is about the train, while a row is on, says so to programs" {
     for format in json csv; do
         for call in rmax 'pair 0.3' 'thetac' 'curve 0.3 0.5 2'; do

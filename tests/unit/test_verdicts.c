@@ -100,8 +100,42 @@ static void as_in_full(void **state)
     assert_true(fall > 200 && stop > 200); /* both verdicts are seen */
 }
 
+/* A pool that runs three batches and is interrupted then. */
+static enum dom_status three_batches(size_t count, dom_task *task, void *context, void *pool)
+{
+    (void)pool;
+    for (size_t i = 0; i < count && i < 3; i++)
+        task(i, context);
+    return DOM_INTERRUPTED;
+}
+
+/* Checks that a study which is interrupted counts the rows until then, and leaves what it has if there are
+ * none. */
+static void interrupted_in_the_middle(void **state)
+{
+    (void)state;
+    struct domq_domino domino[MOST];
+    struct domq_row row = row_of(&KIND[0], domino);
+    struct domq_compute compute = domq_compute_default();
+    struct domq_placement p = {.sigma = KIND[0].sigma, .seed = 7, .rows = 100000, .parallel = three_batches};
+    struct domq_study part, whole;
+    size_t stops[MOST] = {0}, others[MOST] = {0};
+    assert_status(domq_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
+    assert_true(part.rows > 3 && part.rows < 1000);
+    p.rows = part.rows;
+    p.parallel = NULL;
+    assert_status(domq_placement_study(&row, &compute, &p, &whole, others), DOM_OK);
+    assert_memory_equal(&part, &whole, sizeof part);
+    assert_memory_equal(stops, others, sizeof stops);
+    volatile sig_atomic_t raised = 1;
+    compute.interrupt = &raised;
+    assert_status(domq_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
+    assert_memory_equal(&part, &whole, sizeof part);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_in_full)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(as_in_full),
+                                       cmocka_unit_test(interrupted_in_the_middle)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

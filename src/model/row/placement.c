@@ -252,13 +252,14 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
         status = DOM_INTERRUPTED;
     if (work)
         work->entered[DOM_EFFECT_placement] += p->rows;
-    struct dom_study found = {.rows = p->rows, .fall = shared.fall, .unknown = shared.unknown};
-    if (status == DOM_OK)
-        status = dom_study_interval(&found);
-    if (status == DOM_OK)
+    struct dom_study found = {.rows = shared.done, .fall = shared.fall, .unknown = shared.unknown};
+    bool partial = status == DOM_INTERRUPTED && found.rows > 0;
+    enum dom_status counted = status == DOM_OK || partial ? dom_study_interval(&found) : status;
+    if (counted == DOM_OK)
         *study = found;
-    for (size_t k = 0; stops && status == DOM_OK && k < row->count; k++)
+    for (size_t k = 0; stops && counted == DOM_OK && k < row->count; k++)
         stops[k] = shared.stops[k];
+    status = partial ? status : counted;
     free(shared.stops);
     dom_quiet_end();
     return status;

@@ -292,15 +292,23 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
+/* Forgets a SIGINT that came before these commands, or has ended them, where it does not end the script. */
+static void resume(struct session *session)
+{
+    if (session->resumes && session->depth == 0 && *session->resumes == SIGINT)
+        *session->resumes = 0;
+}
+
 void command_run_text(struct session *session, const char *text)
 {
-    for (;;) {
+    resume(session);
+    for (bool more = true; more;) {
         long errors = session->errors;
         size_t length = strcspn(text, "\n");
         run_line(session, text, length);
-        if (text[length] == '\0' || session_stops(session, errors))
-            return;
+        more = text[length] != '\0' && !session_stops(session, errors);
         text += length + 1;
-        session->line++;
+        session->line += more;
     }
+    resume(session);
 }

@@ -10,8 +10,8 @@
 
 enum { HELD = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/* Text that was flushed and is not written yet, and errno of the first write that failed.  They belong to whoever
- * has set `busy`: to a thread that writes, or to the signal handler, which never waits for it. */
+/* Text that was flushed and is not written yet, and errno of the first write that failed.  They belong to
+ * whoever has set `busy`: to a thread that writes, or to the signal handler, which never waits for it. */
 static char held[HELD];
 static size_t held_size;
 static int failed;
@@ -68,9 +68,10 @@ static bool may_hold(void)
     struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGRTMIN};
     const struct sigaction action = {.sa_handler = on_moment, .sa_flags = SA_RESTART};
     if (timer_is == UNKNOWN)
-        timer_is = sigaction(SIGRTMIN, &action, NULL) == 0 && timer_create(CLOCK_MONOTONIC, &event, &timer) == 0
-                       ? THERE
-                       : NONE;
+        timer_is =
+            sigaction(SIGRTMIN, &action, NULL) == 0 && timer_create(CLOCK_MONOTONIC, &event, &timer) == 0
+                ? THERE
+                : NONE;
     return timer_is == THERE;
 }
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Standard output.  What is written to a terminal is there at the end of each line.  Elsewhere a system call for each
- * short answer would take longer than the answer, so that text is held until there is enough of it; but the program
- * that reads it does not wait: what was flushed is written a moment later, whatever the program does then.
+ * Standard output.  What is written to a terminal is there at the end of each line.  Elsewhere a system call
+ * for each short answer would take longer than the answer, so that text is held until there is enough of it;
+ * but the program that reads it does not wait: what was flushed is written a moment later, whatever the
+ * program does then.
  */
 #ifndef SHELL_STANDARD_H
 #define SHELL_STANDARD_H

@@ -28,7 +28,9 @@ struct session {
     int typed_length, typed_columns;
     bool fresh;          /* at the prompt: no output is below the typed line yet */
     const char *command; /* the one that runs, for notes */
-    bool bail;           /* the first error ends the session */
+    volatile sig_atomic_t
+        *resumes; /* the interrupt, if SIGINT is to end a command and no script; else NULL */
+    bool bail;    /* the first error ends the session */
     bool quit;
     bool wrote; /* the last command wrote rows */
     int depth;  /* of nested source commands */

@@ -38,12 +38,15 @@ static bool study_make(const struct query *query, struct problem *problem, domq_
 static bool placement_all(const struct query *query, struct answer *a, struct problem *problem,
                           const struct scene_row *scene, const struct domq_placement *p)
 {
-    struct domq_study study;
+    struct domq_study study = {.rows = 0};
+    char partial[80];
     size_t *stops = calloc(scene->row.count, sizeof *stops);
     enum dom_status status =
         stops ? domq_placement_study(&scene->row, &scene->compute, p, &study, stops) : DOM_NO_MEMORY;
-    if (status == DOM_OK)
-        study_answer(a, p->sigma, p->heights, &study, stops, scene->row.count, NULL);
+    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->point; /* no point of a sweep */
+    snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", study.rows, p->rows);
+    if (status == DOM_OK || interrupted)
+        study_answer(a, p->sigma, p->heights, &study, stops, scene->row.count, interrupted ? partial : NULL);
     free(stops);
     return status == DOM_OK || row_status(query, problem, status);
 }
@@ -217,7 +220,8 @@ const struct command study_commands[] = {
      .help =
          "Sets up the row ROWS times (2000 if ROWS is left out), each gap with a random error: first enter "
          "'effect placement 1 mm'. Row number i is the same for the same 'seed', with any number of "
-         "'threads'. ^C stops the study. With 'domino --shard 2/7' the answer is the second of seven "
+         "'threads'. ^C ends the study, whose answer is then that of the rows so far. With 'domino --shard "
+         "2/7' the answer is the second of seven "
          "parts of the study: counts for blocks of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 8 mm; placement 500",
      .see = "pool budget effect",
