@@ -166,7 +166,7 @@ enum { DOM_EFFECT_ARGUMENTS = 2, DOM_MENDS = 31 };
  * dom_train_reach. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach". */
+/* Returns "none", "barrier" or "reach"; here and in the next two, "unknown" for any other number. */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
@@ -352,7 +352,7 @@ struct dom_arithmetic {
     int digits;                      /* of an answer that are worth printing at tol_default */
 };
 
-/* Returns the description of a precision. */
+/* Returns the description of a precision; NULL if there is no such precision. */
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 
 /*
@@ -1008,7 +1008,7 @@ DOM_EFFECTS(DOM_EFFECT_DECLARE)
 #undef DOM_DYNAMICS_DECLARE
 #undef DOM_EFFECT_DECLARE
 
-/* Returns the description of an effect. */
+/* Returns the description of an effect; NULL if there is no such effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
 /* Returns the first effect of DOM_DYNAMICS that is on in a train and does not cancel; NULL if there is none.

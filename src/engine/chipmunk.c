@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chipmunk.h"
+#include "room.h"
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -51,9 +52,18 @@ static void load(void)
         make_first();
 }
 
-const struct chipmunk *chipmunk_load(void)
+enum engine_status chipmunk_load(const struct chipmunk **found)
 {
-    static pthread_once_t once = PTHREAD_ONCE_INIT;
-    pthread_once(&once, load);
-    return loaded ? &functions : NULL;
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    static bool tried;
+    pthread_mutex_lock(&lock);
+    const bool room = tried || room_take(0); /* for the first space, and the library */
+    if (room && !tried) {
+        load();
+        room_give(0);
+        tried = true;
+    }
+    pthread_mutex_unlock(&lock);
+    *found = &functions;
+    return !room ? ENGINE_NO_MEMORY : loaded ? ENGINE_OK : ENGINE_NO_LIBRARY;
 }

@@ -6,6 +6,7 @@
 #ifndef ENGINE_CHIPMUNK_H
 #define ENGINE_CHIPMUNK_H
 
+#include "engine.h"
 #include <chipmunk/chipmunk.h>
 
 /* The functions that are used: X(name). */
@@ -61,8 +62,8 @@ struct chipmunk {
     char version[24]; /* "7.0.3" */
 };
 
-/* Returns the functions; NULL if the library is not installed. The first call loads it. Any thread may call.
- */
-const struct chipmunk *chipmunk_load(void);
+/* Finds the functions. ENGINE_NO_LIBRARY, ENGINE_NO_MEMORY: there are none. The first call loads the library.
+ * Any thread may call. */
+enum engine_status chipmunk_load(const struct chipmunk **functions);
 
 #endif

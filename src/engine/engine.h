@@ -76,7 +76,10 @@ enum engine_status {
 /* The most boxes of a row; the time that a run takes grows with their square. */
 enum { ENGINE_MOST = 200 };
 
-/* Returns the version of the engine; NULL if it is not installed. The first call loads it. */
+/* Loads the engine, unless an earlier call has: ENGINE_OK, ENGINE_NO_LIBRARY or ENGINE_NO_MEMORY. */
+enum engine_status engine_load(void);
+
+/* Returns the version of the engine; NULL if it cannot be loaded. */
 const char *engine_version(void);
 
 /* The row at one time since the start; tilt[k] and foot[k], the distance that the foot has slid, are of box

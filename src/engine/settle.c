@@ -8,10 +8,16 @@
 
 const struct engine_grain engine_coarsest = {.steps = 100, .iterations = 20};
 
+enum engine_status engine_load(void)
+{
+    const struct chipmunk *cp;
+    return chipmunk_load(&cp);
+}
+
 const char *engine_version(void)
 {
-    const struct chipmunk *cp = chipmunk_load();
-    return cp ? cp->version : NULL;
+    const struct chipmunk *cp;
+    return chipmunk_load(&cp) == ENGINE_OK ? cp->version : NULL;
 }
 
 /* Returns the largest change of a time, over the last time. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "world.h"
+#include "room.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -207,9 +208,12 @@ static void pave(struct world *w)
 
 enum engine_status world_make(struct world *w)
 {
-    w->cp = chipmunk_load();
-    if (!w->cp)
-        return ENGINE_NO_LIBRARY;
+    enum engine_status status = chipmunk_load(&w->cp);
+    if (status != ENGINE_OK)
+        return status;
+    w->has_room = room_take(w->row->count);
+    if (!w->has_room)
+        return ENGINE_NO_MEMORY;
     w->body = calloc(w->row->count, sizeof *w->body);
     w->space = w->cp->cpSpaceNew();
     if (!w->body || !w->space)
@@ -253,4 +257,6 @@ void world_free(struct world *w)
     if (w->space)
         w->cp->cpSpaceFree(w->space);
     free(w->body);
+    if (w->has_room)
+        room_give(w->row->count);
 }

@@ -20,6 +20,7 @@ struct world {
     const struct engine_row *row;
     struct engine_fall *fall;
     struct engine_hit *hit; /* NULL: not asked for */
+    bool has_room;          /* room_take has found room for the space */
     cpSpace *space;
     cpShape *floor; /* NULL: feet are hinges */
     struct body *body;

@@ -14,11 +14,19 @@ const char *dom_status_text(enum dom_status status)
     return "unknown status";
 }
 
+/* Returns the text with a number, or "unknown" for a number that has none. */
+static const char *text_at(const char *const *text, size_t count, size_t k)
+{
+    return k < count ? text[k] : "unknown";
+}
+
+#define TEXT_AT(text, k) text_at(text, sizeof(text) / sizeof *(text), (size_t)(k))
+
 const char *dom_end_text(enum dom_end end)
 {
     static const char *const text[] = {
         [DOM_END_NONE] = "none", [DOM_END_BARRIER] = "barrier", [DOM_END_REACH] = "reach"};
-    return text[end];
+    return TEXT_AT(text, end);
 }
 
 const char *dom_event_text(enum dom_event_kind kind)
@@ -28,7 +36,7 @@ const char *dom_event_text(enum dom_event_kind kind)
                                        [DOM_EVENT_TOP] = "top",
                                        [DOM_EVENT_STOP] = "stop",
                                        [DOM_EVENT_HIT] = "hit"};
-    return text[kind];
+    return TEXT_AT(text, kind);
 }
 
 const char *dom_row_end_text(enum dom_row_end end)
@@ -38,5 +46,5 @@ const char *dom_row_end_text(enum dom_row_end end)
         DOM_ROW_ENDS(END_TEXT)
 #undef END_TEXT
     };
-    return text[end];
+    return TEXT_AT(text, end);
 }

@@ -74,7 +74,7 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
         [DOM_QUAD] = {"quad", "none wider than double", 0, DBL_EPSILON, TENTH(1e12), TENTH(1e15), 10},
 #endif
     };
-    return &table[precision];
+    return precision <= DOM_QUAD ? &table[precision] : NULL;
 }
 
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
@@ -108,7 +108,7 @@ const struct dom_effect *dom_effect(enum dom_effect_name name)
 #undef DYNAMICS
 #undef EFFECT
     };
-    return all[name];
+    return name < DOM_EFFECT_COUNT ? all[name] : NULL;
 }
 
 #define VALUE(effect, member, status) train->member,

@@ -54,6 +54,19 @@ every_allocation() { # SESSION
     every_allocation 'set precision quad; effect friction 0.2; barrier; reset; set errors on; rmax 0.3; curve 0.3 0.5 3'
 }
 
+# Chipmunk does not look whether it gets the memory that it asks for.
+@test "the rigid-body engine under a limit of memory: the answer or a reason, no crash" {
+    enter
+    local k refused=0 solved=0
+    for ((k = 5000; k < 40000 && solved < 3; k += 250)); do
+        (ulimit -v "$k" && soon "$DOMINO" -n -e 'effect row 3; set method engine; verdict') >out 2>err && status=0 || status=$?
+        [ "$status" -ne 127 ] || continue # the loader found no memory
+        no_crash "$k kB" "$status"
+        if [ "$status" -eq 0 ]; then solved=$((solved + 1)); elif grep -q 'verdict: out of memory' err; then refused=1; fi
+    done
+    same 'refused, solved' '1 3' "$refused $solved"
+}
+
 @test "a stack of 128 kB is enough" {
     enter
     ulimit -s 128

@@ -203,6 +203,24 @@ static void no_such_precision(void **state)
     assert_string_equal(dom_status_text((enum dom_status)(DOM_INTERRUPTED + 1)), "unknown status");
 }
 
+/* A number that an enumeration does not have gets a text, or NULL, and reads beyond no table. */
+static void numbers_without_a_text(void **state)
+{
+    (void)state;
+    static const int number[] = {-1, 8, 12345678};
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++) {
+        assert_string_equal(dom_end_text((enum dom_end)number[i]), "unknown");
+        assert_string_equal(dom_event_text((enum dom_event_kind)number[i]), "unknown");
+        assert_string_equal(dom_row_end_text((enum dom_row_end)number[i]), "unknown");
+        assert_null(domq_arithmetic((enum dom_precision)number[i]));
+        assert_null(domq_effect((enum dom_effect_name)number[i]));
+    }
+    assert_string_equal(dom_end_text(DOM_END_REACH), "reach");
+    assert_string_equal(dom_event_text(DOM_EVENT_HIT), "hit");
+    assert_string_equal(dom_row_end_text(DOM_ROW_FALLS), "all fall");
+    assert_string_equal(domq_effect(DOM_EFFECT_floor)->name, "floor");
+}
+
 static void counts_of_equal_dominoes(void **state)
 {
     (void)state;
@@ -332,15 +350,11 @@ static void memory_runs_out(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dips_of_the_margin),
-        cmocka_unit_test(bounds_of_a_stop),
-        cmocka_unit_test(no_bounds_with_friction),
-        cmocka_unit_test(methods_refuse),
-        cmocka_unit_test(methods_at_the_ends),
-        cmocka_unit_test(no_such_precision),
-        cmocka_unit_test(counts_of_equal_dominoes),
-        cmocka_unit_test(memory_runs_out),
-        cmocka_unit_test(interrupted),
+        cmocka_unit_test(dips_of_the_margin),      cmocka_unit_test(bounds_of_a_stop),
+        cmocka_unit_test(no_bounds_with_friction), cmocka_unit_test(methods_refuse),
+        cmocka_unit_test(methods_at_the_ends),     cmocka_unit_test(no_such_precision),
+        cmocka_unit_test(numbers_without_a_text),  cmocka_unit_test(counts_of_equal_dominoes),
+        cmocka_unit_test(memory_runs_out),         cmocka_unit_test(interrupted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

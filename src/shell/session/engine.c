@@ -325,7 +325,10 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
             "a row of %zu dominoes is too long for the rigid-body engine, which runs it since %s; it "
             "takes up to %d, for example 'effect row 20'",
             count, why, ENGINE_MOST);
-    if (!engine_version())
+    const enum engine_status loaded = engine_load();
+    if (loaded == ENGINE_NO_MEMORY)
+        return problem_status(problem, scene, DOM_NO_MEMORY);
+    if (loaded != ENGINE_OK)
         return problem_error(
             problem,
             "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian enter 'apt-get "
