@@ -215,7 +215,9 @@ enum dom_design_limit {
     DOM_DESIGN_FITS,   /* nothing: there is a row */
     DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is less than the largest that one has */
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
-    DOM_DESIGN_HALL    /* the hall is too short; `needs` is the length of the shortest row found, in m */
+    DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row found, in m */
+    DOM_DESIGN_ENGINE, /* rows with this safety do not fall in the engine of the wish */
+    DOM_DESIGN_FAILED  /* not known: trains or rows could not be computed; `needs` is the s of one of them */
 };
 
 /* What dom_row_windows changes. */
@@ -892,6 +894,7 @@ struct dom_wish {
     dom_real hall;          /* m, for the row with its last domino lying; > height; infinite: no limit */
     dom_real g, push;       /* as in struct dom_row */
     enum dom_least least;
+    const struct dom_engine *engine; /* in which the row must fall, too; NULL: none */
 };
 
 /* A row of a train, from a wish. Unless limit is DOM_DESIGN_FITS, only limit and needs are set, else NaN or
@@ -901,7 +904,7 @@ struct dom_design {
     size_t steps;     /* first r^steps = height: there are steps + 1 dominoes */
     dom_real feet;    /* m, from the back of the first to the front of the last */
     dom_real length;  /* m, the same with the last lying: feet + height */
-    dom_real seconds; /* as in struct dom_verdict */
+    dom_real seconds; /* as in struct dom_verdict, by the engine of the wish if it has one */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of the row's dominoes, the first left out */
     size_t weakest;   /* the number of that domino, from 2 */
@@ -915,8 +918,10 @@ struct dom_design {
  * are those of the largest growth at which the train has this safety at any s; r is then made smaller, so
  * that the last domino is exactly `height` tall, and s stays where that growth is largest, or as close as the
  * hall and the start of the row allow. DOM_LEAST_LENGTH takes the shortest row instead, with up to 30
- * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001, in double.
- * DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G, DOM_BAD_PUSH: a wish is outside its range.
+ * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001, in double;
+ * one at which a train or a row cannot be computed is passed over. With an engine in the wish, all dominoes
+ * of the row also fall in the engine, which is asked at separations 0.1 apart; the safety is that of the
+ * model. DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G, DOM_BAD_PUSH: a wish is outside its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);

@@ -103,6 +103,88 @@ static void designs_hold(void **state)
     assert_true(fit >= 12 && limits[DOM_DESIGN_HALL] >= 2);
 }
 
+/* Checks designs with friction and rounded edges, where the sums of some trains do not settle to every
+ * tolerance: there is a row, and it has its safety at a rough one. */
+static void friction_with_edges(void **state)
+{
+    (void)state;
+    uint64_t seed = 7;
+    const struct domq_compute rough = {.tol = 1e-7, .precision = DOM_DOUBLE};
+    const struct domq_scale scale = {.h = 0.048, .g = 9.81};
+    for (int i = 0; i < 8; i++) {
+        struct domq_train train = domq_train_default();
+        struct domq_design d;
+        struct domq_verdict v;
+        train.q = 3 + i % 2;
+        train.d = 0.12 + 0.2 * random_unit(&seed);
+        train.mu = 0.1 + 0.3 * random_unit(&seed);
+        train.rho = 0.003 + 0.03 * random_unit(&seed);
+        const struct domq_wish w = wish_of(5, 1.5, HUGE_VAL, DOM_LEAST_DOMINOES);
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_int_equal(d.limit, DOM_DESIGN_FITS);
+        assert_true(d.row >= w.safety && d.train >= w.safety && d.steps < MOST);
+        train.s = d.s;
+        train.r = d.r;
+        domq_row_of_train(&train, &scale, 1, domino, d.steps + 1);
+        const struct domq_row row = {.domino = domino,
+                                     .count = d.steps + 1,
+                                     .g = w.g,
+                                     .push = w.push,
+                                     .mu = train.mu,
+                                     .rho = train.rho};
+        double least = HUGE_VAL;
+        assert_status(domq_row_run(&row, &rough, false, least_seen, &least, &v), DOM_OK);
+        assert_int_equal(v.end, DOM_ROW_FALLS);
+        assert_near("row", (double)d.row, least, 1e-4);
+    }
+}
+
+/* An engine in which rows with a growth up to `most` fall, of 10 s; or that cannot decide. */
+struct fake {
+    double most;
+    bool decides;
+};
+
+static enum dom_status fake_run(const struct domq_row *row, const struct domq_compute *compute, bool times,
+                                domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
+{
+    (void)compute, (void)visit, (void)context;
+    const struct fake *own = row->engine->own;
+    bool falls = (double)(row->domino[1].height / row->domino[0].height) <= own->most;
+    *verdict =
+        (struct domq_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_STOPS, .seconds = times ? 10 : DOMQ_NAN};
+    return own->decides ? DOM_OK : DOM_NOT_CONVERGED;
+}
+
+/* Checks that a row must also fall in the engine of the wish, with as many dominoes more as that takes. */
+static void engine_decides(void **state)
+{
+    (void)state;
+    struct domq_train train = domq_train_default();
+    struct fake fake = {HUGE_VAL, true};
+    const struct domq_engine engine = {fake_run, &fake};
+    struct domq_design free, d;
+    for (int least = DOM_LEAST_DOMINOES; least <= DOM_LEAST_LENGTH; least++) {
+        struct domq_wish w = wish_of(5, 1.5, HUGE_VAL, (enum dom_least)least);
+        fake = (struct fake){HUGE_VAL, true};
+        assert_status(domq_design_find(&train, &w, NULL, &free), DOM_OK);
+        w.engine = &engine;
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_true(d.s == free.s && d.steps == free.steps && d.seconds == 10);
+        fake.most = (double)free.r * 0.999;
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_int_equal(d.limit, DOM_DESIGN_FITS);
+        assert_int_equal(d.steps, free.steps + 1);
+        assert_true((double)d.r <= fake.most && d.row >= w.safety);
+        fake.most = 1.001;
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
+        fake = (struct fake){HUGE_VAL, false};
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_int_equal(d.limit, DOM_DESIGN_ENGINE);
+    }
+}
+
 /* Checks that the number that an impossible wish needs makes it possible, and that a little less does not. */
 static void needs_are_enough(void **state)
 {
@@ -237,8 +319,9 @@ static void wrong_wishes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(designs_hold), cmocka_unit_test(needs_are_enough),
-        cmocka_unit_test(both_headers), cmocka_unit_test(shortest_is_shortest),
+        cmocka_unit_test(designs_hold),   cmocka_unit_test(friction_with_edges),
+        cmocka_unit_test(engine_decides), cmocka_unit_test(needs_are_enough),
+        cmocka_unit_test(both_headers),   cmocka_unit_test(shortest_is_shortest),
         cmocka_unit_test(wrong_wishes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -14,8 +14,12 @@
 enum { GRID = 1000, COARSE = 20 };
 
 /* So many dominoes more than the fewest are tried; and so many in sequence without a shorter row end the
- * search for the shortest one. */
-enum { MORE = 30, LONGER = 8 };
+ * search for the shortest one, few of them where an engine runs each row. */
+enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
+
+/* Tolerances that follow one that fails are rougher by this factor, up to the roughest. */
+#define ROUGHER  1000
+#define ROUGHEST ((dom_real)1e-6)
 
 /* What a search keeps. Once status is not DOM_OK, no train or row is computed any more, and none is enough.
  */
@@ -26,9 +30,12 @@ struct planner {
     struct dom_domino *domino; /* room for `room` dominoes */
     size_t room;
     enum dom_status status;
-    size_t weakest; /* of the last row */
-    dom_real least; /* energy over the energy that is needed, there */
-    dom_real seconds;
+    dom_real failed; /* separation at which a train or a row could not be computed; 0: none */
+    bool whole;      /* false: a row may end where it has not the safety */
+    size_t weakest;  /* of the last row */
+    dom_real least;  /* energy over the energy that is needed, there */
+    dom_real seconds, engine_seconds; /* of the last row, by the model and by the engine */
+    bool engine_refused;              /* a row that has the safety does not fall in the engine */
 };
 
 /* A separation k/GRID and a number of steps. */
@@ -50,6 +57,28 @@ static dom_real growth(const struct planner *p, size_t steps)
 
 /* ---- What a train and a row have over what they need ---- */
 
+/*
+ * Returns true if an answer that ended with this status is to be tried again, with a rougher tolerance: where
+ * the digits of the arithmetic do not suffice for the sums, few digits of a ratio are still known.
+ */
+static bool tried_again(enum dom_status status, struct dom_compute *compute)
+{
+    if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
+        return false;
+    compute->tol = fmin(ROUGHER * compute->tol, ROUGHEST);
+    return true;
+}
+
+/* Ends the search after a status that has nothing to do with this train or row. A separation without an
+ * answer is passed over, so that a row at another one is still found. */
+static void failure_keep(struct planner *p, enum dom_status status)
+{
+    if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
+        p->failed = p->train.s;
+    else
+        p->status = status;
+}
+
 /* Returns the kinetic energy of the endless train over its barrier; 0 where it does not go on at all. */
 static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
 {
@@ -58,16 +87,21 @@ static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
         return 0;
     p->train.s = s;
     p->train.r = r;
-    enum dom_status status = dom_barrier_find(&p->train, &p->compute, &barrier);
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do
+        status = dom_barrier_find(&p->train, &compute, &barrier);
+    while (tried_again(status, &compute));
     if (status == DOM_OK || status == DOM_STOPS)
         return barrier.kinetic / barrier.barrier;
     if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
         status != DOM_UNDERFLOW && status != DOM_TOO_LONG)
-        p->status = status;
+        failure_keep(p, status);
     return 0;
 }
 
-/* Keeps the domino that has least over what it needs. The start decides about the first one, not the row. */
+/* Keeps the domino that has least over what it needs. The start decides about the first one, not the row.
+ * Returns false, which ends the row, if that is too little for the search. */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {
     struct planner *p = context;
@@ -76,7 +110,7 @@ static bool ratio_seen(const struct dom_fall *fall, void *context)
         p->least = ratio;
         p->weakest = fall->domino;
     }
-    return true;
+    return p->whole || p->least >= p->wish->safety;
 }
 
 /* Makes room for a row of so many dominoes, and writes it. */
@@ -100,22 +134,39 @@ static bool row_write(struct planner *p, struct choice c)
     return true;
 }
 
-/* Returns the least energy of the row's dominoes over what they need; 0 where not all of them fall. */
+/* Returns the row that was written last. */
+static struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
+                             const struct dom_engine *engine)
+{
+    struct dom_row row = {
+        .domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push, .engine = engine};
+#define VALUE(effect, member, status) row.member = p->train.member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    row.walls *= p->wish->first; /* from h to m */
+    return row;
+}
+
+/* Returns the least energy of the row's dominoes over what they need, and without times a number below the
+ * safety if that is less; 0 where not all of them fall. */
 static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
     if (p->status != DOM_OK || !row_write(p, c))
         return 0;
-    struct dom_row row = {.domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push};
-#define VALUE(effect, member, status) row.member = p->train.member;
-    DOM_DYNAMICS(VALUE)
-#undef VALUE
-    row.walls *= p->wish->first; /* from h to m */
-    p->least = (dom_real)INFINITY;
-    p->weakest = 0;
-    p->status = dom_row_run(&row, &p->compute, times, ratio_seen, p, &verdict);
+    const struct dom_row row = row_of(p, c, push, NULL);
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        p->least = (dom_real)INFINITY;
+        p->weakest = 0;
+        p->whole = times;
+        status = dom_row_run(&row, &compute, times, ratio_seen, p, &verdict);
+    } while (tried_again(status, &compute));
     p->seconds = verdict.seconds;
-    return p->status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
+    if (status != DOM_OK)
+        failure_keep(p, status);
+    return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
 }
 
 static bool train_enough(struct planner *p, struct choice c)
@@ -126,6 +177,22 @@ static bool train_enough(struct planner *p, struct choice c)
 static bool enough(struct planner *p, struct choice c)
 {
     return train_enough(p, c) && row_ratio(p, c, p->wish->push, false) >= p->wish->safety;
+}
+
+/* Returns true if the row has the safety by the model, and all its dominoes also fall in the engine. A row
+ * that the engine cannot decide does not fall. */
+static bool enough_in_engine(struct planner *p, struct choice c)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (!enough(p, c))
+        return false;
+    const struct dom_row row = row_of(p, c, p->wish->push, p->wish->engine);
+    enum dom_status status = dom_row_run(&row, &p->compute, true, NULL, NULL, &verdict);
+    bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
+    p->engine_seconds = verdict.seconds;
+    p->engine_refused |= !falls;
+    p->status = status == DOM_NOT_CONVERGED ? DOM_OK : status;
+    return falls;
 }
 
 /* ---- Lengths ---- */
@@ -145,11 +212,11 @@ static dom_real length_of(const struct planner *p, struct choice c)
     return feet_of(p, c.steps, separation(c.k)) + p->wish->height;
 }
 
-/* Returns the largest k with which the row is not longer than the hall; less than 1: none is. */
-static int widest(const struct planner *p, size_t steps)
+/* Returns the largest k with which the row is not longer than a hall; less than 1: none is. */
+static int widest(const struct planner *p, size_t steps, dom_real hall)
 {
     dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
-    dom_real s = (p->wish->hall - p->wish->height - closed) / (open - closed);
+    dom_real s = (hall - p->wish->height - closed) / (open - closed);
     return s >= 1 ? GRID : s > 0 ? (int)(double)floor(s * GRID) : 0;
 }
 
@@ -196,15 +263,17 @@ static dom_real separation_find(struct planner *p, int *best)
     return most;
 }
 
-/* Returns the separation nearest to k, and not above `most`, with which the row has the safety; 0: none. */
-static int nearest(struct planner *p, size_t steps, int k, int most)
+typedef bool choice_test(struct planner *p, struct choice c);
+
+/* Returns the separation nearest to k, in steps away from there and not above `most`, with which the row
+ * passes the test; 0: none. */
+static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
-    enum { STEP = 10 };
     int from = k < most ? k : most;
-    for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += STEP)
+    for (int away = 0; p->status == DOM_OK && (from - away > 0 || from + away <= most); away += step)
         for (int side = -1; side <= (away ? 1 : -1); side += 2) {
             struct choice c = {from + side * away, steps};
-            if (c.k > 0 && c.k <= most && enough(p, c))
+            if (c.k > 0 && c.k <= most && test(p, c))
                 return c.k;
         }
     return 0;
@@ -226,37 +295,53 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
+/* Steps of the search for a separation. An engine takes as long for a row as the model for hundreds. */
+enum { STEP = 10, STEP_OF_ENGINE = 100 };
+
 /* ---- The number of dominoes ---- */
+
+/* Returns the next number of steps to try: with an engine, the more have failed the farther away. */
+static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
+{
+    return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
+}
 
 /* Finds the shortest row from so many steps on; false if none has the safety. */
 static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
 {
-    dom_real length = (dom_real)INFINITY;
-    size_t longer = 0;
-    for (size_t n = fewest; n <= fewest + MORE && longer < LONGER && p->status == DOM_OK; n++) {
+    dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
+    size_t longer = 0, longer_most = p->wish->engine ? LONGER_IN_ENGINE : LONGER;
+    for (size_t n = fewest; n <= fewest + MORE && longer < longer_most && p->status == DOM_OK;
+         n = steps_next(p, fewest, n)) {
         if (length_of(p, (struct choice){0, n}) >= length)
             break;
-        struct choice c = {nearest(p, n, k, GRID), n};
+        struct choice c = {nearest(p, n, k, GRID, STEP, enough), n};
         if (c.k > 0)
             c.k = closest(p, n, c.k);
+        if (c.k > 0 && p->wish->engine)
+            c.k = nearest(p, n, c.k, widest(p, n, length), STEP_OF_ENGINE, enough_in_engine);
         bool shorter = c.k > 0 && length_of(p, c) < length;
         longer = shorter || !isfinite(length) ? 0 : longer + 1;
         if (shorter) {
             *best = c;
             length = length_of(p, c);
+            engine_seconds = p->engine_seconds;
         }
     }
+    p->engine_seconds = engine_seconds;
     return p->status == DOM_OK && isfinite(length);
 }
 
 /* Finds the row with the fewest dominoes that fits into the hall; false if none with so many steps does. */
 static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
-    for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n++) {
-        int most = widest(p, n);
+    for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
+        int most = widest(p, n, p->wish->hall);
         if (most <= 0) /* and more dominoes leave less */
             return false;
-        *best = (struct choice){nearest(p, n, k, most), n};
+        *best = (struct choice){nearest(p, n, k, most, STEP, enough), n};
+        if (best->k > 0 && p->wish->engine)
+            best->k = nearest(p, n, best->k, most, STEP_OF_ENGINE, enough_in_engine);
         if (best->k > 0)
             return true;
     }
@@ -301,10 +386,10 @@ static void design_fill(struct planner *p, struct choice c, const struct dom_com
     design->steps = c.steps;
     design->feet = feet_of(p, c.steps, design->s);
     design->length = length_of(p, c);
-    design->train = train;
-    design->row = row;
+    design->train = train > 0 ? train : DOM_NAN;
+    design->row = row > 0 ? row : DOM_NAN;
     design->weakest = p->weakest;
-    design->seconds = p->seconds;
+    design->seconds = p->wish->engine ? p->engine_seconds : p->seconds;
 }
 
 static void design_search(struct planner *p, const struct dom_compute *compute, struct dom_design *design)
@@ -321,10 +406,13 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
     while (growth(p, fewest) > most && fewest < (size_t)MORE * MORE)
         fewest++;
     bool fits = p->wish->least != DOM_LEAST_LENGTH && fewest_that_fits(p, fewest, k, &c);
-    if (!fits && shortest(p, fewest, k, &c)) {
+    bool searched = p->wish->least != DOM_LEAST_LENGTH && isinf(p->wish->hall);
+    if (!fits && !searched && shortest(p, fewest, k, &c)) {
         fits = length_of(p, c) <= p->wish->hall;
         design->limit = fits ? DOM_DESIGN_FITS : DOM_DESIGN_HALL;
         design->needs = fits ? DOM_NAN : length_of(p, c);
+    } else if (!fits && p->engine_refused) {
+        design->limit = DOM_DESIGN_ENGINE;
     } else if (!fits && p->status == DOM_OK) {
         design->limit = DOM_DESIGN_START;
         design->needs = push_enough(p, (struct choice){k, fewest});
@@ -365,6 +453,11 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
                                .needs = DOM_NAN};
     if (p.status == DOM_OK)
         design_search(&p, &asked, &found);
+    bool remedy = found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
+    if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed > 0) {
+        found.limit = DOM_DESIGN_FAILED;
+        found.needs = p.failed;
+    }
     if (p.status == DOM_OK)
         *design = found;
     free(p.domino);

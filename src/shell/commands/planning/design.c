@@ -121,7 +121,7 @@ static void plan_row(struct answer *a, const struct plan *p, const struct domq_d
                    cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
                    p && p->mass > 0 ? cell_narrow(mass, 5) : none, p && p->hollow ? cell_narrow(of, 5) : none,
                    p && !p->hollow ? cell_narrow(of, 5) : none, cell_narrow(d->row, 5),
-                   p ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),
+                   d->weakest > 0 ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),
                    cell_narrow(d->seconds, 5)),
                reason);
 }
@@ -165,6 +165,29 @@ static domq_real rounded(domq_real value, int digits, bool up)
     return (up ? quad(ceil)(value / unit) : quad(floor)(value / unit)) * unit;
 }
 
+/* Returns a push that is stronger than that of the wish, or NaN: sqrt(2 g/h) lifts the first domino. */
+static domq_real push_stronger(const struct domq_wish *wish)
+{
+    const domq_real most = quad(sqrt)(2 * wish->g / wish->first) * 9 / 10;
+    return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
+}
+
+/* Says which effects make the numerics hard, and which of them to leave out. Returns false. */
+static bool design_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
+{
+    const struct domq_train *t = &scene->train;
+    const char *with = t->rho > 0 && t->mu > 0 ? "with friction and rounded edges "
+                       : t->rho > 0            ? "with rounded edges "
+                       : t->mu > 0             ? "with friction "
+                                               : "";
+    char off[64] = "";
+    if (*with)
+        snprintf(off, sizeof off, ", or 'effect %s off'", t->rho > 0 ? "edges" : "friction");
+    return problem_no_answer(problem,
+                             "no row was found: %sthe search failed at s = %.2g; try another thickness%s",
+                             with, (double)d->needs, off);
+}
+
 static void infeasible(const struct query *query, const struct domq_wish *wish, const struct domq_design *d,
                        char *text, size_t size)
 {
@@ -189,6 +212,20 @@ static void infeasible(const struct query *query, const struct domq_wish *wish, 
                      "infeasible: the start is too weak for safety %s, and no push that was tried "
                      "would do; a smaller safety may",
                      safety);
+        return;
+    }
+    if (d->limit == DOM_DESIGN_ENGINE) {
+        domq_real push = push_stronger(wish);
+        if (isfinite(push))
+            snprintf(more, sizeof more, "a stronger push may help: 'effect push %s' before",
+                     quad_text(rounded(push, 2, false), 2, number));
+        else
+            snprintf(more, sizeof more, "another thickness may help");
+        snprintf(
+            text, size,
+            "infeasible: rows with safety %s fall by the model, in which feet are hinges, but none that was "
+            "tried falls in the rigid-body engine, which runs rows since %s; %s",
+            safety, scene_engine_why(query->scene), more);
         return;
     }
     domq_real mu = friction_most(query, wish->safety);
@@ -240,25 +277,60 @@ static bool design_keep(const struct query *query, struct problem *problem, stru
     return true;
 }
 
+/* Finds the design. If the engine would run that row, the wish gets the engine. */
+static bool design_find(const struct query *query, struct domq_wish *wish, struct scene_engine *engine,
+                        struct domq_design *d, struct problem *problem)
+{
+    struct scene with_row = *query->scene;
+    with_row.effect[DOM_EFFECT_row].on = true;
+    if (scene_has_engine(&with_row)) {
+        if (!scene_engine_make(&with_row, 1, engine, problem))
+            return false;
+        wish->engine = &engine->engine;
+    }
+    enum dom_status status = domq_design_find(&query->scene->train, wish, &query->scene->compute, d);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    if (d->limit == DOM_DESIGN_FAILED)
+        return design_failed(query->scene, d, problem);
+    /* A row that is too long for the engine is an error here already. */
+    return !wish->engine || scene_engine_make(&with_row, d->steps + 1, engine, problem);
+}
+
+/* Prints for people what was designed, and what it is good for. */
+static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
+                       const struct domq_design *d, const struct plan *plan)
+{
+    char least[160] = "", judge[120] = "";
+    if (isfinite(d->row))
+        snprintf(least, sizeof least,
+                 " Every domino after the first has at least %.0f %% of the energy that it needs%s.",
+                 floor(100 * (double)d->row), wish->engine ? ", by the model, in which feet are hinges" : "");
+    if (wish->engine)
+        snprintf(judge, sizeof judge, " All fall in the rigid-body engine, too, which runs rows since %s.",
+                 scene_engine_why(query->scene));
+    answer_say(a, "\n%zu dominoes, each %.4g times as large as the one before; the last is %s tall.%s%s\n",
+               plan->count, (double)d->r, measured(wish->height, "m", 4).text, least, judge);
+    plan_list(a, plan);
+}
+
 static bool run_design(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct wishes *w = query->given->own ? query->given->own : &usual;
     const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
-    const struct domq_wish wish = {.first = query->scene->scale.h,
-                                   .height = query->given->number[0],
-                                   .safety = w->safety,
-                                   .hall = w->hall,
-                                   .g = query->scene->scale.g,
-                                   .push = push->on ? push->value[0] : DOMQ_NAN,
-                                   .least = w->least};
+    struct domq_wish wish = {.first = query->scene->scale.h,
+                             .height = query->given->number[0],
+                             .safety = w->safety,
+                             .hall = w->hall,
+                             .g = query->scene->scale.g,
+                             .push = push->on ? push->value[0] : DOMQ_NAN,
+                             .least = w->least};
     struct domq_design d;
     struct plan plan;
-    char reason[256];
-    if (!wish_check(problem, &wish))
+    char reason[400];
+    struct scene_engine engine;
+    if (!wish_check(problem, &wish) || !design_find(query, &wish, &engine, &d, problem))
         return false;
-    enum dom_status status = domq_design_find(&query->scene->train, &wish, &query->scene->compute, &d);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
     answer_holds(a, d.limit == DOM_DESIGN_FITS);
     if (d.limit != DOM_DESIGN_FITS) {
         infeasible(query, &wish, &d, reason, sizeof reason);
@@ -277,16 +349,8 @@ static bool run_design(const struct query *query, struct answer *a, struct probl
         plan_file(a, &plan);
     else
         plan_row(a, &plan, &d, NULL);
-    if (answer_for_people(a)) {
-        char least[CELL_TEXT] = "";
-        if (isfinite(d.row))
-            snprintf(least, sizeof least,
-                     " Every domino after the first has at least %.0f %% of the energy that it needs.",
-                     floor(100 * (double)d.row));
-        answer_say(a, "\n%zu dominoes, each %.4g times as large as the one before; the last is %s tall.%s\n",
-                   plan.count, (double)d.r, measured(wish.height, "m", 4).text, least);
-        plan_list(a, &plan);
-    }
+    if (answer_for_people(a))
+        design_say(query, a, &wish, &d, &plan);
     if (a->out && !a->point)
         done = design_keep(query, problem, a, &d);
     free(plan.domino);
@@ -308,7 +372,10 @@ const struct command design_commands[] = {
          "q, "
          "friction, slope and push. WISHES are 'safety 2' (if left out), 'hall 20 m', which the row with its "
          "last domino fallen must not exceed, and 'minimise dominoes' (if left out), 'length' or 'mass', in "
-         "any order. The fewest dominoes weigh least. The row becomes the session's; 'design ... > hall.csv' "
+         "any order. The fewest dominoes weigh least. Where the rigid-body engine runs rows ('effect feet', "
+         "'effect bounce', 'set method engine'), all dominoes of the row also fall in the engine; 'safety' "
+         "is that of the model, in which feet are hinges. The row becomes the session's; 'design ... > "
+         "hall.csv' "
          "writes it, for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
