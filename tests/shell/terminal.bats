@@ -144,6 +144,8 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     see '^-- more -- .*\) *$'
     [[ $(screen) == 'The first five minutes'* ]]
     [ "$(screen | wc -l)" -eq 24 ]
+    sleep 1.5 # long enough for a sign of work that takes a second
+    see_last '-- more -- (Enter: next page; q, Enter: end)'
     press Enter
     see '^  goto PLACE '
     hides 'The first five minutes'
@@ -188,6 +190,9 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     ask 'effect row 40; effect push 6; fall'
     see '^PAGED$'
     clear_screen
+    ask 'effect row 20; fall; why' # longer than the screen, but no screen and a half
+    hides PAGED
+    clear_screen
     ask 'curve 0.1 0.9 4; print 6*7'
     see '^42$'
     hides PAGED
@@ -210,7 +215,7 @@ gone() { ! terminal has-session 2>/dev/null; }
     modes >"$BATS_TEST_TMPDIR/before"
     type_in help
     press Enter
-    see_last ':' # less takes its place
+    see_last 'space: more, q: back' # less takes its place
     press q
     see_last "$prompt"
     close_terminal
@@ -579,13 +584,13 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     type_in 'curve 0.01 0.9 10000000; print 6*7'
     press Enter
     see '^ *0\.01 '
-    see_last ':'
+    see_last 'space: more, q: back'
     press q
     see '^42$'
     see_last "$prompt"
     type_in 'curve 0.01 0.9 10000000; print 8*8'
     press Enter
-    see_last ':'
+    see_last 'space: more, q: back'
     press C-c # ends the computation; less shows what there is
     press q
     see 'interrupted$'
@@ -594,4 +599,17 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     ask 'print 9*9'
     see '^81$'
     modes | diff "$BATS_TEST_TMPDIR/before" -
+    # What is typed at less by mistake writes no file, and runs nothing.
+    type_in help
+    press Enter
+    see_last 'space: more, q: back'
+    press -l s
+    press -l "$BATS_TEST_TMPDIR/by-mistake"
+    press Enter
+    see 'not available'
+    [ ! -e "$BATS_TEST_TMPDIR/by-mistake" ]
+    press Enter G
+    see_last '(end) q: back'
+    press q
+    see_last "$prompt"
 }

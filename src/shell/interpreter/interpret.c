@@ -102,7 +102,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
         return run_call(session, c, given, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;
-    bool paged = pager_push(&session->output, !session->means.safe, interrupt);
+    bool paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
     session_direct(session);
     bool done = run_call(session, c, given, problem);
     const char *left = paged ? output_pop(&session->output, true) : NULL;

@@ -66,13 +66,13 @@ const char *file_push(struct output **top, const char *path, bool append,
 /*
  * Begins a text that may be longer than the terminal; returns false, and does nothing, if standard input and
  * the level below are not both the terminal.  The stream has the terminal's width and colours.  What is
- * longer than the terminal goes through $PAGER, or else less, if programs may be run, while it is written;
- * without these it is shown a page at a time.  A text that fits, or that comes slowly, goes to the terminal
+ * longer than so many screens goes through $PAGER, or else less, if programs may be run, while it is written;
+ * without these it is shown a page at a time.  A shorter text, or one that comes slowly, goes to the terminal
  * as it is.  Writing fails after the reader has left, and after an interrupt.  The end of the level waits
  * until the text is read, shows the messages, and leaves the terminal as it was; it returns NULL unless the
  * reader has left.
  */
-bool pager_push(struct output **top, bool programs, const volatile sig_atomic_t *interrupt);
+bool pager_push(struct output **top, double screens, bool programs, const volatile sig_atomic_t *interrupt);
 
 /* Begins a log, which is appended to, or a tee, which begins anew, in the place of an earlier one.  Returns
  * NULL, or why the file cannot be written. */

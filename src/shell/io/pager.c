@@ -30,6 +30,7 @@ struct pager {
     size_t text_size, messages_size;
     double begun;            /* when the first of the text came; 0: nothing has come */
     int width, height, rows; /* of the terminal, and of the page so far */
+    double screens;          /* a shorter text is shown as it is */
     bool programs;           /* may be run */
     const volatile sig_atomic_t *interrupt;
     pid_t child;
@@ -58,6 +59,9 @@ static const char *line_end(const char *line, const char *end)
 
 /* ---- A program ---- */
 
+/* The prompt of less, in whose language '?e' asks for the end and ':' separates what is shown then. */
+#define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
+
 /* Starts the program, which reads the text from the file.  Returns false if there is none. */
 static bool program_start(int text, pid_t *child)
 {
@@ -66,8 +70,14 @@ static bool program_start(int text, pid_t *child)
     /* A program that does not exist loses no text. */
     static char shown[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
-    char *const own[] = {"sh", "-c", shown, NULL}, *const less[] = {"less", "-FRX", NULL};
-    char *const *argv = pager && *pager ? own : less;
+    char *const own[] = {"sh", "-c", shown, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};
+    bool usual = !(pager && *pager);
+    char *const *argv = usual ? less : own;
+    setenv("LESS", "FRXP" LESS_PROMPT "$", 0);
+    if (usual) { /* what is typed at it by mistake writes no file and runs no program */
+        setenv("LESSSECURE", "1", 1);
+        setenv("LESSHISTFILE", "-", 1);
+    }
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     sigset_t back;
@@ -76,7 +86,6 @@ static bool program_start(int text, pid_t *child)
     sigaddset(&back, SIGXFSZ);
     for (int i = 0; i < SIGNALS; i++)
         sigaddset(&back, signals[i]);
-    setenv("LESS", "FRX", 0);
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigdefault(&attributes, &back);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
@@ -208,7 +217,7 @@ static ssize_t pager_write(void *pager, const char *text, size_t size)
         next = line_end(line, end);
         rows += line_rows(line, next - 1, p->width);
     }
-    return (!slow && rows < p->height) || show(p, !slow) ? (ssize_t)size : 0;
+    return (!slow && (double)rows < p->screens * p->height) || show(p, !slow) ? (ssize_t)size : 0;
 }
 
 static const char *pager_pop(struct output *o, bool keep)
@@ -230,7 +239,7 @@ static const char *pager_pop(struct output *o, bool keep)
     return p->state == LEFT ? "the reader has left" : NULL;
 }
 
-bool pager_push(struct output **top, bool programs, const volatile sig_atomic_t *interrupt)
+bool pager_push(struct output **top, double screens, bool programs, const volatile sig_atomic_t *interrupt)
 {
     FILE *terminal = (*top)->out;
     int width, height;
@@ -246,6 +255,7 @@ bool pager_push(struct output **top, bool programs, const volatile sig_atomic_t 
     *p = (struct pager){.output = {.kind = OUTPUT_PAGER, .out = out, .pop = pager_pop},
                         .width = width,
                         .height = height,
+                        .screens = screens,
                         .programs = programs,
                         .interrupt = interrupt};
     p->to = io_memory(&p->text, &p->text_size);
