@@ -81,6 +81,18 @@ every_file_command() { # SIGNAL
     same 'what is left' '(nothing)' "$(inside)"
 }
 
+@test "gnuplot ends with the program, whatever signal ends that" {
+    command -v gnuplot >/dev/null || skip 'no gnuplot'
+    enter
+    local drawing
+    for signal in USR1 KILL; do
+        begin -e 'animate film.gif 9'
+        until drawing=$(pgrep -P "$child" gnuplot); do kill -0 "$child"; done
+        end_by 'the program' "$signal"
+        timeout 20 tail -s 0.01 --pid="$drawing" -f /dev/null || same "SIG$signal: gnuplot" 'is gone' "$(ps "$drawing")"
+    done
+}
+
 @test "a script that waits for a FIFO ends with SIGINT and SIGTERM, and leaves no file" {
     enter
     mkfifo fifo

@@ -7,9 +7,9 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -166,30 +166,36 @@ static int program_wait(const struct query *query, pid_t child)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
 }
 
-int program_run(const struct query *query, char *const argv[], FILE *script, FILE *drawing, FILE *complaints)
+/* Becomes the program, in the child process. */
+static void program_become(char *const argv[], pid_t parent, const int file[3])
 {
-    extern char **environ;
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    pid_t child;
-    fflush(script);
-    rewind(script);
-    lseek(fileno(script), 0, SEEK_SET);
     /*
      * In a process group of its own a program gets no ^Z: it would stop, and this program, which stops when
      * the command is done, would wait for it without end.
      */
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, fileno(drawing), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, fileno(complaints), STDERR_FILENO);
-    int failed = posix_spawnp(&child, argv[0], &actions, &attributes, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    return failed ? failed : program_wait(query, child);
+    setpgid(0, 0);
+    /* It ends with this program, whatever ends that; which may have happened already. */
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+        _exit(127);
+    for (int i = 0; i < 3; i++)
+        dup2(file[i], i);
+    execvp(argv[0], argv);
+    dprintf(STDERR_FILENO, "%s\n", strerror(errno));
+    _exit(127);
+}
+
+int program_run(const struct query *query, char *const argv[], FILE *script, FILE *drawing, FILE *complaints)
+{
+    const int file[] = {fileno(script), fileno(drawing), fileno(complaints)};
+    pid_t parent = getpid();
+    fflush(script);
+    rewind(script);
+    lseek(file[0], 0, SEEK_SET);
+    pid_t child = fork();
+    if (child == 0)
+        program_become(argv, parent, file);
+    return child < 0 ? errno : program_wait(query, child);
 }
 
 static int gnuplot_run(const struct query *query, FILE *script, FILE *drawing, FILE *complaints)
