@@ -6,8 +6,8 @@
  */
 #include "commands/sweeps/grid.h"
 #include "commands/tables.h"
-#include "interpreter/arguments.h"
 #include "interpreter/command.h"
+#include "interpreter/question.h"
 #include "session.h"
 #include <dirent.h>
 #include <stdint.h>

@@ -139,10 +139,9 @@ rmax x|(nothing)
 END
 }
 
-@test "the last values of other calculators, and '==', lead to what is here" {
+@test "the last values of other calculators lead to what is here" {
     local line
     for line in _ % %1 ans2 _*2; do wrong "2+2; $line" "the last value is 'ans'"; done
-    for line in r==2 'r == 2' 2==2 'print r == 2' 'rmax(0.3) == 2'; do wrong "$line" "not compared by '=='"; done
 }
 
 @test "words of other programs: the message names what is meant" {
@@ -304,4 +303,54 @@ END
             sed -n '2,$p' | awk '/^  [a-z]/ && NF < 2 || /^  [a-zA-Z_0-9]+ +[^ ]+ *$/')"
     done
     [ "$pages" -ge 40 ]
+}
+
+@test "comparisons, and, or, not, if: 1 is true, 0 is not" {
+    local line
+    for line in 'print 2 == 2' 'r == 1.5' 'r==1.5' '1 < 2 and 2 <= 2' '(2 > 1)' 'not 0' '(not 1 > 2) or 0' '1 m != 2 m' 'thetac < 90 deg' \
+        'print if(rmax >= 1.5, 1, 0)' 'if(0, 1/0, 1)' '1 or 1/0 < 0' '2 >= 1 + 1' 'rmax(0.4) < 1.7 and not rmax(0.4) <= 1.6' '(rmax > 1.6)'; do
+        same "$line" 1 "$("$DOMINO" -n -e "$line")"
+    done
+    for line in 'r == 2' '2 < 1 or 3 < 2' 'not 2' '(1 > 2 and 1/0)' 'if(1 < 2, 0, 1)' '0 and 1/0'; do
+        same "$line" 0 "$("$DOMINO" -n -e "$line")"
+    done
+    wrong 'print 1 < 2 < 3' "comparisons joined by 'and'"
+    wrong 'print 1 m < 2' 'a length and a plain number are not compared'
+    wrong 'if(1 m, 1, 0)' 'a length is no condition'
+    wrong 'if(1, 2)' 'if takes a condition and two values'
+    wrong 'let and = 1' "'and' is a word of the language"
+}
+
+@test "assert: a condition" {
+    same 'true' '(nothing)' "$("$DOMINO" -n -e 'assert rmax(0.4) < 1.7; assert if(r > 1, 1, 0); assert (s > 0.1) and not r == 2')"
+    wrong 'assert rmax(0.4) < 1.6' 'assert: not true: rmax\(0.4\) < 1.6'
+    wrong 'assert 1/0 < 2' 'assert: .*division by zero'
+    wrong 'assert rmax' "'rmax' decides nothing; .* 'assert rmax < 1.7'"
+}
+
+@test "with: what holds for one answer, and nothing else changes" {
+    local alone
+    alone=$("$DOMINO" -n -e 'set q hollow; set d 0.1; print rmax(0.4)')
+    same 'command' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q hollow d 0.1')"
+    same 'in parentheses' "$alone" "$("$DOMINO" -n -e 'print (rmax(0.4) with d 0.1 q hollow)')"
+    same 'with =' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q = hollow d = 1/10')"
+    same 'in a function' "$alone" "$("$DOMINO" -n -e 'let f(x) = (rmax(x) with q 3 d x/4); f(0.4)')"
+    same 'sweep' "$("$DOMINO" -n -e 'set output csv; set q hollow; sweep s 0.2 0.4 3 : rmax')" \
+        "$("$DOMINO" -n -e 'set output csv; sweep s 0.2 0.4 3 : rmax with q hollow')"
+    same 'solve' "$("$DOMINO" -n -e 'set output csv; set q hollow; solve s 0.1 0.9 : rmax = 2')" \
+        "$("$DOMINO" -n -e 'set output csv; solve s 0.1 0.9 : rmax with q hollow = 2')"
+    same 'a row' "$("$DOMINO" -n -e 'effect row 5; effect push 3; print verdict.seconds')" \
+        "$("$DOMINO" -n -e 'print verdict.seconds with row 5 push 3')"
+    same 'precision' "$("$DOMINO" -n -e 'set output csv; set precision quad; rmax')" \
+        "$("$DOMINO" -n -e 'set output csv; rmax with precision quad')"
+    same 'the session stays' "$("$DOMINO" -n -e 'set output csv; show; rmax')" \
+        "$("$DOMINO" -n -e 'rmax with q hollow friction 0.2 row 5 > /dev/null; set output csv; show; rmax')"
+    same 'assert' '(nothing)' "$("$DOMINO" -n -e 'assert barrier with r 1.2 > /dev/null')"
+    wrong 'assert barrier with r 1.9' 'not true'
+    wrong 'rmax with' "'with' takes parameters and effects"
+    wrong 'rmax with q' 'the value of q after .with. is missing'
+    wrong 'rmax with digits 3' "'digits' is a setting of the calculator"
+    wrong 'rmax with push 3' "'effect push' needs a row"
+    wrong 'rmax with s 2' 's = 2 is out of range'
+    wrong 'set s 0.3 with r 2' "'with' goes behind a command that only answers"
 }

@@ -315,3 +315,17 @@ parts() { # PARTS ROWS
     run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'
     same 'no answer' '(nothing)' "$output"
 }
+
+@test "several answers of each point: commands, keys, expressions, one column each" {
+    local csv='set output csv; sweep r 1 2 5'
+    same 'columns' "$(paste -d, <("$DOMINO" -n -e "$csv : barrier" | cut -d, -f1,5) <("$DOMINO" -n -e "$csv : fuel" | cut -d, -f2) \
+        <("$DOMINO" -n -e "$csv : print 2*rmax(0.3)" | cut -d, -f2) | sed 1d)" \
+        "$("$DOMINO" -n -e "$csv : barrier.margin, fuel, 2*rmax(0.3)" | sed 1d | sed 's/,$//')"
+    same 'head' 'r,barrier.margin,fuel,2*rmax(0.3),reason' "$("$DOMINO" -n -e "$csv : barrier.margin, fuel, 2*rmax(0.3)" | head -n 1)"
+    same 'threads' "$("$DOMINO" -n -e "set threads 1; $csv q 3, 4 : rmax, best.s")" "$("$DOMINO" -n -e "set threads 4; $csv q 3, 4 : rmax, best.s")"
+    same 'with' "$("$DOMINO" -n -e "$csv : print rmax with q hollow" | cut -d, -f2 | sed 1d)" \
+        "$("$DOMINO" -n -e "$csv : rmax with q hollow, rmax" | cut -d, -f2 | sed 1d)"
+    wrong 'sweep r 1 2 3 : rmax, fall' "which number of 'fall'"
+    wrong 'sweep r 1 2 3 : rmax,' "an answer after ',' is missing"
+    wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
+}

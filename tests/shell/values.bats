@@ -556,7 +556,7 @@ END
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
 1|mu = 0.2|^'mu' is no parameter; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
 7|print gravity|'gravity' has no value; did you mean 'g'\?$
-36|set output csv; animate a.gif speed 2 rad|animate: the speed is a plain number
+37|set output csv; animate a.gif speed 2 rad|animate: the speed is a plain number
 12|set output jsno|^set: .*'jsno'; did you mean 'json'\?
 10|set fuel ecaxt|^set: .*'ecaxt'; did you mean 'exact'\?
 11|set angle degs|^set: .*'degs'; did you mean 'deg'\?

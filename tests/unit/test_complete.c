@@ -3,7 +3,8 @@
 #include "support.h"
 
 #include "commands/tables.h"
-#include "interpreter/arguments.h"
+#include "interpreter/forms.h"
+#include "interpreter/question.h"
 #include "prompt/input.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,18 +33,25 @@ static bool parses(const char *line)
     struct problem problem = {.kind = PROBLEM_NONE};
     const struct query query = session_query(&session);
     struct text text;
+    struct arena arena;
+    struct question question = {.key = -1};
+    arena_begin(&arena);
     assert_true(text_make(&text, line, strlen(line)));
-    struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line};
-    struct arguments given = {.count = 0};
-    const struct command *c = read_command(&r);
-    bool whole = c && read_arguments(&r, c, &given);
-    arguments_free(&given);
+    struct reader r = {.query = &query,
+                       .problem = &problem,
+                       .text = &text,
+                       .at = text.line,
+                       .arena = &arena,
+                       .evaluates = true};
+    question.command = read_command(&r);
+    bool whole = question.command && question_parse(&r, &question);
+    arena_free(&arena);
     text_free(&text);
     return whole;
 }
 
 /* Returns true if the parser takes the line with something after it. */
-static bool goes_on(const char *line)
+static bool may_go_on(const char *line)
 {
     static const char *const more[] = {"",
                                        " 0.3",
@@ -85,6 +93,7 @@ static bool goes_on(const char *line)
                                        "5)",
                                        "1,0.1)",
                                        "1,2)",
+                                       "1,2,3)",
                                        " 4 m",
                                        " friction",
                                        " 0.01 0.1 2 : rmax",
@@ -127,7 +136,7 @@ static void explore(const char *line, int depth)
         word--;
     for (int i = 0; i < o->count; i++) {
         snprintf(longer, sizeof longer, "%.*s%s", (int)word, line, o->word[i]);
-        if (!goes_on(longer))
+        if (!may_go_on(longer))
             fail_msg("'%s' offers '%s', which is refused", line, o->word[i]);
         checked++;
         strcat(longer, " ");
@@ -136,7 +145,7 @@ static void explore(const char *line, int depth)
     }
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers && depth > 1 && word > 0; i++) {
         snprintf(longer, sizeof longer, "%s%s", line, numbers[i]);
-        if (goes_on(longer))
+        if (may_go_on(longer))
             explore(longer, depth - 1);
     }
     free(o);

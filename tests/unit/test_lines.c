@@ -5,8 +5,8 @@
 #include "answer/format.h"
 #include "answer/output.h"
 #include "commands/tables.h"
-#include "interpreter/arguments.h"
 #include "interpreter/forms.h"
+#include "interpreter/question.h"
 #include "io/escape.h"
 #include "language/fewest.h"
 #include "language/quad.h"
@@ -253,14 +253,17 @@ static const struct command *command_of(struct session *session, const char *lin
     struct text text;
     struct problem problem = {.kind = PROBLEM_NONE};
     const struct query query = session_query(session);
+    struct arena arena;
+    arena_begin(&arena);
     assert_true(text_make(&text, line, strlen(line)));
-    struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line};
+    struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line, .arena = &arena};
     const struct command *c = read_form(&r);
     if (!c && problem.kind == PROBLEM_NONE)
         c = read_command(&r);
     *column = problem.place;
     *at = problem.kind == PROBLEM_NONE ? (int)(r.at - text.line) : -1;
     text_free(&text);
+    arena_free(&arena);
     return c;
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands for scripts and their records: source, echo, log, tee. */
 #include "commands/tables.h"
-#include "interpreter/arguments.h"
 #include "interpreter/line.h"
+#include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/io.h"
 #include "session/session.h"
@@ -37,23 +37,24 @@ static bool run_source(struct session *session, const struct arguments *given, s
 
 /* ---- Text ---- */
 
-/* Reads the rest of the command as one text; between quotes it may have ';', '>' and '#'. */
-static bool echo_read(struct reader *r, struct arguments *given)
+/* Parses the rest of the command as one text; between quotes it may have ';', '>' and '#'. */
+static bool echo_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at, *end = text_end(begin, ";>");
     const char *quote = *begin == '"' ? text_quote(begin) : NULL;
+    struct item *item = &q->item[0];
     if (*begin == '"' && !quote)
         return problem_error(r->problem, "%s", unclosed);
     if (quote && skip_blanks(quote) >= end) {
-        given->word[given->count] = read_text(r);
+        item->word = read_text(r);
     } else {
         while (end > begin && strchr(" \t\r\f\v", end[-1]))
             end--;
         const char *typed = text_typed(r->text, begin);
-        given->word[given->count] = strndup(typed, (size_t)(text_typed(r->text, end) - typed));
+        item->word = arena_text(r->arena, typed, (size_t)(text_typed(r->text, end) - typed));
         r->at = end;
     }
-    return given->word[given->count] || problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
+    return item->word || problem_error(r->problem, "out of memory");
 }
 
 static const struct column echo_columns[] = {
@@ -120,7 +121,7 @@ const struct command script_commands[] = {
      .act = run_source},
     {.name = "echo",
      .synonyms = "write text say message",
-     .argument = {{.name = "TEXT", .kind = ARGUMENT_WORDS, .read = echo_read, .optional = true}},
+     .argument = {{.name = "TEXT", .kind = ARGUMENT_WORDS, .parse = echo_parse, .optional = true}},
      .summary = "write TEXT, as a heading or to mark the end of an answer",
      .help = "Put TEXT between double quotes if it has ';', '>' or ' #'.",
      .example = "echo hollow dominoes; set q hollow; print rmax",

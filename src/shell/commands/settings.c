@@ -209,7 +209,8 @@ const struct command session_commands[] = {
                    .kind = ARGUMENT_UNIT,
                    .optional = true,
                    .choices = conversion_word,
-                   .read = read_conversion}},
+                   .parse = conversion_parse,
+                   .bind = conversion_bind}},
      .summary = "the value of an expression, in another unit",
      .help = "A line that is an expression means the same: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to "
              "percent'. "
@@ -229,7 +230,8 @@ const struct command session_commands[] = {
                    .kind = ARGUMENT_WORDS,
                    .choices = value_names,
                    .optional = true,
-                   .read = read_definition}},
+                   .parse = definition_parse,
+                   .bind = definition_bind}},
      .summary = "give a value a name, or define a function",
      .help = "'let x = 0.9*rmax' keeps the value that the expression has now; every expression can use x. "
              "'let f(s) = rmax(s)*s' keeps the text; f(0.3) evaluates it with s = 0.3. A "

@@ -32,8 +32,12 @@ void verdict_train_say(const struct query *query, struct answer *answer, enum do
 /* What 'print' and 'let' read after their names, and what they do. */
 extern const struct column print_columns[];
 const char *conversion_word(const void *context, int k);
-bool read_conversion(struct reader *reader, struct arguments *call);
-bool read_definition(struct reader *reader, struct arguments *call);
+bool conversion_parse(struct reader *reader, struct question *question);
+bool conversion_bind(const struct question *question, const struct query *query, struct arguments *given,
+                     struct problem *problem);
+bool definition_parse(struct reader *reader, struct question *question);
+bool definition_bind(const struct question *question, const struct query *query, struct arguments *given,
+                     struct problem *problem);
 extern const struct column show_columns[];
 bool run_show(const struct query *query, struct answer *a, struct problem *problem);
 bool run_diff(const struct query *query, struct answer *a, struct problem *problem);

@@ -2,6 +2,7 @@
 /* Values of expressions: print them, convert them, and give them names. */
 #include "commands/tables.h"
 #include "interpreter/forms.h"
+#include "interpreter/question.h"
 #include "language/quad.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -60,45 +61,47 @@ static bool conversion_find(struct problem *problem, const char *name, struct co
                          names_shown(name, shown), close);
 }
 
-bool read_conversion(struct reader *r, struct arguments *given)
+bool conversion_parse(struct reader *r, struct question *q)
+{
+    char shown[NAMES_SHOWN];
+    struct item *item = &q->item[1];
+    if (!reader_takes(r, "to")) {
+        const char *word = read_word(r, false);
+        return problem_error(r->problem, "'%s' is one argument too many; usage: print VALUE [to U]",
+                             names_shown(word ? word : "", shown));
+    }
+    *item = (struct item){.at = r->at};
+    item->word = reader_ends(r) ? "" : read_word(r, false);
+    return item->word || problem_error(r->problem, "out of memory");
+}
+
+bool conversion_bind(const struct question *question, const struct query *query, struct arguments *given,
+                     struct problem *problem)
 {
     struct quantity *q = &given->quantity[0];
-    char units[96], is[48], wanted[48], shown[NAMES_SHOWN];
-    char *word = read_word(r, false);
-    if (!word || strcmp(word, "to") != 0) {
-        problem_error(r->problem,
-                      word ? "'%s' is one argument too many; usage: print VALUE [to U]" : "out of memory",
-                      names_shown(word ? word : "", shown));
-        free(word);
-        return false;
-    }
-    free(word);
-    r->at = skip_blanks(r->at);
-    r->problem->place = reader_column(r, r->at);
-    word = read_word(r, false);
+    const char *name = question->item[1].word;
+    char units[96], is[48], wanted[48];
     struct conversion *c = malloc(sizeof *c);
+    if (!c)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
     given->own = c;
     given->own_free = free;
+    problem->place = given->column[1];
     units_list(*q, units, sizeof units);
-    bool good = word && c &&
-                (*word || problem_error(r->problem, "the unit after 'to' is missing%s%s",
-                                        *units ? "; for example" : "", units)) &&
-                conversion_find(r->problem, word, c);
-    if (!word || !c)
-        problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    free(word);
-    if (!good)
+    if (!*name)
+        return problem_error(problem, "the unit after 'to' is missing%s%s", *units ? "; for example" : "",
+                             units);
+    if (!conversion_find(problem, name, c))
         return false;
     if (quantity_bare(*q) &&
         quantity_alike(c->unit, (struct quantity){.angle = 1})) /* as where an angle belongs */
-        *q = (struct quantity){.value = r->query->state->settings.style.angle == ANGLE_DEG
-                                            ? q->value * (QUAD_PI / 180)
-                                            : q->value,
-                               .angle = 1};
+        *q = (struct quantity){
+            .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
+            .angle = 1};
     const char *of = expression_kind(c->unit, wanted, sizeof wanted);
     return quantity_alike(*q, c->unit) ||
-           problem_error(r->problem, "the value is %s, and '%s' is %s%s%s%s",
-                         expression_kind(*q, is, sizeof is), c->name,
+           problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q, is, sizeof is),
+                         c->name,
                          quantity_bare(c->unit) ? "for a plain number"
                          : of == wanted         ? "" /* "in m s^-1" */
                                                 : "a unit of ",
@@ -144,66 +147,74 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- let ---- */
 
-/* Reports an error where a name has a meaning already. */
+/* Lists for names.h the words with a meaning between values. */
+static const char *language_words(const void *context, int k)
+{
+    static const char *const words[] = {"to", "log", "with", "and", "or", "not", NULL};
+    (void)context;
+    return words[k];
+}
+
+/* Describes a problem where a name has a meaning already. */
 static bool name_free(struct problem *problem, const char *name)
 {
-    const char *is = parameter_find(name)                                  ? "a parameter"
-                     : command_find(name)                                  ? "a command"
-                     : names_exact(expression_units, NULL, name) >= 0      ? "a unit"
-                     : names_exact(value_names, NULL, name) >= 0           ? "a value of the language"
-                     : strcmp(name, "to") == 0 || strcmp(name, "log") == 0 ? "a word of the language"
-                                                                           : NULL;
+    const char *is = parameter_find(name)                             ? "a parameter"
+                     : command_find(name)                             ? "a command"
+                     : names_exact(expression_units, NULL, name) >= 0 ? "a unit"
+                     : names_exact(value_names, NULL, name) >= 0      ? "a value of the language"
+                     : names_exact(language_words, NULL, name) >= 0   ? "a word of the language"
+                                                                      : NULL;
     return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
 }
 
-/* Reads the text of a function up to the end of the command; its copy is the variable's body. */
-static bool read_body(struct reader *r, struct variable *v)
+/* A definition: the variable, whose body is in the arena, and the value that it gets. */
+struct definition {
+    struct variable variable;
+    struct item value;
+};
+
+/* Parses the text of a function up to the end of the command. Its names get their meaning where it is used.
+ */
+static bool body_parse(struct reader *r, struct variable *v)
 {
-    struct expression e = {.text = r->at, .dry = true};
     char shown[NAMES_SHOWN], word[NAMES_SHOWN];
-    bool good = expression_evaluate(&e, &(struct quantity){.value = 0});
-    r->problem->place = reader_column(r, e.end);
-    if (!good)
-        return problem_error(r->problem, "%s", e.message);
-    if (!command_ends(skip_blanks(e.end)) && *skip_blanks(e.end) != '>') {
-        snprintf(word, sizeof word, "%.*s", (int)strcspn(skip_blanks(e.end), " \t;"), skip_blanks(e.end));
+    const char *begin = r->at;
+    struct item body;
+    r->unresolved = true;
+    r->last = false;
+    if (!item_parse(r, &(struct argument){.name = v->name, .kind = ARGUMENT_ANY}, &body))
+        return false;
+    v->body = arena_text(r->arena, begin, (size_t)(r->at - begin));
+    if (!reader_ends(r)) {
+        reader_place(r, r->at);
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
         return problem_error(r->problem, "the text of the function ends before '%s'",
                              names_shown(word, shown));
     }
-    v->body = strndup(r->at, (size_t)(e.end - r->at));
-    r->at = e.end;
-    return v->body || problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-}
-
-static void definition_free(void *own)
-{
-    free(((struct variable *)own)->body);
-    free(own);
+    return v->body || problem_error(r->problem, "out of memory");
 }
 
 /* Finds the variable whose name is all of the definition; it is shown. */
-static const struct variable *read_defined(struct reader *r)
+static const struct variable *defined_parse(struct reader *r)
 {
     char name[VARIABLE_NAME];
     size_t n = strcspn(r->at, " \t;>#(=");
     const char *end = skip_blanks(r->at + n);
-    if (n >= sizeof name || !(command_ends(end) || *end == '>'))
+    if (!name_copy(r->at, n, name, sizeof name) || !(command_ends(end) || *end == '>'))
         return NULL;
-    snprintf(name, sizeof name, "%.*s", (int)n, r->at);
     const struct variable *v = variable_find(&r->query->state->variables, name);
     r->at = v ? end : r->at;
     return v;
 }
 
-bool read_definition(struct reader *r, struct arguments *given)
+bool definition_parse(struct reader *r, struct question *q)
 {
-    if ((given->variable = read_defined(r)) != NULL)
+    if ((q->variable = defined_parse(r)) != NULL)
         return true;
-    struct variable *v = malloc(sizeof *v);
-    if (!v)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    given->own = v;
-    given->own_free = definition_free;
+    struct definition *d = q->own = arena_take(r->arena, sizeof *d);
+    if (!d)
+        return problem_error(r->problem, "out of memory");
+    struct variable *v = &d->variable;
     const char *value = definition_head(r->at, v);
     if (!value)
         return problem_error(r->problem,
@@ -218,20 +229,39 @@ bool read_definition(struct reader *r, struct arguments *given)
                 return problem_error(r->problem, "two values of '%s' have the name '%s'", v->name,
                                      v->argument[i]);
     r->at = skip_blanks(value);
-    r->problem->place = reader_column(r, r->at);
+    reader_place(r, r->at);
     if (command_ends(r->at))
         return problem_error(r->problem, "the value of '%s' is missing; for example 'let %s = 0.9*rmax'",
                              v->name, v->name);
     if (v->count > 0)
-        return read_body(r, v);
+        return body_parse(r, v);
+    struct argument *a = arena_take(r->arena, sizeof *a);
+    if (!a)
+        return problem_error(r->problem, "out of memory");
+    *a = (struct argument){.name = v->name, .kind = ARGUMENT_ANY};
     r->last = true;
-    if (!read_quantity(r, &(struct argument){.name = v->name, .kind = ARGUMENT_ANY}, &v->value,
-                       &v->value.value))
+    return item_parse(r, a, &d->value);
+}
+
+bool definition_bind(const struct question *q, const struct query *query, struct arguments *given,
+                     struct problem *problem)
+{
+    const struct definition *d = q->own;
+    if (!d)
+        return true;
+    struct variable *v = malloc(sizeof *v);
+    if (!v)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    *v = d->variable;
+    given->own = v;
+    given->own_free = free;
+    domq_real number;
+    if (!v->body && !item_bind(&d->value, q->text, query, &v->value, &number, problem))
         return false;
     const int power[] = {v->value.length, v->value.time, v->value.angle, v->value.mass};
     for (int i = 0; i < 4; i++)
         if (abs(power[i]) > UNIT_POWER_MOST)
-            return problem_error(r->problem, "the unit of '%s' has an exponent above %d", v->name,
+            return problem_error(problem, "the unit of '%s' has an exponent above %d", v->name,
                                  UNIT_POWER_MOST);
     return true;
 }

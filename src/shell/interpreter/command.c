@@ -82,6 +82,18 @@ const char *topic_meant(const char *word, int k)
     return NULL;
 }
 
+const char *value_names(const void *context, int k)
+{
+    const struct state *state = context;
+    for (int n = 0; expression_names(NULL, n); n++)
+        if (k-- == 0)
+            return expression_names(NULL, n);
+    int own = state ? (int)state->variables.count : 0;
+    return k == 0              ? "ans"
+           : state && k <= own ? state->variables.list[k - 1].name
+                               : topic_names(NULL, k - 1 - own);
+}
+
 const char *command_keys(const void *command, int k)
 {
     const struct column *columns = ((const struct command *)command)->columns;

@@ -29,7 +29,7 @@ enum argument_kind {
     ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
     ARGUMENT_GRID,      /* values of parameters and effects, up to a ':' */
     ARGUMENT_COMMAND,   /* ':' and a command that answers */
-    ARGUMENT_WORDS,     /* all that is left of the command: argument.read reads the words and values */
+    ARGUMENT_WORDS,     /* all that is left of the command: argument.parse parses the words and values */
     ARGUMENT_UNIT,      /* "to" and a unit */
     ARGUMENT_REST,      /* the rest of the line as it is */
 };
@@ -37,6 +37,7 @@ enum argument_kind {
 #define COUNT_MAX 10000000
 
 struct reader;
+struct question;
 struct arguments;
 struct session;
 
@@ -48,9 +49,12 @@ struct argument {
     int which; /* of the parameter's values, from 0 */
     bool optional;
     names_list *choices; /* the names that it takes, or that completion offers for it */
-    /* Reads ARGUMENT_GRID, ARGUMENT_COMMAND and ARGUMENT_WORDS; the context of choices of the last is the
-     * word before the one that is completed. Where choices is value_names, it is a definition. */
-    bool (*read)(struct reader *reader, struct arguments *given);
+    /* Parse and bind ARGUMENT_GRID, ARGUMENT_COMMAND, ARGUMENT_WORDS and ARGUMENT_UNIT; what parse finds is
+     * question->own, and bind makes given->own of it. The context of choices of ARGUMENT_WORDS is the word
+     * before the one that is completed. Where choices is value_names, it is a definition. */
+    bool (*parse)(struct reader *reader, struct question *question);
+    bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
+                 struct problem *problem);
     /* Unless NULL, returns true if the argument may follow the one before it, given as its choice or
      * place. */
     bool (*follows)(domq_real before);
@@ -68,13 +72,13 @@ struct arguments {
     int count; /* number of arguments that were given */
     domq_real number[ARGUMENTS_MAX];
     struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
-    char *word[ARGUMENTS_MAX];
+    const char *word[ARGUMENTS_MAX];
     const struct parameter
         *parameter; /* the parameter that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
     const struct variable *variable; /* the one that ARGUMENT_PARAMETER, ARGUMENT_TOPIC or a definition names;
                                         NULL: none */
     int column[ARGUMENTS_MAX];       /* their places in the line, for messages */
-    void *own; /* what argument.read keeps for its command; arguments_free calls own_free */
+    void *own; /* what argument.bind keeps for its command; arguments_free calls own_free */
     void (*own_free)(void *own);
 };
 
@@ -131,19 +135,6 @@ const char *command_keys(const void *command, int k);
 /* Returns the k-th of the topics that people also know by this word, or NULL: 'growth' is r, and 'speed' is
  * several. */
 const char *topic_meant(const char *word, int k);
-
-/* Where expressions find names: the query, the function that is being evaluated (NULL: none), and where a
- * problem of an answer goes. */
-struct lookup {
-    const struct query *query;
-    const struct scope *scope;
-    struct problem *problem;
-};
-
-/* Looks up a name in expressions whose context is a struct lookup: a parameter, the last answer, a command
- * with its key. */
-bool query_lookup(struct expression *expression, const char *name, const char *key,
-                  const struct quantity *arguments, int count, struct quantity *result);
 
 /* Lists for names.h every name that has a value in a state; without one (NULL) those that every state has. */
 const char *value_names(const void *context, int k);

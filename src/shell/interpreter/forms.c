@@ -35,11 +35,12 @@ const char *definition_head(const char *c, struct variable *v)
     return c && c[0] == '=' && c[1] != '=' ? c + 1 : NULL;
 }
 
-/* Returns true if an operator that needs a value before it, or a conversion, is here. */
-static bool goes_on(const char *c)
+bool goes_on(const char *c)
 {
     bool blank = isspace((unsigned char)c[-1]);
-    return (*c && strchr("*/^", *c)) ||
+    return (*c && strchr("*/^<", *c)) || ((*c == '>' || *c == '!' || *c == '=') && c[1] == '=') ||
+           (strncmp(c, "and", 3) == 0 && isspace((unsigned char)c[3])) ||
+           (strncmp(c, "or", 2) == 0 && isspace((unsigned char)c[2])) ||
            ((*c == '+' || *c == '-') && (!blank || isspace((unsigned char)c[1]))) ||
            (strncmp(c, "to", 2) == 0 && isspace((unsigned char)c[2]));
 }
@@ -59,6 +60,8 @@ static bool is_expression(const struct state *state, const char *c)
     int fewest;
     if (command)
         return command_values(command, &fewest) >= 0 && goes_on(next);
+    if (strcmp(name, "not") == 0)
+        return next > c + n;
     bool alone = !parameter_find(name) && (command_ends(next) || *next == '>');
     return names_exact(value_names, state, name) >= 0 && (alone || goes_on(next));
 }

@@ -3,7 +3,7 @@
 #ifndef SHELL_FORMS_H
 #define SHELL_FORMS_H
 
-#include "interpreter/arguments.h"
+#include "interpreter/words.h"
 
 /*
  * Returns the command that a line without a command's name means, and moves the reader to where its
@@ -11,6 +11,12 @@
  * 'q' the parameter, since the command is 'quit'.
  */
 const struct command *read_form(struct reader *reader);
+
+/* Returns true if an operator that needs a value before it, or a conversion, is here, behind a word. */
+bool goes_on(const char *c);
+
+/* Reads the name of a command.  Returns NULL after an error, which was described. */
+const struct command *read_command(struct reader *reader);
 
 /* Reads the head of a definition, "x =" or "f(s, d) =".  Returns the place after '=', or NULL: none is there.
  */

@@ -2,6 +2,7 @@
 /* Runs lines: the commands in them, with their answers in the files after '>'. */
 #include "answer/format.h"
 #include "interpreter/forms.h"
+#include "interpreter/question.h"
 #include "io/terminal.h"
 #include "picture/ending.h"
 #include "picture/picture.h"
@@ -34,21 +35,18 @@ static void say_train(const struct session *session, struct answer *answer)
 }
 
 /* Runs a command whose arguments have been read. */
-static bool run_call(struct session *session, const struct command *c, const struct arguments *given,
+static bool run_call(struct session *session, const struct command *c, const struct query *query,
                      struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
     if (c->principal) /* without a principal column the cells are not kept */
         memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = output_end(output);
-    struct query query = session_query(session);
-    query.given = given;
-    query.next = &session->state;
     struct answer answer = {
         .out = output->out,
         .path = output->path,
         .appended = output->append,
-        .style = state_style(&session->state),
+        .style = state_style(query->state),
         .command = c->name,
         .note = c->train && session->state.scene.effect[DOM_EFFECT_row].on ? TRAIN_NOTE : NULL,
         .head = end->head,
@@ -65,9 +63,9 @@ static bool run_call(struct session *session, const struct command *c, const str
     bool draws = answer.path && c->picture && ending_of(answer.path)->kind == ENDING_PICTURE;
     bool shown = c->draws && !c->files && answer.style.format->for_people && !answer.path;
     bool done = shown && !picture_fits(&answer, c->name, problem) ? false
-                : c->act                                          ? c->act(session, given, &answer, problem)
-                : draws                                           ? c->picture(&query, &answer, problem)
-                                                                  : c->run(&query, &answer, problem);
+                : c->act ? c->act(session, query->given, &answer, problem)
+                : draws  ? c->picture(query, &answer, problem)
+                         : c->run(query, &answer, problem);
     ticker_stop();
     session->fresh = session->fresh && done && !c->columns;
     if (done && c->train && !answer.of_row && session->state.scene.effect[DOM_EFFECT_row].on)
@@ -95,16 +93,16 @@ static bool run_call(struct session *session, const struct command *c, const str
 }
 
 /* Runs a command whose answer may be longer than the terminal: a help page, or any answer at the prompt. */
-static bool run_paged(struct session *session, const struct command *c, const struct arguments *given,
+static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
     if (!c->pages && !(session->prompt_width && c->columns && !c->draws && !c->runs))
-        return run_call(session, c, given, problem);
+        return run_call(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;
     bool paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
     session_direct(session);
-    bool done = run_call(session, c, given, problem);
+    bool done = run_call(session, c, query, problem);
     const char *left = paged ? output_pop(&session->output, true) : NULL;
     session_direct(session);
     if (left) { /* the answer was not lost: it was read as far as the reader wanted */
@@ -148,7 +146,7 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
 
 /* Runs a command whose answer goes to the file after '>' or '>>', in the format of the file's ending. */
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
-                           const struct arguments *given)
+                           const struct query *query)
 {
     struct problem *problem = r->problem;
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
@@ -179,13 +177,12 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
                                       : ending->format;
         session->output->is_head = session_answers(session)->is_head;
         session_direct(session);
-        done = run_call(session, c, given, problem);
+        done = run_call(session, c, query, problem);
         wrong = output_pop(&session->output, done);
         session_direct(session);
         if (done && wrong)
             done = problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
     }
-    free(path);
     return done;
 }
 
@@ -201,36 +198,54 @@ static bool is_silent(const struct session *session, const struct command *c, bo
     return due && (file || sourced || !session->wrote);
 }
 
+/* Runs a command: binds its arguments, and answers where the answer goes. */
+static bool run_question(struct session *session, struct reader *r, const struct question *q, bool file)
+{
+    struct state state;
+    struct query query = *r->query, changed;
+    struct arguments given = {.count = 0};
+    bool done = command_allowed(&session->means, q->command, r->problem);
+    if (done && q->with) {
+        done = question_with(q, &query, &state, &changed, r->problem);
+        query = changed;
+    } else
+        query.next = &session->state;
+    done = done && question_bind(q, &query, &given, r->problem);
+    query.given = &given;
+    if (done)
+        done = file ? run_redirected(session, r, q->command, &query)
+                    : run_paged(session, q->command, &query, r->problem);
+    arguments_free(&given);
+    return done;
+}
+
 /* Runs the command at the reader. */
 static void run_command(struct session *session, struct reader *r)
 {
     const char *begin = r->at;
     fflush(output_base(session->output)->out); /* no answer waits for the next one */
     struct problem problem = {.kind = PROBLEM_NONE};
-    struct query query = session_query(session);
+    const struct query query = session_query(session);
     r->query = &query;
     r->problem = &problem;
-    const struct command *c = read_form(r);
-    if (!c && problem.kind == PROBLEM_NONE)
-        c = read_command(r);
-    if (c) {
+    r->stops = r->no_unit = NULL;
+    r->unresolved = false;
+    struct question q = {.key = -1, .command = read_form(r)};
+    if (!q.command && problem.kind == PROBLEM_NONE)
+        q.command = read_command(r);
+    if (q.command) {
         /* A program that waits for an answer gets one also where there is none to give. */
+        const struct command *c = q.command;
         const struct format *format = session_answers(session);
         session->command = problem.command = c->name;
-        struct arguments given = {.count = 0};
         /* A file that is sourced is one change. */
         bool changes = c->changes && session->depth == 0;
         struct state *before = changes ? undo_begin(session) : NULL;
-        bool file = false,
-             done = command_allowed(&session->means, c, &problem) && read_arguments(r, c, &given);
-        if (done) {
-            file = *r->at == '>';
-            done = file ? run_redirected(session, r, c, &given) : run_paged(session, c, &given, &problem);
-        }
+        bool parsed = question_parse(r, &q), file = parsed && *r->at == '>';
+        bool done = parsed && run_question(session, r, &q, file);
         bool same = session_answers(session) == format; /* 'set output' itself answers nothing */
         if (done && same && format->done && is_silent(session, c, file))
             format->done(session->out, c->name);
-        arguments_free(&given);
         if (changes)
             undo_keep(session, before, begin, (size_t)(text_end(begin, ";") - begin));
     }
@@ -260,7 +275,9 @@ static void run_line(struct session *session, const char *line, size_t length)
         session_error(session, "out of memory");
         return;
     }
-    struct reader r = {.text = &text, .at = text.line};
+    struct arena arena;
+    struct reader r = {.text = &text, .at = text.line, .arena = &arena};
+    arena_begin(&arena);
     /* What a file commands is in that file. */
     bool logged = output_find(&session->output, OUTPUT_LOG) && session->depth == 0;
     if (logged) /* where there are several commands, one may fail after others have run */
@@ -274,6 +291,7 @@ static void run_line(struct session *session, const char *line, size_t length)
         if (begin < end) {
             r.at = begin;
             run_command(session, &r);
+            arena_free(&arena);
             /* Where reading came to the end of the command, that is it: 'complete LINE' takes the rest, and
              * in the middle of a word a '"' is a letter. */
             end = r.at > end || command_ends(r.at) ? r.at : end;

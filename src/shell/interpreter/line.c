@@ -69,7 +69,8 @@ void line_stream(struct session *session, FILE *in, const char *name)
     session->line = outer.line;
     session->prompt_width = outer.prompt_width;
     session->command = outer.command;
-    if (reason == ECANCELED && session->command) { /* the problem of the command that reads the stream, not of one of its lines */
+    if (reason == ECANCELED &&
+        session->command) { /* the problem of the command that reads the stream, not of one of its lines */
         struct problem problem = {.command = session->command};
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);
         session_problem(session, &problem);

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The name at the beginning of a command: beginnings of names, synonyms, and what was meant. */
-#include "interpreter/arguments.h"
+#include "interpreter/forms.h"
 #include "session/meant.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* Returns the command that has a right to this ambiguous beginning, as an index of command_names; or that
@@ -62,14 +61,14 @@ const struct command *read_command(struct reader *r)
 {
     char message[NAMES_MESSAGE] = "out of memory";
     r->problem->place = reader_column(r, r->at);
-    size_t length = strcspn(r->at, " \t\r\f\v;>");
+    size_t length = strcspn(r->at, r->stops ? " \t\r\f\v;>,=" : " \t\r\f\v;>");
     char exact[VARIABLE_NAME];
     const struct command *typed = name_copy(r->at, length, exact, sizeof exact) ? command_find(exact) : NULL;
     if (typed) { /* as in nearly every line */
         r->at += length;
         return typed;
     }
-    char *name = strndup(r->at, length);
+    const char *name = arena_text(r->arena, r->at, length);
     r->at += length;
     int k = name ? names_find(command_names, NULL, "command", name, message) : -1;
     if (k == NAMES_SEVERAL)
@@ -85,6 +84,5 @@ const struct command *read_command(struct reader *r)
         problem_error(r->problem, "%s", message);
     else if (k < 0)
         command_unknown(r, name, k, message);
-    free(name);
     return k < 0 ? NULL : command_find(command_names(NULL, k));
 }

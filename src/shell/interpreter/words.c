@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/words.h"
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +8,7 @@
 
 int reader_column(const struct reader *r, const char *place)
 {
-    return text_column(r->text, place);
+    return r->text ? text_column(r->text, place) : r->problem->place;
 }
 
 bool command_ends(const char *c)
@@ -43,14 +44,14 @@ static bool pass_word(struct reader *r, bool quotes, struct place *word)
 }
 
 /* Returns a copy of the text; between quotes '""' is one '"'. */
-static char *copy_word(const char *begin, const char *end, bool quoted)
+static char *copy_word(struct reader *r, const char *begin, const char *end, bool quoted)
 {
-    char *copy = strndup(begin, (size_t)(end - begin)), *to = copy;
-    for (const char *c = copy; c && *c; c++) {
+    char *copy = arena_text(r->arena, begin, (size_t)(end - begin)), *to = copy;
+    for (const char *c = copy; quoted && c && *c; c++) {
         *to++ = *c;
-        c += quoted && *c == '"' && c[1] == '"';
+        c += *c == '"' && c[1] == '"';
     }
-    if (copy)
+    if (quoted && copy)
         *to = '\0';
     return copy;
 }
@@ -58,7 +59,7 @@ static char *copy_word(const char *begin, const char *end, bool quoted)
 char *read_word(struct reader *r, bool quotes)
 {
     struct place word;
-    return pass_word(r, quotes, &word) ? copy_word(word.begin, word.end, word.quoted) : NULL;
+    return pass_word(r, quotes, &word) ? copy_word(r, word.begin, word.end, word.quoted) : NULL;
 }
 
 char *read_text(struct reader *r)
@@ -66,7 +67,7 @@ char *read_text(struct reader *r)
     struct place word;
     if (!pass_word(r, true, &word))
         return NULL;
-    return copy_word(text_typed(r->text, word.begin), text_typed(r->text, word.end), word.quoted);
+    return copy_word(r, text_typed(r->text, word.begin), text_typed(r->text, word.end), word.quoted);
 }
 
 char *read_file(struct reader *r)
@@ -75,6 +76,34 @@ char *read_file(struct reader *r)
     if (!name || *name != '~')
         return name;
     char *path = tilde_expand_word(name);
-    free(name);
-    return path;
+    name = path ? arena_text(r->arena, path, strlen(path)) : NULL;
+    free(path);
+    return name;
+}
+
+bool word_is_next(const struct reader *r, const char *word)
+{
+    size_t n = strlen(word);
+    return strncmp(r->at, word, n) == 0 && !strchr("_.(", r->at[n] ? r->at[n] : ' ') &&
+           !isalnum((unsigned char)r->at[n]);
+}
+
+bool reader_takes(struct reader *r, const char *word)
+{
+    bool is_next = word_is_next(r, word);
+    if (is_next)
+        r->at = skip_blanks(r->at + strlen(word));
+    return is_next;
+}
+
+bool reader_ends(struct reader *r)
+{
+    r->at = skip_blanks(r->at);
+    return command_ends(r->at) || *r->at == '>' || *r->at == '|' || (r->stops && strchr(r->stops, *r->at)) ||
+           word_is_next(r, "with");
+}
+
+void reader_place(struct reader *r, const char *at)
+{
+    r->problem->place = reader_column(r, at);
 }

@@ -255,13 +255,6 @@ static bool marks_check(struct csv_table *csv)
                      comma ? ',' : '.', b, a, b, a, b, a, b, a, b);
 }
 
-static bool no_names(struct expression *e, const char *name, const char *key,
-                     const struct quantity *arguments, int count, struct quantity *result)
-{
-    (void)key, (void)arguments, (void)count, (void)result;
-    return expression_fail(e, "'%s' has no value in a file", name);
-}
-
 /* Describes that a unit is missing.  None is assumed: metres in a file of millimetres would be towers. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
@@ -281,17 +274,17 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     const struct csv_column *c = &csv->kind->column[k];
     char shown[NAMES_SHOWN], is[48];
     struct quantity q = {.value = 0};
-    struct expression e = {.text = text->line, .lookup = no_names, .angle = 1};
-    bool good = expression_evaluate(&e, &q);
-    const char *rest = good ? skip_blanks(e.end) : e.end;
+    char message[EXPRESSION_MESSAGE];
+    const char *rest;
+    bool good = expression_constant(text->line, &q, message, &rest);
     struct csv_place cell = csv_cell(csv, k).at, at = cell;
     if (rest > text->line)
         at.column += text_column(text, rest) - 1;
     names_shown(rest, shown);
-    if (!good)
+    if (!good && *message)
         return csv_wrong(&csv->file, at, *rest ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
-                         e.message, c->write);
-    if (*rest)
+                         message, c->write);
+    if (!good)
         return csv_wrong(&csv->file, at, "%s ends before '%s'; %s", c->name, shown, c->write);
     bool bare = quantity_bare(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))

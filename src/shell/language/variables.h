@@ -20,13 +20,6 @@ struct variables {
     size_t count;
 };
 
-/* A call of a function: the names of its arguments stand for these values. */
-struct scope {
-    const struct variable *function;
-    const struct quantity *argument;
-    const struct scope *outer;
-};
-
 const struct variable *variable_find(const struct variables *variables, const char *name);
 
 /* Keeps a variable, which replaces an earlier one of this name; its body is copied.  False: no memory. */

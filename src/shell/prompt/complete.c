@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/arguments.h"
+#include "interpreter/forms.h"
+#include "interpreter/question.h"
 #include "io/escape.h"
 #include "prompt/input.h"
 #include "prompt/typed.h"
@@ -171,27 +172,30 @@ static bool accepted(const struct completion *c, const char *word)
     struct means means = c->session->means;
     struct problem problem = {.kind = PROBLEM_NONE};
     struct text text;
+    struct arena arena;
     char *line = NULL;
     int length = asprintf(&line, "%.*s%s", (int)(c->typed->last - c->typed->line), c->typed->line, word);
     if (length < 0 || !text_make(&text, line, (size_t)length)) {
         free(length < 0 ? NULL : line);
         return false;
     }
-    const struct query query = {.state = &c->session->state,
-                                .scene = &c->session->state.scene,
-                                .ans = &c->session->ans,
-                                .means = &means};
+    struct query query = session_query(c->session);
+    query.means = &means;
     means.note = NULL;
-    struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line};
-    struct arguments given = {.count = 0};
-    const struct command *command = read_command(&r);
-    bool whole = command && read_arguments(&r, command, &given);
-    bool missing = !whole && problem.kind != PROBLEM_NONE &&
-                   problem.column >= text_column(&text, text.line + strlen(text.line));
-    arguments_free(&given);
+    arena_begin(&arena);
+    struct reader r = {.query = &query,
+                       .problem = &problem,
+                       .text = &text,
+                       .at = text.line,
+                       .arena = &arena,
+                       .evaluates = true};
+    struct question question = {.key = -1, .command = read_command(&r)};
+    bool good = question.command && (question_parse(&r, &question) ||
+                                     problem.column >= text_column(&text, text.line + strlen(text.line)));
+    arena_free(&arena);
     text_free(&text);
     free(line);
-    return whole || missing;
+    return good;
 }
 
 /* Emits the last word with this name at its end. checked: the parser is asked whether it takes the word. */

@@ -298,6 +298,26 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     return true;
 }
 
+bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
+{
+    for (int words = 1; words >= 0; words--)
+        for (int i = 0; i < count; i++) {
+            const struct parameter *p = assigned[i].parameter;
+            domq_real value = assigned[i].value;
+            if (p->words_only != (words == 1))
+                continue;
+            if (!p->words_only && value != EFFECT_OFF && !parameter_check(state, p, 0, value, problem))
+                return false;
+            parameter_put(state, p, value);
+        }
+    for (int i = 0; i < count; i++) {
+        const struct parameter *p = assigned[i].parameter;
+        if (p->effect && state->scene.effect[p->which].on && !effect_needs(&state->scene, p->which, problem))
+            return false;
+    }
+    return true;
+}
+
 /* Returns the place of a parameter among those that are set one after the other. */
 static int rank(const struct state *state, const struct parameter *p)
 {

@@ -85,6 +85,20 @@ void parameter_put(struct state *state, const struct parameter *parameter, domq_
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    const char *path, const struct means *means, struct problem *problem);
 
+/* A parameter or effect and its value, EFFECT_OFF for an effect that is to be off. */
+struct assigned {
+    const struct parameter *parameter;
+    domq_real value;
+};
+enum { ASSIGNED_MAX = 8 };
+
+/*
+ * Gives parameters values in a copy of a state, which shares its memory with the original and must not be
+ * closed: words first, since the precision has its own default of tol. Describes a problem if a value is not
+ * in its range, or if an effect needs another one that is off.
+ */
+bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
+
 /*
  * Returns the parameters in an order in which 'set' can take them, NULL after the last: first the effects
  * that are off, then how answers are written, then words, since the smallest tol depends on the precision,

@@ -44,28 +44,18 @@ const char *film_names(const void *before, int k)
     return follower(list, before ? before : "", k);
 }
 
-/* ---- Reading ---- */
+/* ---- Parsing ---- */
 
-static bool more(struct reader *r)
-{
-    r->at = skip_blanks(r->at);
-    return !command_ends(r->at) && *r->at != '>';
-}
-
-/* Takes this very word, if it is the next one. */
-static bool word_is(struct reader *r, const char *word)
-{
-    size_t n = strlen(word);
-    bool is = strncmp(r->at, word, n) == 0 && !isalnum((unsigned char)r->at[n]) &&
-              !strchr("_.(", r->at[n] ? r->at[n] : ' ');
-    if (is)
-        r->at += n;
-    return is;
-}
+static const struct argument moment_argument = {.name = "the moment", .kind = ARGUMENT_ANY},
+                             domino_argument = {.name = "the domino", .kind = ARGUMENT_ANY},
+                             tilt_argument = {.name = "T", .kind = ARGUMENT_PLACE},
+                             speed_argument = {.name = "speed", .kind = ARGUMENT_ANY},
+                             rate_argument = {.name = "rate", .kind = ARGUMENT_ANY},
+                             cycles_argument = {.name = "N", .kind = ARGUMENT_ANY};
 
 /* Returns true where a name begins that is neither a value nor one of the words: it was meant as one of them.
  */
-static bool stray_word(struct reader *r)
+static bool is_stray(const struct reader *r)
 {
     char word[64];
     size_t n = strspn(r->at, "abcdefghijklmnopqrstuvwxyz");
@@ -77,89 +67,85 @@ static bool stray_word(struct reader *r)
 static bool wrong_word(struct reader *r, const char *what, const char *usage)
 {
     char shown[NAMES_SHOWN];
-    char *word = read_word(r, false);
-    problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : "", shown), what, usage);
-    free(word);
-    return false;
+    const char *word = read_word(r, false);
+    return problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : "", shown), what, usage);
 }
 
 static const char unknown[] = "is neither a value nor one of the words",
                   too_many[] = "is one argument too many";
 
-/* Reads a value; its kind is checked. */
-static bool value(struct reader *r, const char *name, enum argument_kind kind, struct quantity *q,
-                  domq_real *number)
+static bool value_parse(struct reader *r, const struct argument *a, struct item *item)
 {
-    r->problem->place = reader_column(r, r->at);
-    return more(r) ? read_quantity(r, &(struct argument){.name = name, .kind = kind}, q, number)
-                   : problem_error(r->problem, "%s is missing", name);
+    reader_place(r, r->at);
+    return reader_ends(r) ? problem_error(r->problem, "%s is missing", a->name) : item_parse(r, a, item);
 }
 
 static bool nothing_more(struct reader *r, const char *usage)
 {
-    r->problem->place = reader_column(r, r->at);
-    return !more(r) || wrong_word(r, too_many, usage);
+    reader_place(r, r->at);
+    return reader_ends(r) || wrong_word(r, too_many, usage);
 }
 
 static const char draw_usage[] =
     "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces";
 
-/* Reads the moment that follows 'at'. */
-static bool read_at(struct reader *r, struct draw_what *what)
+/* Words and values as they were parsed. */
+struct draw_parsed {
+    struct draw_what what;
+    struct item value; /* the moment, the domino or the tilt */
+};
+struct film_parsed {
+    struct film_what what;
+    struct item speed, rate, cycles;
+};
+
+/* Parses the moment that follows 'at'. */
+static bool moment_parse(struct reader *r, struct draw_parsed *p)
 {
-    struct quantity q = {.value = 0};
-    what->column = r->problem->place = reader_column(r, skip_blanks(r->at));
-    if (!more(r))
+    struct draw_what *what = &p->what;
+    reader_place(r, r->at);
+    what->column = r->problem->place;
+    if (reader_ends(r))
         return problem_error(r->problem, "the moment is missing; %s", draw_usage);
     what->at = ROW_AT_TIME;
-    if (word_is(r, "end")) {
+    if (reader_takes(r, "end")) {
         what->at = ROW_AT_END;
         return nothing_more(r, draw_usage);
     }
-    if (word_is(r, "domino")) {
+    if (reader_takes(r, "domino")) {
         what->at = ROW_AT_DOMINO;
-        r->problem->place = reader_column(r, skip_blanks(r->at));
-        return more(r)
-                   ? value(r, "the domino", ARGUMENT_ANY, &q, &what->domino) && nothing_more(r, draw_usage)
-                   : problem_error(r->problem,
-                                   "the number of the domino is missing, as in 'draw at domino 8'");
+        reader_place(r, r->at);
+        if (reader_ends(r))
+            return problem_error(r->problem, "the number of the domino is missing, as in 'draw at domino 8'");
+        return value_parse(r, &domino_argument, &p->value) && nothing_more(r, draw_usage);
     }
-    if (stray_word(r))
+    if (is_stray(r))
         return wrong_word(r, unknown, draw_usage);
     r->last = true;
-    if (!value(r, "the moment", ARGUMENT_ANY, &q, &what->time))
-        return false;
-    if (!quantity_plain(q) && !quantity_alike(q, (struct quantity){.time = 1})) {
-        char kind[64];
-        return problem_error(r->problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
-                             expression_kind(q, kind, sizeof kind));
-    }
-    return nothing_more(r, draw_usage);
+    return value_parse(r, &moment_argument, &p->value) && nothing_more(r, draw_usage);
 }
 
-bool draw_read(struct reader *r, struct arguments *given)
+bool draw_parse(struct reader *r, struct question *q)
 {
-    struct draw_what *what = calloc(1, sizeof *what);
-    struct quantity q = {.value = 0};
-    given->own = what;
-    given->own_free = free;
-    if (!what)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    if (word_is(r, "at"))
-        return read_at(r, what);
-    what->train = word_is(r, "train");
-    while (more(r)) {
-        r->problem->place = reader_column(r, r->at);
+    struct draw_parsed *p = q->own = arena_take(r->arena, sizeof *p);
+    if (!p)
+        return problem_error(r->problem, "out of memory");
+    struct draw_what *what = &p->what;
+    if (reader_takes(r, "at"))
+        return moment_parse(r, p);
+    what->train = reader_takes(r, "train");
+    while (!reader_ends(r)) {
+        reader_place(r, r->at);
         r->last = false;
-        if (what->forces && word_is(r, "forces"))
+        if (what->forces && word_is_next(r, "forces"))
             return problem_error(r->problem, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
         if (what->forces)
             return wrong_word(r, too_many, draw_usage);
-        if (word_is(r, "forces"))
+        if (reader_takes(r, "forces"))
             what->forces = true;
-        else if (what->tilted || stray_word(r))
+        else if (what->tilted || is_stray(r))
             return wrong_word(r, what->tilted ? too_many : unknown, draw_usage);
-        else if (!value(r, "T", ARGUMENT_PLACE, &q, &what->theta))
+        else if (!value_parse(r, &tilt_argument, &p->value))
             return false;
         else
             what->tilted = true;
@@ -167,45 +153,92 @@ bool draw_read(struct reader *r, struct arguments *given)
     return true;
 }
 
+bool draw_bind(const struct question *q, const struct query *query, struct arguments *given,
+               struct problem *problem)
+{
+    const struct draw_parsed *p = q->own;
+    struct quantity quantity;
+    char kind[64];
+    struct draw_what *what = malloc(sizeof *what);
+    if (!what)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    given->own = what;
+    given->own_free = free;
+    *what = p->what;
+    domq_real *number = what->at == ROW_AT_DOMINO ? &what->domino
+                        : what->at == ROW_AT_TIME ? &what->time
+                                                  : &what->theta;
+    if (!p->value.value)
+        return true;
+    if (!item_bind(&p->value, q->text, query, &quantity, number, problem))
+        return false;
+    return what->at != ROW_AT_TIME || quantity_plain(quantity) ||
+           quantity_alike(quantity, (struct quantity){.time = 1}) ||
+           problem_error(problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
+                         expression_kind(quantity, kind, sizeof kind));
+}
+
 static const char film_usage[] =
     "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
 
-bool film_read(struct reader *r, struct arguments *given)
+bool film_parse(struct reader *r, struct question *q)
 {
-    struct film_what *what = calloc(1, sizeof *what);
-    struct quantity q = {.value = 0};
-    given->own = what;
-    given->own_free = free;
-    if (!what)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
+    struct film_parsed *p = q->own = arena_take(r->arena, sizeof *p);
+    if (!p)
+        return problem_error(r->problem, "out of memory");
+    struct film_what *what = &p->what;
     *what = (struct film_what){.speed = 1, .rate = 25};
-    while (more(r)) {
-        r->problem->place = reader_column(r, r->at);
+    while (!reader_ends(r)) {
+        reader_place(r, r->at);
         r->last = false;
-        bool speed = word_is(r, "speed"), rate = !speed && word_is(r, "rate");
+        bool speed = reader_takes(r, "speed"), rate = !speed && reader_takes(r, "rate");
         if (speed || rate) {
             what->timed = true;
-            if (!value(r, speed ? "speed" : "rate", ARGUMENT_ANY, &q, speed ? &what->speed : &what->rate))
+            if (!value_parse(r, speed ? &speed_argument : &rate_argument, speed ? &p->speed : &p->rate))
                 return false;
-            domq_real got = speed ? what->speed : what->rate;
-            /* A rate may be said as 20/s. */
-            if (!quantity_bare(q) && !(rate && quantity_alike(q, (struct quantity){.time = -1})))
-                return problem_error(r->problem, "%s is a plain number", speed ? "the speed" : "the rate");
-            if (!(speed ? got >= (domq_real)0.001 && got <= 1000 : got >= 1 && got <= 50))
-                return problem_error(
-                    r->problem,
-                    speed ? "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast"
-                          : "the rate is a number of frames in a second in 1 .. 50");
-        } else if (!what->train && word_is(r, "train")) {
+        } else if (!what->train && reader_takes(r, "train")) {
             what->train = true;
-        } else if (what->counted || stray_word(r)) {
+        } else if (what->counted || is_stray(r)) {
             return wrong_word(r, what->counted ? too_many : unknown, film_usage);
         } else {
             what->counted = true;
             what->column = r->problem->place;
-            if (!value(r, "N", ARGUMENT_ANY, &q, &what->cycles))
+            if (!value_parse(r, &cycles_argument, &p->cycles))
                 return false;
         }
     }
     return true;
+}
+
+/* Binds a speed or a rate, a plain number in a range; a rate may be said as 20/s. */
+static bool pace_bind(const struct item *item, const struct question *q, const struct query *query, bool rate,
+                      domq_real *number, struct problem *problem)
+{
+    struct quantity quantity;
+    if (!item->value)
+        return true;
+    if (!item_bind(item, q->text, query, &quantity, number, problem))
+        return false;
+    if (!quantity_bare(quantity) && !(rate && quantity_alike(quantity, (struct quantity){.time = -1})))
+        return problem_error(problem, "%s is a plain number", rate ? "the rate" : "the speed");
+    if (rate ? *number >= 1 && *number <= 50 : *number >= (domq_real)0.001 && *number <= 1000)
+        return true;
+    return problem_error(problem,
+                         rate ? "the rate is a number of frames in a second in 1 .. 50"
+                              : "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast");
+}
+
+bool film_bind(const struct question *q, const struct query *query, struct arguments *given,
+               struct problem *problem)
+{
+    const struct film_parsed *p = q->own;
+    struct film_what *what = malloc(sizeof *what);
+    if (!what)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    given->own = what;
+    given->own_free = free;
+    *what = p->what;
+    return pace_bind(&p->speed, q, query, false, &what->speed, problem) &&
+           pace_bind(&p->rate, q, query, true, &what->rate, problem) &&
+           (!p->cycles.value || item_bind(&p->cycles, q->text, query, NULL, &what->cycles, problem));
 }

@@ -3,7 +3,7 @@
 #ifndef SHELL_DRAW_WORDS_H
 #define SHELL_DRAW_WORDS_H
 
-#include "interpreter/arguments.h"
+#include "interpreter/question.h"
 
 /* What 'draw' is to show. */
 struct draw_what {
@@ -28,9 +28,13 @@ struct film_what {
     bool timed;       /* speed or rate is given */
 };
 
-/* Read the words of a call; the structures are the call's. */
-bool draw_read(struct reader *reader, struct arguments *call);
-bool film_read(struct reader *reader, struct arguments *call);
+/* Parse and bind the words; given->own is a struct draw_what or a struct film_what. */
+bool draw_parse(struct reader *reader, struct question *question);
+bool draw_bind(const struct question *question, const struct query *query, struct arguments *given,
+               struct problem *problem);
+bool film_parse(struct reader *reader, struct question *question);
+bool film_bind(const struct question *question, const struct query *query, struct arguments *given,
+               struct problem *problem);
 
 /* Lists for names.h the words that may follow the word that is the context. */
 const char *draw_names(const void *before, int k);

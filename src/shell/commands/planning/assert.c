@@ -1,14 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* assert: another command, and an error unless what it decides is true. */
 #include "commands/planning/planning.h"
-#include "interpreter/arguments.h"
-#include <stdlib.h>
-
-/* The command that is asked, with its arguments. */
-struct asserted {
-    const struct command *command;
-    struct arguments given;
-};
+#include "interpreter/forms.h"
+#include <string.h>
 
 const char *assert_names(const void *context, int k)
 {
@@ -20,45 +14,47 @@ const char *assert_names(const void *context, int k)
     return NULL;
 }
 
-static void asserted_free(void *own)
+bool assert_parse(struct reader *r, struct question *q)
 {
-    struct asserted *a = own;
-    arguments_free(&a->given);
-    free(a);
-}
-
-bool assert_read(struct reader *r, struct arguments *given)
-{
-    struct asserted *a = calloc(1, sizeof *a);
+    struct question *asked = q->own = arena_take(r->arena, sizeof *asked);
+    const char *begin = r->at;
     char all[128] = "";
-    if (!a)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    given->own = a;
-    given->own_free = asserted_free;
-    a->command = read_command(r);
-    if (!a->command)
+    if (!asked)
+        return problem_error(r->problem, "out of memory");
+    asked->key = -1;
+    asked->command = read_form(r);
+    if (r->problem->kind == PROBLEM_NONE && (!asked->command || strcmp(asked->command->name, "print") != 0)) {
+        r->at = begin;
+        asked->command = read_command(r);
+    }
+    if (!asked->command)
         return false;
+    bool is_condition = strcmp(asked->command->name, "print") == 0;
     for (int k = 0, n = 0; assert_names(NULL, k) && n < (int)sizeof all; k++)
         n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", assert_names(NULL, k));
-    if (!a->command->holds)
-        return problem_error(r->problem, "'%s' decides nothing; commands that do: %s", a->command->name, all);
-    return command_allowed(r->query->means, a->command, r->problem) &&
-           read_arguments(r, a->command, &a->given);
+    if (!is_condition && !asked->command->holds)
+        return problem_error(
+            r->problem, "'%s' decides nothing; commands that do: %s; or compare, as in 'assert rmax < 1.7'",
+            asked->command->name, all);
+    bool good = question_parse(r, asked);
+    asked->name = question_name(r, begin, r->at);
+    return good;
 }
 
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct asserted *asserted = query->given->own;
-    const struct command *c = asserted->command;
-    struct query asked = *query;
-    asked.given = &asserted->given;
+    const struct question *asked = query->given->own;
+    const struct command *c = asked->command;
+    struct quantity value;
+    if (!c->holds) { /* a condition */
+        if (!question_value(asked, query, &value, problem))
+            return false;
+        return value.value != 0 || problem_error(problem, "not true: %s", asked->name);
+    }
     a->columns = c->columns;
     a->rows = c->rows;
-    problem->command = c->name;
-    bool done = c->run(&asked, a, problem);
-    if (!done)
+    if (!question_ask(asked, query, a, problem))
         return false;
     a->told = true;
-    problem->command = "assert";
     return a->holds == ANSWER_YES || problem_error(problem, "not true: %s", c->holds);
 }

@@ -6,7 +6,6 @@
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
-#include "interpreter/arguments.h"
 #include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>
@@ -35,59 +34,77 @@ static const char *least_names(const void *context, int k)
     return names[k];
 }
 
-/* Reads a name of a list; -1 after an error, which says what would be right. */
-static int read_name(struct reader *r, names_list *list, const char *what, const char *right)
+static const struct argument safety_argument = {.name = "safety", .kind = ARGUMENT_ANY},
+                             hall_argument = {.name = "hall", .kind = ARGUMENT_HEIGHT};
+
+/* The wishes as they were parsed. */
+struct wishes_parsed {
+    struct item safety, hall;
+    enum dom_least least;
+};
+
+/* Finds a name of a list; -1 after an error, which says what would be right. */
+static int name_parse(struct reader *r, names_list *list, const char *what, const char *right)
 {
     char message[NAMES_MESSAGE] = "out of memory";
-    char *word = read_word(r, false);
+    const char *word = read_word(r, false);
     int k = word ? names_find(list, NULL, what, word, message) : -1;
-    free(word);
     if (k < 0)
         problem_error(r->problem, "%s; %s", message, right);
     return k;
 }
 
-static bool read_wish(struct reader *r, struct wishes *w)
+static bool wish_parse(struct reader *r, struct wishes_parsed *w)
 {
     static const char form[] = "wishes are 'safety 2', 'hall 20 m' and 'minimise dominoes'";
-    struct quantity q;
-    int k = read_name(r, wish_names, "wish", form);
+    int k = name_parse(r, wish_names, "wish", form);
     if (k < 0)
         return false;
     r->at = skip_blanks(r->at);
-    r->problem->place = reader_column(r, r->at);
-    if (command_ends(r->at) || *r->at == '>')
+    reader_place(r, r->at);
+    if (reader_ends(r))
         return problem_error(r->problem, "the value of '%s' is missing; %s", wish_names(NULL, k), form);
     if (k == 2) {
-        int least = read_name(r, least_names, "thing to minimise",
-                              "'minimise dominoes', 'minimise length' or 'minimise mass'");
+        int least = name_parse(r, least_names, "thing to minimise",
+                               "'minimise dominoes', 'minimise length' or 'minimise mass'");
         w->least = least < 0 ? w->least : (enum dom_least)least;
         return least >= 0;
     }
-    struct argument argument = {.name = wish_names(NULL, k), .kind = k == 0 ? ARGUMENT_ANY : ARGUMENT_HEIGHT};
-    if (!read_quantity(r, &argument, &q, k == 0 ? &w->safety : &w->hall))
-        return false;
-    if (k == 0 && !quantity_bare(q))
-        return problem_error(r->problem,
-                             "the safety is a number, such as 2: times the energy that is needed");
-    return true;
+    return k == 0 ? item_parse(r, &safety_argument, &w->safety) : item_parse(r, &hall_argument, &w->hall);
 }
 
-static bool read_wishes(struct reader *r, struct arguments *given)
+static bool wishes_parse(struct reader *r, struct question *q)
 {
-    struct wishes *w = malloc(sizeof *w);
+    struct wishes_parsed *w = q->own = arena_take(r->arena, sizeof *w);
     if (!w)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    *w = usual;
-    given->own = w;
-    given->own_free = free;
+        return problem_error(r->problem, "out of memory");
+    w->least = usual.least;
     r->last = false;
-    for (r->at = skip_blanks(r->at); !command_ends(r->at) && *r->at != '>'; r->at = skip_blanks(r->at)) {
-        r->problem->place = reader_column(r, r->at);
-        if (!read_wish(r, w))
+    while (!reader_ends(r)) {
+        reader_place(r, r->at);
+        if (!wish_parse(r, w))
             return false;
     }
     return true;
+}
+
+static bool wishes_bind(const struct question *q, const struct query *query, struct arguments *given,
+                        struct problem *problem)
+{
+    const struct wishes_parsed *parsed = q->own;
+    struct quantity safety = {.value = 0};
+    struct wishes *w = malloc(sizeof *w);
+    if (!w)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    given->own = w;
+    given->own_free = free;
+    *w = usual;
+    w->least = parsed->least;
+    if ((parsed->safety.value && !item_bind(&parsed->safety, q->text, query, &safety, &w->safety, problem)) ||
+        (parsed->hall.value && !item_bind(&parsed->hall, q->text, query, NULL, &w->hall, problem)))
+        return false;
+    return quantity_bare(safety) ||
+           problem_error(problem, "the safety is a number, such as 2: times the energy that is needed");
 }
 
 /* ---- The answer ---- */
@@ -363,7 +380,8 @@ const struct command design_commands[] = {
                   {.name = "WISHES",
                    .kind = ARGUMENT_GRID,
                    .optional = true,
-                   .read = read_wishes,
+                   .parse = wishes_parse,
+                   .bind = wishes_bind,
                    .choices = wish_names}},
      .summary = "a row whose last domino is H tall, with safety",
      .help =
@@ -385,10 +403,11 @@ const struct command design_commands[] = {
      ANSWER(design)},
     {.name = "solve",
      .argument =
-         {{.name = "NAME", .kind = ARGUMENT_GRID, .read = solve_read_parameter, .choices = solve_names},
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
           {.name = ": ANSWER",
            .kind = ARGUMENT_COMMAND,
-           .read = solve_read_answer,
+           .parse = solve_parse_answer,
+           .bind = solve_bind,
            .choices = inquiry_names}},
      .summary = "where an answer takes a value, along a parameter",
      .help =
@@ -406,10 +425,11 @@ const struct command design_commands[] = {
     {.name = "watch",
      .synonyms = "interactive slider live keys explore",
      .argument =
-         {{.name = "NAME", .kind = ARGUMENT_GRID, .read = solve_read_parameter, .choices = solve_names},
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
           {.name = ": ANSWER",
            .kind = ARGUMENT_COMMAND,
-           .read = watch_read_answer,
+           .parse = watch_parse_answer,
+           .bind = solve_bind,
            .choices = inquiry_names}},
      .summary = "keys change a parameter; its answer follows on a curve",
      .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, up and down "
@@ -418,8 +438,10 @@ const struct command design_commands[] = {
      .changes = true,
      .act = run_watch},
     {.name = "sensitivity",
-     .argument =
-         {{.name = "COMMAND", .kind = ARGUMENT_COMMAND, .read = sensitivity_read, .choices = inquiry_names}},
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_COMMAND,
+                   .parse = sensitivity_parse,
+                   .choices = inquiry_names}},
      .summary = "how much each parameter changes the number of COMMAND",
      .help =
          "Changes each parameter of the model down and up, by 1 %; friction by 0.01 and slope by 1 degree, "
@@ -448,7 +470,7 @@ const struct command design_commands[] = {
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_COMMAND,
                    .of = "command with a verdict",
-                   .read = assert_read,
+                   .parse = assert_parse,
                    .choices = assert_names}},
      .summary = "an error unless what COMMAND decides is true",
      .help = "Runs the command, and ends it with an error if its answer is no: the row does not fall, no row "

@@ -8,7 +8,7 @@
 struct solve {
     const struct parameter *parameter;
     domq_real from, to;
-    struct inquiry inquiry;
+    const struct question *question;
     bool verdict;          /* no value was given: finds where the verdict changes */
     struct quantity value; /* that the answer is to take */
 };

@@ -15,14 +15,12 @@ const struct column sensitivity_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-bool sensitivity_read(struct reader *r, struct arguments *given)
+bool sensitivity_parse(struct reader *r, struct question *q)
 {
-    struct inquiry *q = malloc(sizeof *q);
-    if (!q)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    given->own = q;
-    given->own_free = free;
-    return inquiry_read(r, q);
+    struct question *asked = q->own = arena_take(r->arena, sizeof *asked);
+    if (!asked)
+        return problem_error(r->problem, "out of memory");
+    return question_parse_any(r, asked, true);
 }
 
 /* A parameter, its step, and the changes of the answer. */
@@ -111,8 +109,8 @@ static struct cell change_cell(domq_real value)
 
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct inquiry *q = query->given->own;
-    struct probe probe = {.query = query, .query_command = problem->command, .inquiry = q};
+    const struct question *q = query->given->own;
+    struct probe probe = {.query = query, .command = problem->command, .question = q};
     struct influence list[INFLUENCES_MOST];
     char without[256] = "";
     int count;

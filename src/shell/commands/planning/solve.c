@@ -38,78 +38,122 @@ static const char *form_of(const struct problem *problem)
                : form;
 }
 
-static bool read_bound(struct reader *r, const struct parameter *p, const char *name, domq_real *bound)
+/* What was parsed: a parameter, the ends of a range, the question, and the value that it is to take. */
+struct solve_parsed {
+    const struct parameter *parameter;
+    struct item from, to, value;
+    struct question question;
+    bool ranged, verdict;
+};
+
+static const struct argument value_argument = {.name = "VALUE", .kind = ARGUMENT_ANY};
+
+static bool bound_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
 {
     r->at = skip_blanks(r->at);
-    r->problem->place = reader_column(r, r->at);
-    if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
+    reader_place(r, r->at);
+    if (reader_ends(r))
         return problem_error(r->problem, "%s is missing; the form is %s", name, form_of(r->problem));
-    r->stops = ":";
-    bool read = read_value(r, p, 0, p->value->name, bound);
-    r->stops = NULL;
-    return read && (isfinite(*bound) ||
-                    problem_error(r->problem, "%s is a number; the form is %s", name, form_of(r->problem)));
+    return item_parse_value(r, p, 0, p->value->name, item) &&
+           (item->value || isfinite(item->number) ||
+            problem_error(r->problem, "%s is a number; the form is %s", name, form_of(r->problem)));
 }
 
-/* Reads "NAME" or "NAME FROM TO", up to the ':'. */
-bool solve_read_parameter(struct reader *r, struct arguments *given)
+/* Parses "NAME" or "NAME FROM TO", up to the ':'. */
+bool solve_parse_parameter(struct reader *r, struct question *q)
 {
-    char message[NAMES_MESSAGE] = "out of memory";
-    struct solve *s = calloc(1, sizeof *s);
+    char message[NAMES_MESSAGE] = "", name[32];
+    struct solve_parsed *s = q->own = arena_take(r->arena, sizeof *s);
     if (!s)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    given->own = s;
-    given->own_free = free;
+        return problem_error(r->problem, "out of memory");
     size_t length = strcspn(r->at, " \t:;>");
-    char *word = strndup(r->at, length);
-    int k = word ? names_find(solve_names, NULL, "parameter", word, message) : -1;
+    snprintf(name, sizeof name, "%.*s", (int)length, r->at);
+    int k = names_find(solve_names, NULL, "parameter", name, message);
     bool usual;
-    const struct parameter *meant = word && k == NAMES_UNKNOWN ? parameter_meant(word, &usual) : NULL;
-    free(word);
+    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_meant(name, &usual) : NULL;
     if (meant)
         return problem_error(r->problem, "%s; did you mean '%s'?", message, meant->name);
     if (k < 0)
         return problem_error(r->problem, "%s; the form is %s", message, form_of(r->problem));
     r->at = skip_blanks(r->at + length);
+    r->stops = ":";
     s->parameter = parameter_find(usual_ranges[k].name);
-    s->from = (domq_real)usual_ranges[k].from;
-    s->to = (domq_real)usual_ranges[k].to;
-    if (*r->at != ':' && !command_ends(r->at)) {
-        if (!read_bound(r, s->parameter, "FROM", &s->from) || !read_bound(r, s->parameter, "TO", &s->to))
-            return false;
-        if (!(s->from < s->to))
-            return problem_error(r->problem, "the range begins at %s and ends at %s; FROM is less than TO",
-                                 quad_shown(s->from).text, quad_shown(s->to).text);
-    }
+    s->ranged = *r->at != ':' && !command_ends(r->at);
+    bool good = !s->ranged || (bound_parse(r, s->parameter, "FROM", &s->from) &&
+                               bound_parse(r, s->parameter, "TO", &s->to));
+    r->stops = NULL;
     r->at = skip_blanks(r->at);
-    r->problem->place = reader_column(r, r->at);
-    return *r->at == ':' ||
-           problem_error(r->problem, "':' and an answer are missing; the form is %s", form_of(r->problem));
+    if (good)
+        reader_place(r, r->at);
+    return good &&
+           (*r->at == ':' ||
+            problem_error(r->problem, "':' and an answer are missing; the form is %s", form_of(r->problem)));
 }
 
-/* Reads ": ANSWER = VALUE", or ": COMMAND" with a verdict. */
-bool solve_read_answer(struct reader *r, struct arguments *given)
+/* Parses ": ANSWER = VALUE", or ": COMMAND" with a verdict. */
+bool solve_parse_answer(struct reader *r, struct question *q)
 {
-    struct solve *s = given->own;
+    struct solve_parsed *s = q->own;
     r->at = skip_blanks(r->at + 1);
-    r->problem->place = reader_column(r, r->at);
+    reader_place(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
         return problem_error(r->problem, "the answer is missing after ':'; the form is %s", form);
-    s->verdict = *text_end(r->at, "=;>") != '=';
+    r->stops = "=";
+    bool good = question_parse_any(r, &s->question, false);
+    r->stops = NULL;
+    s->verdict = good && *r->at != '=';
+    if (!good)
+        return false;
     if (s->verdict)
-        return inquiry_read(r, &s->inquiry) &&
-               ((s->inquiry.command && s->inquiry.command->holds) ||
-                problem_error(r->problem,
-                              "'= VALUE' is missing after '%s'; only a command with a verdict, such as "
-                              "'verdict', has no value; the form is %s",
-                              s->inquiry.name, form));
-    if (!inquiry_read_left(r, &s->inquiry))
+        return s->question.command->holds ||
+               problem_error(r->problem,
+                             "'= VALUE' is missing after '%s'; only a command with a verdict, such as "
+                             "'verdict', has no value; the form is %s",
+                             s->question.name, form);
+    if (!question_needs_number(&s->question, r->problem))
         return false;
     r->at = skip_blanks(r->at + 1);
-    r->problem->place = reader_column(r, r->at);
-    domq_real number;
+    reader_place(r, r->at);
     r->last = true;
-    return read_quantity(r, &(struct argument){.name = "VALUE", .kind = ARGUMENT_ANY}, &s->value, &number);
+    return item_parse(r, &value_argument, &s->value);
+}
+
+/* Parses ": ANSWER". */
+bool watch_parse_answer(struct reader *r, struct question *q)
+{
+    struct solve_parsed *s = q->own;
+    r->at = skip_blanks(r->at + 1);
+    reader_place(r, r->at);
+    return reader_ends(r)
+               ? problem_error(r->problem,
+                               "the answer is missing after ':'; for example 'watch s 0.1 0.9 : rmax'")
+               : question_parse_any(r, &s->question, true);
+}
+
+bool solve_bind(const struct question *q, const struct query *query, struct arguments *given,
+                struct problem *problem)
+{
+    const struct solve_parsed *parsed = q->own;
+    struct solve *s = malloc(sizeof *s);
+    if (!s)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    given->own = s;
+    given->own_free = free;
+    *s = (struct solve){
+        .parameter = parsed->parameter, .question = &parsed->question, .verdict = parsed->verdict};
+    const struct usual_range *usual = usual_ranges;
+    while (strcmp(usual->name, s->parameter->name) != 0)
+        usual++;
+    s->from = (domq_real)usual->from;
+    s->to = (domq_real)usual->to;
+    if (parsed->ranged && (!item_bind(&parsed->from, q->text, query, NULL, &s->from, problem) ||
+                           !item_bind(&parsed->to, q->text, query, NULL, &s->to, problem)))
+        return false;
+    if (!(s->from < s->to))
+        return problem_error(problem, "the range begins at %s and ends at %s; FROM is less than TO",
+                             quad_shown(s->from).text, quad_shown(s->to).text);
+    domq_real number;
+    return !parsed->value.argument || item_bind(&parsed->value, q->text, query, &s->value, &number, problem);
 }
 
 /* ---- The answer ---- */
@@ -136,11 +180,11 @@ static void none_say(const struct scan *s, char *text, size_t size)
     snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_shown(v->from).text, quad_shown(v->to).text,
              *unit && strcmp(unit, "h") != 0 ? " " : "", strcmp(unit, "h") != 0 ? unit : "");
     if (s->answers == 0) {
-        snprintf(text, size, "%s has no answer for any %s: %s", v->inquiry.name, range, s->none);
+        snprintf(text, size, "%s has no answer for any %s: %s", v->question->name, range, s->none);
         return;
     }
     if (v->verdict) {
-        snprintf(text, size, "%s: %s for %s %s", v->inquiry.name, v->inquiry.command->holds,
+        snprintf(text, size, "%s: %s for %s %s", v->question->name, v->question->command->holds,
                  s->most.f > 0 ? "every" : "no", range);
         return;
     }
@@ -148,12 +192,12 @@ static void none_say(const struct scan *s, char *text, size_t size)
     snprintf(most, sizeof most, "%s", quad_shown(s->most.f + v->value.value).text);
     if (s->most.f < 0 || s->least.f > 0)
         snprintf(text, size, "%s does not take the value %s for %s: the %s is %s, at %s = %s",
-                 v->inquiry.name, quad_shown(v->value.value).text, range,
+                 v->question->name, quad_shown(v->value.value).text, range,
                  s->most.f < 0 ? "largest" : "smallest", s->most.f < 0 ? most : least, name,
                  quad_shown(s->most.f < 0 ? s->most.x : s->least.x).text);
     else
         snprintf(text, size, "%s does not take the value %s for %s: it jumps over it at %s = %s",
-                 v->inquiry.name, quad_shown(v->value.value).text, range, name, quad_shown(s->jump).text);
+                 v->question->name, quad_shown(v->value.value).text, range, name, quad_shown(s->jump).text);
 }
 
 /* Reports an error if the answer has another unit than the value. */
@@ -164,7 +208,7 @@ static bool units_agree(struct problem *problem, const struct scan *s)
     if (s->solve->verdict || s->answers == 0)
         return true;
     return quantity_bare(b) || quantity_alike(a, b) ||
-           problem_error(problem, "%s is %s, and VALUE is %s", s->solve->inquiry.name,
+           problem_error(problem, "%s is %s, and VALUE is %s", s->solve->question->name,
                          expression_kind(a, is, sizeof is), expression_kind(b, wanted, sizeof wanted));
 }
 
@@ -179,7 +223,7 @@ static bool depends(const struct query *query, struct problem *problem, const st
         problem,
         "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows on "
         "what it depends",
-        s->solve->inquiry.name, s->solve->parameter->name, quad_shown(value).text,
+        s->solve->question->name, s->solve->parameter->name, quad_shown(value).text,
         quad_shown(s->solve->from).text, quad_shown(s->solve->to).text);
 }
 
@@ -192,8 +236,8 @@ bool run_solve(const struct query *query, struct answer *a, struct problem *prob
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     s->solve = solve;
     s->probe = (struct probe){.query = query,
-                              .query_command = problem->command,
-                              .inquiry = &solve->inquiry,
+                              .command = problem->command,
+                              .question = solve->question,
                               .parameter = solve->parameter,
                               .verdict = solve->verdict};
     gsl_error_handler_t *handler = gsl_set_error_handler_off();

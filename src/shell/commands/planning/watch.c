@@ -73,7 +73,7 @@ static void watch_draw(struct watch *w, FILE *out)
     fputs("\033[H\033[J", out);
     char unit[48], answer[160];
     if (isfinite(y))
-        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->solve->inquiry.name, y,
+        snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->solve->question->name, y,
                  expression_unit_text(w->probe.unit, unit, sizeof unit));
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
@@ -152,8 +152,8 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
     struct termios before, keys;
     struct watch w = {.solve = solve, .from = (double)solve->from, .to = (double)solve->to};
     w.probe = (struct probe){.query = &query,
-                             .query_command = problem->command,
-                             .inquiry = &solve->inquiry,
+                             .command = problem->command,
+                             .question = solve->question,
                              .parameter = solve->parameter};
     if (!watch_possible(session, problem))
         return false;
@@ -183,13 +183,4 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
         answer_say(a, "%s %s %.6g", solve->parameter->name,
                    w.state == WATCH_KEEP ? "is now" : "stays as it was; the point was at", w.x);
     return begun;
-}
-
-bool watch_read_answer(struct reader *r, struct arguments *given)
-{
-    struct solve *s = given->own;
-    r->at = skip_blanks(r->at + 1);
-    r->problem->place = reader_column(r, r->at);
-    return (!command_ends(r->at) && *r->at != '>' && inquiry_read(r, &s->inquiry)) ||
-           problem_error(r->problem, "the answer is missing after ':'; for example 'watch s 0.1 0.9 : rmax'");
 }

@@ -80,10 +80,10 @@ static const char *paper_names(const void *context, int k)
     return k == 0 ? "paper" : NULL;
 }
 
-/* Reads what the picture takes after its name. */
-static bool read_more(struct reader *r, struct arguments *given)
+/* Parses what the picture takes after its name. */
+static bool more_parse(struct reader *r, struct question *q)
 {
-    const struct plot *plot = &plots[(int)given->number[0]];
+    const struct plot *plot = &plots[(int)q->item[0].number];
     static const struct argument answer = {
         .name = "NAME", .kind = ARGUMENT_CHOICE, .of = "command with a tolerance", .choices = cost_names};
     static const struct argument paper = {
@@ -91,25 +91,31 @@ static bool read_more(struct reader *r, struct arguments *given)
     static const struct argument rows = {.name = "ROWS", .kind = ARGUMENT_COUNT};
     switch (plot->follows) {
     case ANSWER_NAME:
-        return read_choice(r, &answer, &given->word[1], &given->number[1]);
+        return item_parse_choice(r, &answer, &q->item[1]);
     case PAPER:
-        return read_choice(r, &paper, &given->word[1], &given->number[1]);
+        return item_parse_choice(r, &paper, &q->item[1]);
     case ROWS:
         r->last = true;
-        return read_quantity(r, &rows, &given->quantity[1], &given->number[1]);
+        return item_parse(r, &rows, &q->item[1]);
     case GRID:
-        return sweep_read_grid(r, given) && sweep_read_command(r, given);
+        return sweep_parse_grid(r, q) && sweep_parse_answers(r, q);
     case NOTHING:
         break;
     }
     return problem_error(r->problem, "'plot %s' takes nothing after it", plot->name);
 }
 
+static bool more_bind(const struct question *q, const struct query *query, struct arguments *given,
+                      struct problem *problem)
+{
+    return !q->own || sweep_bind(q, query, given, problem);
+}
+
 /* Returns what completion offers as the n-th word after the name of a picture. */
 static names_list *offers(domq_real before, int n)
 {
     enum follows follows = plots[(int)before].follows;
-    return follows == GRID                    ? grid_names
+    return follows == GRID                    ? model_names
            : follows == ANSWER_NAME && n == 1 ? cost_names
            : follows == PAPER && n == 1       ? paper_names
                                               : NULL;
@@ -142,9 +148,13 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
 const struct command plot_commands[] = {
     {.name = "plot",
      .synonyms = "picture image graph figure chart diagram svg png pdf",
-     .argument =
-         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
-          {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .read = read_more, .offers = offers}},
+     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
+                  {.name = "MORE",
+                   .kind = ARGUMENT_GRID,
+                   .optional = true,
+                   .parse = more_parse,
+                   .bind = more_bind,
+                   .offers = offers}},
      .summary = "a picture of the row, of limits, of a cycle, of any sweep",
      .help =
          "Of a row: 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "

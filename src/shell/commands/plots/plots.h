@@ -3,7 +3,7 @@
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H
 
-#include "interpreter/arguments.h"
+#include "interpreter/question.h"
 #include "picture/chart.h"
 
 /* A picture draws for people, and answers its data to programs; false: an error was reported. */
@@ -15,9 +15,11 @@ plot_run plot_fall, plot_speed, plot_gaps; /* along a row */
 plot_run plot_placement;
 plot_run plot_sweep; /* of the arguments that sweep_arguments has read */
 
-/* Reads the grid and the command of a sweep: after 'sweep' itself, and after 'plot sweep'. */
-bool sweep_read_grid(struct reader *reader, struct arguments *call);
-bool sweep_read_command(struct reader *reader, struct arguments *call);
+/* Parse and bind the grid and the answers of a sweep: after 'sweep' itself, and after 'plot sweep'. */
+bool sweep_parse_grid(struct reader *reader, struct question *question);
+bool sweep_parse_answers(struct reader *reader, struct question *question);
+bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
+                struct problem *problem);
 
 /* A sweep as its picture sees it. */
 struct sweep_axis {
@@ -30,11 +32,12 @@ enum { SWEEP_AXES = 2 };
 struct sweep_shape {
     int axes;
     struct sweep_axis axis[SWEEP_AXES]; /* of the first two */
-    const struct command *command;
-    char asked[96];  /* the command with its arguments, or the expression, as typed */
-    bool expression; /* the command is 'print' */
+    const struct command *command;      /* the first, or only one */
+    int several;                        /* answers of a point, of which each is a column; 0: one */
+    char asked[96];                     /* the command with its arguments, or the expression, as typed */
+    bool expression;                    /* the command is 'print' */
 };
-struct sweep_shape sweep_shape(const struct arguments *call);
+struct sweep_shape sweep_shape(const struct arguments *given);
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Returns the angle unit of the session's answers, and a tilt in it. */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/sweeps/grid.h"
 #include "language/quad.h"
-#include "session/meant.h"
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,168 +8,153 @@
 
 static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
 
-/* Returns the k-th parameter of the model, without settings of the calculator, or the end of the table. */
-static const struct parameter *grid_parameter(int k)
-{
-    const struct parameter *p = session_parameters;
-    while (p->name && (p->setting || k-- > 0))
-        p++;
-    return p;
-}
+/* ---- Parsing ---- */
 
-const char *grid_names(const void *context, int k)
-{
-    (void)context;
-    return grid_parameter(k)->name;
-}
+static const struct argument count_argument = {.name = "N", .kind = ARGUMENT_COUNT};
 
-/* ---- Reading ---- */
-
-/* Returns true at the end of the grid. */
-static bool grid_ends(const char *c)
+/* Parses one value; what: the value that may be missing. */
+static bool value_parse(struct reader *r, const struct parameter *p, const char *what, struct item *item)
 {
-    return command_ends(c) || *c == '>' || *c == ':';
-}
-
-static bool read_name(struct reader *r, const struct grid *grid, struct axis *axis)
-{
-    char message[NAMES_MESSAGE], shown[NAMES_SHOWN];
-    r->problem->place = reader_column(r, r->at);
-    char *word = read_word(r, false);
-    if (!word)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    const struct parameter *setting = parameter_find(word);
-    int k = names_find(grid_names, NULL, "parameter", word, message);
-    bool usual;
-    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_meant(word, &usual) : NULL;
-    names_shown(word, shown);
-    free(word);
-    if (meant)
-        return problem_error(r->problem, "unknown parameter '%s'; did you mean '%s'?", shown, meant->name);
-    if (setting && setting->setting)
-        return problem_error(
-            r->problem, "'%s' is a setting of the calculator; sweep a parameter of the model or an effect",
-            shown);
-    if (k < 0 && isalpha((unsigned char)*shown))
-        return problem_error(r->problem, "%s", message);
-    if (k < 0)
-        return problem_error(r->problem, "'%s' is not the name of a parameter; %s", shown, form);
-    *axis = (struct axis){.parameter = grid_parameter(k)};
-    for (int i = 0; i < grid->axes; i++)
-        if (grid->axis[i].parameter == axis->parameter)
-            return problem_error(r->problem, "'%s' is in the grid twice; name each parameter once",
-                                 axis->parameter->name);
-    return grid->axes < AXES_MAX ||
-           problem_error(r->problem, "the grid has more than %d parameters; set the others before", AXES_MAX);
-}
-
-static bool read_one(struct reader *r, const struct axis *axis, const char *what, domq_real *value)
-{
-    const struct parameter *p = axis->parameter;
     r->at = skip_blanks(r->at);
-    r->problem->place = reader_column(r, r->at);
-    if (grid_ends(r->at))
+    reader_place(r, r->at);
+    if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
         return problem_error(r->problem, "%s: %s is missing; %s", p->name, what, form);
-    if (!read_value(r, p, 0, p->value->name, value))
-        return false;
-    if (p->effect && *value == EFFECT_ON)
-        *value = p->value->usual;
+    return item_parse_listed(r, p, item);
+}
+
+/* Parses the rest of a list, up to a value without a comma after it. */
+static bool list_parse(struct reader *r, struct axis_parsed *axis)
+{
+    struct value_parsed **last = &axis->first->next;
+    for (axis->count = 1; *r->at == ','; axis->count++) {
+        struct value_parsed *value = arena_take(r->arena, sizeof *value);
+        if (!value)
+            return problem_error(r->problem, "out of memory");
+        r->at++;
+        if (!value_parse(r, axis->parameter, "a value after ','", &value->item))
+            return false;
+        *last = value;
+        last = &value->next;
+        r->at = skip_blanks(r->at);
+    }
     return true;
 }
 
-/* Reads the rest of a list, up to a value without a comma after it. */
-static bool read_list(struct reader *r, struct axis *axis, domq_real first)
+/* Parses FROM, TO, N and, after it, the word log; or a list. */
+static bool axis_parse(struct reader *r, struct axis_parsed *axis)
 {
-    size_t room = 0;
-    domq_real value = first;
-    for (;;) {
-        if (axis->count == room) {
-            room = 2 * room + 8;
-            domq_real *more = realloc(axis->list, room * sizeof *more);
-            if (!more)
-                return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-            axis->list = more;
-        }
-        axis->list[axis->count++] = value;
-        r->at = skip_blanks(r->at);
-        if (*r->at != ',')
-            return true;
-        r->at++;
-        if (!read_one(r, axis, "a value after ','", &value))
-            return false;
-    }
+    const struct parameter *p = axis->parameter;
+    if (!(axis->first = arena_take(r->arena, sizeof *axis->first)))
+        return problem_error(r->problem, "out of memory");
+    if (!value_parse(r, p, p->words_only ? "a value" : "FROM", &axis->first->item))
+        return false;
+    r->at = skip_blanks(r->at);
+    if (*r->at == ',')
+        return list_parse(r, axis);
+    if (!p->words_only && !value_parse(r, p, "TO", &axis->to))
+        return false;
+    const struct item *from = &axis->first->item, *to = &axis->to;
+    if (p->words_only || (!from->value && from->number == EFFECT_OFF) ||
+        (!to->value && to->number == EFFECT_OFF))
+        return problem_error(r->problem,
+                             "the values of %s are words; list them, as in 'sweep %s %s, %s : rmax'", p->name,
+                             p->name, p->words[0].name, p->words[1].name);
+    r->at = skip_blanks(r->at);
+    reader_place(r, r->at);
+    if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
+        return problem_error(r->problem, "%s: N, the number of values, is missing; %s", p->name, form);
+    if (!item_parse(r, &count_argument, &axis->steps))
+        return false;
+    r->at = skip_blanks(r->at);
+    axis->log_at = r->at;
+    axis->logarithmic = reader_takes(r, "log");
+    return true;
 }
 
-/* Reads N and, after it, the word log. */
-static bool read_steps(struct reader *r, struct axis *axis)
+bool grid_parse(struct reader *r, struct grid_parsed *grid)
 {
-    struct quantity q;
+    const char *no_unit = r->no_unit;
+    r->no_unit = "sg"; /* the next name, and no unit, may follow N */
+    *grid = (struct grid_parsed){.axes = 0};
+    for (r->at = skip_blanks(r->at); !command_ends(r->at) && *r->at != '>' && *r->at != ':';
+         r->at = skip_blanks(r->at)) {
+        const struct parameter *p = parameter_parse(r, form);
+        if (!p)
+            return false;
+        for (int i = 0; i < grid->axes; i++)
+            if (grid->axis[i].parameter == p)
+                return problem_error(r->problem, "'%s' is in the grid twice; name each parameter once",
+                                     p->name);
+        if (grid->axes == ASSIGNED_MAX)
+            return problem_error(r->problem, "the grid has more than %d parameters; set the others before",
+                                 ASSIGNED_MAX);
+        struct axis_parsed *axis = &grid->axis[grid->axes++];
+        axis->parameter = p;
+        if (!axis_parse(r, axis))
+            return false;
+    }
+    r->no_unit = no_unit;
+    reader_place(r, r->at);
+    return grid->axes > 0 || problem_error(r->problem, "the grid is missing; %s", form);
+}
+
+/* ---- Binding ---- */
+
+static bool list_bind(const struct axis_parsed *from, const struct text *text, const struct query *query,
+                      struct axis *axis, struct problem *problem)
+{
+    const struct value_parsed *value = from->first;
+    axis->count = from->count;
+    axis->list = malloc(axis->count * sizeof *axis->list);
+    if (!axis->list)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    for (size_t k = 0; k < axis->count; k++, value = value->next)
+        if (!item_bind(&value->item, text, query, NULL, &axis->list[k], problem))
+            return false;
+    return true;
+}
+
+static bool axis_bind(const struct axis_parsed *from, const struct text *text, const struct query *query,
+                      struct axis *axis, struct problem *problem)
+{
     domq_real n;
-    const char *name = axis->parameter->name;
-    r->at = skip_blanks(r->at);
-    r->problem->place = reader_column(r, r->at);
-    if (grid_ends(r->at))
-        return problem_error(r->problem, "%s: N, the number of values, is missing; %s", name, form);
-    if (!read_quantity(r, &(struct argument){.name = "N", .kind = ARGUMENT_COUNT}, &q, &n))
+    const char *name = from->parameter->name;
+    *axis = (struct axis){.parameter = from->parameter, .logarithmic = from->logarithmic};
+    if (from->count > 0)
+        return list_bind(from, text, query, axis, problem);
+    if (!item_bind(&from->first->item, text, query, NULL, &axis->from, problem) ||
+        !item_bind(&from->to, text, query, NULL, &axis->to, problem) ||
+        !item_bind(&from->steps, text, query, NULL, &n, problem))
         return false;
     axis->count = (size_t)n;
     if (n == 1 && axis->from != axis->to)
-        return problem_error(r->problem, "%s: one value cannot cover %s to %s; enter an N of at least 2",
-                             name, quad_shown(axis->from).text, quad_shown(axis->to).text);
-    const char *word = skip_blanks(r->at);
-    size_t length = strspn(word, "abcdefghijklmnopqrstuvwxyz");
-    axis->logarithmic = length == 3 && strncmp(word, "log", length) == 0;
+        return problem_error(problem, "%s: one value cannot cover %s to %s; enter an N of at least 2", name,
+                             quad_shown(axis->from).text, quad_shown(axis->to).text);
     if (axis->logarithmic) {
-        r->at = word + length;
-        r->problem->place = reader_column(r, word);
+        problem->place = text_column(text, from->log_at);
         return (axis->from > 0 && axis->to > 0) ||
-               problem_error(r->problem, "%s: equal ratios need FROM and TO above 0", name);
+               problem_error(problem, "%s: equal ratios need FROM and TO above 0", name);
     }
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
     return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
-           problem_error(r->problem,
+           problem_error(problem,
                          "%s takes whole numbers, which %s to %s in %zu values are not; enter another N",
                          name, quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
 
-static bool read_values(struct reader *r, struct axis *axis)
-{
-    domq_real first = 0;
-    const struct parameter *p = axis->parameter;
-    if (!read_one(r, axis, p->words_only ? "a value" : "FROM", &first))
-        return false;
-    r->at = skip_blanks(r->at);
-    if (*r->at == ',')
-        return read_list(r, axis, first);
-    axis->from = first;
-    if (!p->words_only && !read_one(r, axis, "TO", &axis->to))
-        return false;
-    if (p->words_only || axis->from == EFFECT_OFF || axis->to == EFFECT_OFF)
-        return problem_error(r->problem,
-                             "the values of %s are words; list them, as in 'sweep %s %s, %s : rmax'", p->name,
-                             p->name, p->words[0].name, p->words[1].name);
-    return read_steps(r, axis);
-}
-
-bool grid_read(struct reader *r, struct grid *grid)
+bool grid_bind(const struct grid_parsed *from, const struct text *text, const struct query *query,
+               struct grid *grid, struct problem *problem)
 {
     *grid = (struct grid){.points = 1};
-    for (r->at = skip_blanks(r->at); !grid_ends(r->at); r->at = skip_blanks(r->at)) {
-        struct axis *axis = &grid->axis[grid->axes];
-        struct axis read;
-        if (!read_name(r, grid, &read))
-            return false;
-        *axis = read;
-        grid->axes++; /* grid_free frees its list also after an error */
-        if (!read_values(r, axis))
+    for (int i = 0; i < from->axes; i++) {
+        struct axis *axis = &grid->axis[grid->axes++]; /* grid_free frees its list also after a problem */
+        if (!axis_bind(&from->axis[i], text, query, axis, problem))
             return false;
         if (axis->count > POINTS_MAX / grid->points)
-            return problem_error(r->problem, "the grid has more than %zu points; enter smaller N",
-                                 POINTS_MAX);
+            return problem_error(problem, "the grid has more than %zu points; enter smaller N", POINTS_MAX);
         grid->points *= axis->count;
     }
-    r->problem->place = reader_column(r, r->at);
-    return grid->axes > 0 || problem_error(r->problem, "the grid is missing; %s", form);
+    return true;
 }
 
 void grid_free(struct grid *grid)
@@ -200,21 +183,4 @@ struct cell axis_cell(const struct axis *axis, domq_real value)
     if (word)
         return cell_word(word);
     return axis->parameter->value->whole ? cell_count(value) : cell_real(value);
-}
-
-/* Sets words first, since the precision has its own default of tol. */
-void grid_put(const struct grid *grid, const domq_real *value, struct state *state)
-{
-    for (int words = 1; words >= 0; words--)
-        for (int i = 0; i < grid->axes; i++)
-            if (grid->axis[i].parameter->words_only == (words == 1))
-                parameter_put(state, grid->axis[i].parameter, value[i]);
-}
-
-bool grid_check(const struct grid *grid, const struct scene *scene, struct problem *problem)
-{
-    for (int i = 0; i < grid->axes; i++)
-        if (grid->axis[i].parameter->effect && !effect_needs(scene, grid->axis[i].parameter->which, problem))
-            return false;
-    return true;
 }

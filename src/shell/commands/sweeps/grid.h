@@ -3,9 +3,7 @@
 #ifndef SHELL_GRID_H
 #define SHELL_GRID_H
 
-#include "interpreter/arguments.h"
-
-enum { AXES_MAX = 8 };
+#include "interpreter/question.h"
 
 /* The values of one parameter, or of the first argument of one effect. */
 struct axis {
@@ -17,26 +15,39 @@ struct axis {
 };
 
 struct grid {
-    struct axis axis[AXES_MAX];
+    struct axis axis[ASSIGNED_MAX];
     int axes;
     size_t points; /* the product of the counts; the first axis changes slowest */
 };
 
-/* Reads a grid up to ':' or the end of the command. Reports an error if it is wrong. */
-bool grid_read(struct reader *reader, struct grid *grid);
-void grid_free(struct grid *grid);
+/* The same as it was parsed. */
+struct value_parsed {
+    struct item item;
+    struct value_parsed *next;
+};
+struct axis_parsed {
+    const struct parameter *parameter;
+    struct value_parsed *first; /* of the list, or FROM */
+    size_t count;               /* of the list; 0: FROM TO N */
+    struct item to, steps;
+    bool logarithmic;
+    const char *log_at; /* where 'log' is */
+};
+struct grid_parsed {
+    struct axis_parsed axis[ASSIGNED_MAX];
+    int axes;
+};
 
-/* Returns the name of parameter k of a grid, for names.h: those of the model, then effects. */
-const char *grid_names(const void *context, int k);
+/* Parses a grid up to ':' or the end of the command. */
+bool grid_parse(struct reader *reader, struct grid_parsed *grid);
+
+/* Gives the grid its values in the state of a query. Free it with grid_free, also after a problem. */
+bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
+               struct grid *grid, struct problem *problem);
+void grid_free(struct grid *grid);
 
 /* Return value k, counted from 0; and a value as a cell. */
 domq_real axis_value(const struct axis *axis, size_t k);
 struct cell axis_cell(const struct axis *axis, domq_real value);
-
-/* Sets the values in a copy of a state, which shares its memory with the original and must not be closed. */
-void grid_put(const struct grid *grid, const domq_real *value, struct state *state);
-
-/* Reports an error if an effect of the grid needs another effect that is off. */
-bool grid_check(const struct grid *grid, const struct scene *scene, struct problem *problem);
 
 #endif

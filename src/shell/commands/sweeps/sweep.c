@@ -8,38 +8,40 @@
 #include "interpreter/forms.h"
 #include "language/quad.h"
 #include "parallel/points.h"
-#include "session/parameters.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The arguments of the command. */
-struct sweep {
-    struct grid grid;
-    const struct command *command; /* runs at each point */
-    const struct text *text;
-    const char *arguments; /* of the command, in the text */
+/* One of several answers of a point, each a number. */
+struct asked {
+    struct question question;
+    char key[NAMES_SHOWN]; /* name of its column */
+    struct asked *next;
 };
 
-/* ---- Reading ---- */
+/* The arguments of the command, as they were parsed. */
+struct sweep_parsed {
+    struct grid_parsed grid;
+    struct question question; /* that is asked at each point, where there is only one */
+    struct asked *several;    /* or these; NULL: there is one */
+    const char *asked;        /* as typed */
+};
 
-static void sweep_free(void *own)
-{
-    struct sweep *s = own;
-    if (s)
-        grid_free(&s->grid);
-    free(s);
-}
+/* The same with values. */
+struct sweep {
+    struct grid grid;
+    const struct sweep_parsed *parsed;
+};
 
-bool sweep_read_grid(struct reader *r, struct arguments *given)
+/* ---- Parsing ---- */
+
+bool sweep_parse_grid(struct reader *r, struct question *q)
 {
-    struct sweep *s = calloc(1, sizeof *s);
+    struct sweep_parsed *s = q->own = arena_take(r->arena, sizeof *s);
     if (!s)
-        return problem_status(r->problem, r->query->scene, DOM_NO_MEMORY);
-    given->own = s;
-    given->own_free = sweep_free;
+        return problem_error(r->problem, "out of memory");
     r->stops = ":,";
-    bool good = grid_read(r, &s->grid);
+    bool good = grid_parse(r, &s->grid);
     r->stops = NULL;
     return good && (*r->at == ':' ||
                     problem_error(r->problem, "':' and a command are missing after the grid; for example "
@@ -51,21 +53,48 @@ static const struct command *asked_command(struct reader *r)
 {
     const char *begin = r->at;
     const struct command *c = read_form(r);
-    if (c && c->run == run_print)
+    if (c && strcmp(c->name, "print") == 0)
         return c;
     r->at = begin;
     return r->problem->kind == PROBLEM_NONE ? read_command(r) : NULL;
 }
 
-bool sweep_read_command(struct reader *r, struct arguments *given)
+/* Parses the answers of a list: commands with a principal number, COMMAND.KEY, or expressions. */
+static bool several_parse(struct reader *r, struct sweep_parsed *s)
 {
-    struct sweep *s = given->own;
+    struct asked **last = &s->several;
+    for (;;) {
+        struct asked *a = *last = arena_take(r->arena, sizeof *a);
+        r->at = skip_blanks(r->at);
+        reader_place(r, r->at);
+        if (!a)
+            return problem_error(r->problem, "out of memory");
+        if (reader_ends(r))
+            return problem_error(r->problem,
+                                 "an answer after ',' is missing, as in 'sweep r 1 2 9 : rmax, fuel'");
+        if (!question_parse_any(r, &a->question, true))
+            return false;
+        snprintf(a->key, sizeof a->key, "%s", a->question.name);
+        last = &a->next;
+        if (*r->at != ',')
+            return true;
+        r->at++;
+    }
+}
+
+/* Parses what stands after the ':': a command or an expression, or several with commas between. */
+bool sweep_parse_answers(struct reader *r, struct question *q)
+{
+    struct sweep_parsed *s = q->own;
     r->at = skip_blanks(r->at + 1);
-    r->problem->place = reader_column(r, r->at);
+    reader_place(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
         return problem_error(r->problem,
                              "the command after ':' is missing; for example 'sweep s 0.1 0.9 9 : rmax'");
-    const struct command *c = s->command = asked_command(r);
+    const char *begin = r->at;
+    s->question.key = -1;
+    r->stops = ",";
+    const struct command *c = s->question.command = asked_command(r);
     if (!c)
         return false;
     if (c->unswept)
@@ -73,10 +102,44 @@ bool sweep_read_command(struct reader *r, struct arguments *given)
     if (!c->columns)
         return problem_error(r->problem, "'%s' has no answer; sweep a command that has one, such as 'rmax'",
                              c->name);
-    s->text = r->text;
-    s->arguments = r->at;
-    r->at = text_end(r->at, ";>");
-    return true;
+    const char *arguments = skip_blanks(r->at);
+    bool good = question_parse(r, &s->question);
+    if (good && *r->at == ',') {
+        r->at = begin;
+        good = several_parse(r, s);
+    }
+    r->stops = NULL;
+    bool bare = s->several || strcmp(c->name, "print") == 0; /* the question is not named by its command */
+    const char *from = s->several ? begin : arguments, *end = r->at;
+    while (end > from && (end[-1] == ' ' || end[-1] == '\t'))
+        end--;
+    size_t size = strlen(c->name) + (size_t)(end - from) + 2;
+    char *asked = good ? arena_take(r->arena, size) : NULL;
+    if (asked)
+        snprintf(asked, size, "%s%s%.*s", bare ? "" : c->name, bare || end == from ? "" : " ",
+                 (int)(end - from), from);
+    s->asked = asked;
+    return good && (asked || problem_error(r->problem, "out of memory"));
+}
+
+static void sweep_free(void *own)
+{
+    struct sweep *s = own;
+    grid_free(&s->grid);
+    free(s);
+}
+
+bool sweep_bind(const struct question *q, const struct query *query, struct arguments *given,
+                struct problem *problem)
+{
+    const struct sweep_parsed *parsed = q->own;
+    struct sweep *s = calloc(1, sizeof *s);
+    if (!s)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    given->own = s;
+    given->own_free = sweep_free;
+    s->parsed = parsed;
+    return grid_bind(&parsed->grid, q->text, query, &s->grid, problem);
 }
 
 /* ---- One point ---- */
@@ -91,9 +154,9 @@ struct sweeper {
     struct means means; /* of a point */
     const char *asking; /* the name of the command that sweeps */
     struct swept swept;
-    struct problem problem; /* of the last point without an answer */
-    size_t index[AXES_MAX]; /* index of each value on its axis */
-    domq_real value[AXES_MAX];
+    struct problem problem;     /* of the last point without an answer */
+    size_t index[ASSIGNED_MAX]; /* index of each value on its axis */
+    domq_real value[ASSIGNED_MAX];
     size_t reasons;            /* the number of points with a reason for a missing value */
     size_t none;               /* the number of points without a row of an answer */
     size_t first;              /* the first point with a reason */
@@ -116,31 +179,50 @@ static void point_values(struct sweeper *w, size_t k)
     }
 }
 
-/* Runs the command. Returns false if it has no answer; w->problem says why. */
-static bool point_ask(struct sweeper *w, struct answer *a)
+/* Gives the state of the point its values. */
+static bool point_assign(struct sweeper *w)
 {
-    const struct sweep *s = w->sweep;
-    struct arguments given = {.count = 0};
+    const struct grid *grid = &w->sweep->grid;
+    struct assigned assigned[ASSIGNED_MAX];
+    for (int i = 0; i < grid->axes; i++)
+        assigned[i] = (struct assigned){grid->axis[i].parameter, w->value[i]};
+    w->point = *w->base->state;
+    w->point.settings.threads = 1; /* the points run in parallel already */
+    w->problem = (struct problem){.command = w->asking};
+    return state_assign(&w->point, assigned, grid->axes, &w->problem);
+}
+
+/* Answers several questions in one row; one without an answer has a cell without a value, and a reason. */
+static bool several_ask(struct sweeper *w, const struct query *at, struct answer *a)
+{
+    struct cell cells[ANSWER_COLUMNS];
+    char reason[SWEPT_REASON] = "";
+    int n = 0;
+    for (const struct asked *q = w->sweep->parsed->several; q; q = q->next, n++) {
+        struct quantity value;
+        cells[n] = (struct cell){.kind = CELL_NONE};
+        w->problem = (struct problem){.command = w->asking};
+        if (question_value(&q->question, at, &value, &w->problem))
+            cells[n] = cell_bound(value.value, DOMQ_NAN);
+        else if (w->problem.kind != PROBLEM_NO_ANSWER)
+            return false;
+        else if (!*reason)
+            snprintf(reason, sizeof reason, "%.*s", SWEPT_REASON - 1, w->problem.text);
+    }
+    return answer_row(a, cells, *reason ? reason : NULL);
+}
+
+/* Answers at the point. Returns false if there is no answer; w->problem says why. */
+static bool point_ask(struct sweeper *w, struct answer *a, bool assigned)
+{
     struct query at = *w->base;
     at.state = &w->point;
     at.scene = &w->point.scene;
     at.means = &w->means;
-    at.given = &given;
     at.next = NULL;
-    struct reader r = {.query = &at, .problem = &w->problem, .text = s->text, .at = s->arguments};
-    w->point = *w->base->state;
-    w->point.settings.threads = 1; /* the points run in parallel already */
-    w->problem = (struct problem){.command = w->asking};
-    grid_put(&s->grid, w->value, &w->point);
-    bool done = grid_check(&s->grid, at.scene, &w->problem);
-    w->problem.command = done ? s->command->name : w->asking;
-    done = done && read_arguments(&r, s->command, &given);
-    if (done) {
-        w->problem.place = 0;
-        done = s->command->run(&at, a, &w->problem);
-    }
-    arguments_free(&given);
-    return done;
+    return assigned &&
+           (w->sweep->parsed->several ? several_ask(w, &at, a)
+                                      : question_ask(&w->sweep->parsed->question, &at, a, &w->problem));
 }
 
 static bool point_answer(struct sweeper *w, size_t k, struct answer *to);
@@ -184,24 +266,23 @@ static void point_none(struct sweeper *w, size_t k, struct answer *to, const cha
 static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
 {
     struct answer a = w->answer;
-    a.columns = w->sweep->command->columns;
+    a.columns = w->sweep->parsed->several ? w->swept.asked : w->sweep->parsed->question.command->columns;
     a.out = to ? to->out : NULL;
     a.point = swept_row;
     a.swept = &w->swept;
     point_values(w, k);
     swept_begin(&w->swept);
     w->swept.to = to;
+    bool assigned = point_assign(w);
     if (w->styled) {
-        struct state styled = *w->base->state;
-        grid_put(&w->sweep->grid, w->value, &styled);
-        struct output_style style = state_style(&styled);
+        struct output_style style = state_style(&w->point);
         style.digits = a.style.digits; /* columns have one width in all rows */
         style.format = a.style.format; /* which a picture has chosen for itself */
         a.style = style;
     }
     if (to)
         to->style = a.style;
-    bool done = point_ask(w, &a);
+    bool done = point_ask(w, &a, assigned);
     if (!done && w->problem.kind != PROBLEM_NO_ANSWER)
         return false;
     if (!done || !w->swept.answered)
@@ -239,18 +320,34 @@ static void sweep_gather(void *own, const void *worker)
 /* ---- All of them ---- */
 
 /* Returns true if an argument replaces the parameter that a column of the command repeats. */
-static bool echo_called(const struct query *query, const struct sweep *sweep)
+static bool is_echoed(const struct question *q)
 {
-    const struct command *c = sweep->command;
-    struct problem unheard = {.kind = PROBLEM_NONE};
-    struct arguments call = {.count = 0};
-    struct reader r = {.query = query, .problem = &unheard, .text = sweep->text, .at = sweep->arguments};
-    int given = read_arguments(&r, c, &call) ? call.count : call.count + 1; /* the next argument is wrong */
-    arguments_free(&call);
-    for (int i = 0; i < given && i < ARGUMENTS_MAX && c->argument[i].kind; i++)
-        if (c->argument[i].of && strcmp(c->argument[i].of, c->echo) == 0)
+    for (int i = 0; q->command->echo && i < q->count; i++)
+        if (q->command->argument[i].of && strcmp(q->command->argument[i].of, q->command->echo) == 0)
             return true;
     return false;
+}
+
+/* Makes the columns of several answers: their names, and the units that they have in the state of the query.
+ */
+static void several_columns(struct sweeper *w, const struct query *query)
+{
+    struct swept *s = &w->swept;
+    int n = 0;
+    for (const struct asked *q = w->sweep->parsed->several; q && n + 1 < ANSWER_COLUMNS; q = q->next, n++) {
+        const struct question *asked = &q->question;
+        struct problem unheard = {.kind = PROBLEM_NONE};
+        struct quantity value = {.value = 0};
+        struct column *column = &s->asked[n];
+        if (asked->key >= 0)
+            *column = asked->command->columns[asked->key];
+        else {
+            question_value(asked, query, &value, &unheard);
+            *column = (struct column){.unit = expression_unit_text(value, s->unit[n], sizeof s->unit[n])};
+        }
+        *column = (struct column){q->key, column->unit, "", 0};
+    }
+    s->asked[n] = (struct column){NULL, NULL, NULL, 0};
 }
 
 /* Writes the values of point k: "s = 0.7, d = 0.1". */
@@ -294,8 +391,11 @@ static struct sweeper *sweeper_make(const struct query *query, struct problem *p
         w->index[i] = SIZE_MAX; /* no value yet */
         w->styled = w->styled || p->fallback_of || p->moves;
     }
-    bool echoed = s->command->echo && echo_called(query, s);
-    if (!swept_columns(&w->swept, &s->grid, s->command, echoed)) {
+    const struct command *c = s->parsed->question.command;
+    if (s->parsed->several)
+        several_columns(w, query);
+    if (!swept_columns(&w->swept, &s->grid, c, s->parsed->several ? w->swept.asked : c->columns,
+                       is_echoed(&s->parsed->question))) {
         problem_error(problem, "a row of this sweep would have more than %d columns; sweep fewer parameters",
                       ANSWER_COLUMNS - 1);
         free(w);
@@ -367,10 +467,10 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
     return done;
 }
 
-struct sweep_shape sweep_shape(const struct arguments *call)
+struct sweep_shape sweep_shape(const struct arguments *given)
 {
-    const struct sweep *s = call->own;
-    struct sweep_shape shape = {.axes = s->grid.axes, .command = s->command};
+    const struct sweep *s = given->own;
+    struct sweep_shape shape = {.axes = s->grid.axes, .command = s->parsed->question.command};
     for (int i = 0; i < s->grid.axes && i < SWEEP_AXES; i++) {
         const struct axis *axis = &s->grid.axis[i];
         shape.axis[i] = (struct sweep_axis){.name = axis->parameter->name,
@@ -379,11 +479,9 @@ struct sweep_shape sweep_shape(const struct arguments *call)
                                             .count = axis->count,
                                             .logarithmic = axis->logarithmic};
     }
-    const char *arguments = skip_blanks(s->arguments), *end = text_end(arguments, ";>");
-    while (end > arguments && (end[-1] == ' ' || end[-1] == '\t'))
-        end--;
-    shape.expression = strcmp(s->command->name, "print") == 0;
-    snprintf(shape.asked, sizeof shape.asked, "%s%s%.*s", shape.expression ? "" : s->command->name,
-             end > arguments && !shape.expression ? " " : "", (int)(end - arguments), arguments);
+    for (const struct asked *q = s->parsed->several; q; q = q->next)
+        shape.several++;
+    shape.expression = strcmp(shape.command->name, "print") == 0;
+    snprintf(shape.asked, sizeof shape.asked, "%s", s->parsed->asked);
     return shape;
 }

@@ -11,8 +11,9 @@ static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
 const struct command sweep_commands[] = {
     {.name = "sweep",
      .synonyms = "loop batch table scan grid",
-     .argument = {{.name = "GRID", .kind = ARGUMENT_GRID, .read = sweep_read_grid, .choices = grid_names},
-                  {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .read = sweep_read_command}},
+     .argument =
+         {{.name = "GRID", .kind = ARGUMENT_GRID, .parse = sweep_parse_grid, .choices = model_names},
+          {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .parse = sweep_parse_answers, .bind = sweep_bind}},
      .summary = "the answers of a command over a grid of any parameters",
      .help =
          "GRID has a part for each parameter or effect: NAME FROM TO N is N values in equal steps, NAME FROM "

@@ -13,7 +13,8 @@ static bool column_add(struct swept *s, int *n, struct column column, const char
     return true;
 }
 
-bool swept_columns(struct swept *s, const struct grid *grid, const struct command *c, bool echoed)
+bool swept_columns(struct swept *s, const struct grid *grid, const struct command *c,
+                   const struct column *columns, bool echoed)
 {
     bool room = true;
     int n = 0, twice = 0;
@@ -23,7 +24,7 @@ bool swept_columns(struct swept *s, const struct grid *grid, const struct comman
         room = room && column_add(s, &n, column, NULL);
     }
     s->values = n;
-    for (const struct column *from = c->columns; from->key; from++) {
+    for (const struct column *from = columns; from->key; from++) {
         struct column column = *from;
         bool same = false;
         for (int i = 0; i < grid->axes; i++)

@@ -12,7 +12,9 @@ enum { SWEPT_REASON = 256 };
 struct swept {
     struct column column[ANSWER_COLUMNS]; /* the columns of the sweep; a NULL key ends them */
     const char *key[ANSWER_COLUMNS];      /* the key of each column in the command */
-    char renamed[AXES_MAX][40];           /* "rmax.s" for a column that has the name of a parameter */
+    char renamed[ASSIGNED_MAX][40];       /* "rmax.s" for a column that has the name of a parameter */
+    struct column asked[ANSWER_COLUMNS];  /* of several answers, before they are joined with the parameters */
+    char unit[ANSWER_COLUMNS][24];        /* of expressions among them */
     struct cell value[ANSWER_COLUMNS];    /* the values of the point: the first cells of its rows */
     int values;
     bool answered, reasoned;           /* the point has a row of an answer; it has a row with a reason */
@@ -22,11 +24,12 @@ struct swept {
 };
 
 /*
- * Makes the columns: parameters of the grid, then those of the command, without one that only repeats a
+ * Makes the columns: parameters of the grid, then those of the answer, without one that only repeats a
  * parameter, unless it is echoed: an argument takes the parameter's place. Returns false if there are too
  * many.
  */
-bool swept_columns(struct swept *swept, const struct grid *grid, const struct command *command, bool echoed);
+bool swept_columns(struct swept *swept, const struct grid *grid, const struct command *command,
+                   const struct column *columns, bool echoed);
 
 /* Begins a point, whose values are filled in. */
 void swept_begin(struct swept *swept);

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/resolve.h"
+#include "session/meant.h"
+#include <stdarg.h>
+#include <string.h>
+
+/* The most values within values, through all functions: each takes a part of the stack. */
+enum { HEIGHT_MAX = 400 };
+
+/* Sets the message of an error, and returns -1. */
+static int __attribute__((format(printf, 3, 4)))
+fail(struct resolver *r, const struct tree *t, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(r->message, sizeof r->message, format, arguments);
+    va_end(arguments);
+    r->at = t->at;
+    return -1;
+}
+
+static int resolved(struct resolver *r, struct tree *t);
+
+/* Resolves the children of a tree; returns the height of the highest, -1 after an error. */
+static int children(struct resolver *r, struct tree *t)
+{
+    int most = 0;
+    for (struct tree *child = t->child; child && most >= 0; child = child->next) {
+        int height = resolved(r, child);
+        most = height < 0 || height > most ? height : most;
+    }
+    return most;
+}
+
+/* ---- Functions ---- */
+
+static struct routine *routine_parse(struct resolver *r, const struct tree *t, const struct variable *f)
+{
+    struct parse p = {.text = f->body, .arena = r->arena, .with = r->with, .context = r->context};
+    struct routine *routine = arena_take(r->arena, sizeof *routine);
+    struct tree *body = routine ? expression_parse(&p) : NULL;
+    if (!body) {
+        fail(r, t, "%s", routine ? p.message : "out of memory");
+        return NULL;
+    }
+    const struct variable *outer = r->scope;
+    *routine = (struct routine){.function = f, .body = body, .busy = true, .next = r->routines};
+    r->routines = routine;
+    r->scope = f;
+    r->depth++;
+    routine->height = resolved(r, body);
+    r->depth--;
+    r->scope = outer;
+    routine->busy = false;
+    if (routine->height >= 0)
+        return routine;
+    char head[VARIABLE_HEAD], inside[EXPRESSION_MESSAGE];
+    if (!r->named) {
+        memcpy(inside, r->message, sizeof inside);
+        fail(r, t, "in '%s': %.180s", variable_head(f, head), inside);
+    }
+    r->at = t->at;
+    r->named = true;
+    return NULL;
+}
+
+static int routine_resolve(struct resolver *r, struct tree *t, const struct variable *f)
+{
+    char head[VARIABLE_HEAD];
+    struct routine *routine = r->routines;
+    if (t->count != f->count)
+        return fail(r, t, "'%s' takes %d value%s", variable_head(f, head), f->count,
+                    f->count == 1 ? "" : "s");
+    while (routine && routine->function != f)
+        routine = routine->next;
+    if (routine && routine->busy)
+        return fail(r, t, "'%s' uses itself", variable_head(f, head));
+    int height = children(r, t);
+    if (height < 0 || (!routine && !(routine = routine_parse(r, t, f))))
+        return -1;
+    t->kind = TREE_SYMBOL;
+    t->symbol = SYMBOL_ROUTINE;
+    t->refers = routine;
+    return height > routine->height ? height : routine->height;
+}
+
+/* ---- Commands ---- */
+
+static int command_resolve(struct resolver *r, struct tree *t, const struct command *c)
+{
+    char message[NAMES_MESSAGE], what[64], usage[USAGE_SIZE];
+    int fewest, most = command_values(c, &fewest);
+    if (!c->principal)
+        return fail(r, t,
+                    t->count > 0 ? "'%s' has no value; the command is entered without parentheses"
+                                 : "'%s' has no value: its command answers in words or rows",
+                    t->name);
+    if (most < 0)
+        return fail(r, t, "'%s' has no value in an expression: not all of its arguments are values",
+                    command_usage(c, usage));
+    if (t->count < fewest || t->count > most)
+        return fail(r, t, "%d value%s for '%s'", t->count, t->count == 1 ? "" : "s", command_usage(c, usage));
+    t->index = command_principal(c);
+    if (t->key) {
+        snprintf(what, sizeof what, "key of %s", c->name);
+        t->index = names_find(command_keys, c, what, t->key, message);
+        if (t->index < 0)
+            return fail(r, t, "%s", message);
+    }
+    t->kind = TREE_SYMBOL;
+    t->symbol = SYMBOL_COMMAND;
+    t->refers = c;
+    return children(r, t);
+}
+
+/* ---- Names ---- */
+
+static int unknown(struct resolver *r, const struct tree *t)
+{
+    bool usual;
+    const struct parameter *meant = parameter_meant(t->name, &usual);
+    const char *close = names_closest(value_names, r->state, t->name);
+    if (meant && (usual || !close) && names_exact(value_names, r->state, meant->name) >= 0)
+        close = meant->name;
+    return fail(r, t,
+                close && strcmp(close, t->name) != 0 ? "'%s' has no value; did you mean '%s'?"
+                                                     : "'%s' has no value",
+                t->name, close);
+}
+
+static int ans_resolve(struct resolver *r, struct tree *t)
+{
+    char message[NAMES_MESSAGE], what[64];
+    const struct command *c = r->ans->command;
+    t->kind = TREE_SYMBOL;
+    t->symbol = SYMBOL_ANS;
+    t->refers = NULL;
+    if (r->ans->printed && !t->key)
+        return 0;
+    if (!c)
+        return fail(r, t, "there is no earlier answer");
+    t->refers = c;
+    t->index = command_principal(c);
+    snprintf(what, sizeof what, "key of %s", c->name);
+    if (t->key && (t->index = names_find(command_keys, c, what, t->key, message)) < 0)
+        return fail(r, t, "%s", message);
+    return 0;
+}
+
+static int name_resolve(struct resolver *r, struct tree *t)
+{
+    bool bare = t->count == 0 && !t->key;
+    for (int i = 0; bare && r->scope && i < r->scope->count; i++)
+        if (strcmp(r->scope->argument[i], t->name) == 0) {
+            t->kind = TREE_SYMBOL;
+            t->symbol = SYMBOL_ARGUMENT;
+            t->index = i;
+            return 0;
+        }
+    const struct variable *v = t->key ? NULL : variable_find(&r->state->variables, t->name);
+    if (v && v->body)
+        return routine_resolve(r, t, v);
+    if (v && bare) {
+        t->kind = TREE_NUMBER;
+        t->value = v->value;
+        return 0;
+    }
+    const struct parameter *p = bare ? parameter_find(t->name) : NULL;
+    if (p && parameter_is_number(p)) {
+        t->kind = TREE_SYMBOL;
+        t->symbol = SYMBOL_PARAMETER;
+        t->refers = p;
+        return 0;
+    }
+    if (t->count == 0 && strcmp(t->name, "ans") == 0)
+        return ans_resolve(r, t);
+    const struct command *c = command_find(t->name);
+    return c ? command_resolve(r, t, c) : unknown(r, t);
+}
+
+static int with_resolve(struct resolver *r, struct tree *t)
+{
+    int most = 0;
+    for (const struct assignment *a = t->refers; a && most >= 0; a = a->next)
+        if (a->item.value) {
+            int height = resolved(r, (struct tree *)a->item.value);
+            most = height < 0 || height > most ? height : most;
+        }
+    int height = most < 0 ? -1 : children(r, t);
+    return height < 0 || height > most ? height : most;
+}
+
+/* Resolves a tree; returns its height, -1 after an error. */
+static int resolved(struct resolver *r, struct tree *t)
+{
+    int height = t->kind == TREE_NAME                                 ? name_resolve(r, t)
+                 : t->kind == TREE_SYMBOL && t->symbol == SYMBOL_WITH ? with_resolve(r, t)
+                                                                      : children(r, t);
+    if (height >= HEIGHT_MAX || r->depth > HEIGHT_MAX / 4)
+        return fail(r, t, "the expression is nested too deeply");
+    return height < 0 ? -1 : height + 1;
+}
+
+bool resolve(struct resolver *r, struct tree *tree)
+{
+    r->message[0] = '\0';
+    return resolved(r, tree) >= 0;
+}

@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The values of trees. A comparison is 1 if it is true, else 0; a condition is true unless it is 0. */
+#include "language/expression.h"
+#include "language/quad.h"
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void evaluation_message(struct evaluation *e, bool of_value, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(e->message, sizeof e->message, format, arguments);
+    va_end(arguments);
+    e->of_value = of_value;
+}
+
+bool evaluation_finite(struct evaluation *e, const char *at, const struct quantity *q)
+{
+    enum { EXPONENT_MOST = 999 };
+    bool unit = abs(q->length) <= EXPONENT_MOST && abs(q->time) <= EXPONENT_MOST &&
+                abs(q->angle) <= EXPONENT_MOST && abs(q->mass) <= EXPONENT_MOST;
+    if (isfinite(q->value) && unit)
+        return true;
+    e->at = at;
+    if (!unit)
+        return evaluation_fail(e, "the unit has an exponent above %d", EXPONENT_MOST);
+    return evaluation_no_value(e, "the value is not a finite number");
+}
+
+/* ---- Functions ---- */
+
+/* KEEPS: the value has the dimension that the arguments have; HALVES: the square root of it. */
+enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
+
+struct function {
+    const char *name;
+    enum function_kind kind;
+    domq_real (*one)(domq_real);
+    domq_real (*two)(domq_real, domq_real);
+};
+
+static const struct function functions[] = {
+    {"sin", OF_ANGLE, quad(sin), NULL},      {"cos", OF_ANGLE, quad(cos), NULL},
+    {"tan", OF_ANGLE, quad(tan), NULL},      {"asin", TO_ANGLE, quad(asin), NULL},
+    {"acos", TO_ANGLE, quad(acos), NULL},    {"atan", TO_ANGLE, quad(atan), NULL},
+    {"atan2", TO_ANGLE, NULL, quad(atan2)},  {"exp", OF_NUMBER, quad(exp), NULL},
+    {"ln", OF_NUMBER, quad(log), NULL},      {"log", OF_NUMBER, quad(log), NULL},
+    {"log10", OF_NUMBER, quad(log10), NULL}, {"abs", KEEPS, quad(fabs), NULL},
+    {"floor", OF_NUMBER, quad(floor), NULL}, {"ceil", OF_NUMBER, quad(ceil), NULL},
+    {"round", OF_NUMBER, quad(round), NULL}, {"hypot", KEEPS, NULL, quad(hypot)},
+    {"min", KEEPS, NULL, quad(fmin)},        {"max", KEEPS, NULL, quad(fmax)},
+    {"sqrt", HALVES, quad(sqrt), NULL},      {NULL, OF_NUMBER, NULL, NULL},
+};
+
+const struct function *function_find(const char *name, int *values)
+{
+    const struct function *f = functions;
+    while (f->name && strcmp(f->name, name) != 0)
+        f++;
+    *values = f->one ? 1 : 2;
+    return f->name ? f : NULL;
+}
+
+const char *expression_names(const void *context, int k)
+{
+    static const char *const more[] = {"if", "pi", NULL}; /* lazy, and constant */
+    const int count = sizeof functions / sizeof *functions - 1;
+    (void)context;
+    return k < count ? functions[k].name : more[k - count];
+}
+
+static bool function_apply(struct evaluation *e, const struct tree *t, const struct quantity *a,
+                           struct quantity *q)
+{
+    char kind[48];
+    const struct function *f = t->function;
+    e->at = t->at;
+    bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
+    if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
+        return evaluation_fail(e, "%s of this is not defined", f->name);
+    if (f->kind == HALVES && a[0].value < 0)
+        return evaluation_no_value(e, "%s of this is not defined", f->name);
+    if (f->one && f->kind < KEEPS && !number)
+        return evaluation_fail(e, "%s of %s is not defined", f->name,
+                               expression_kind(a[0], kind, sizeof kind));
+    if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time || a[0].mass != a[1].mass))
+        return evaluation_fail(e, "%s needs two values of the same kind, such as two lengths", f->name);
+    *q = f->kind == KEEPS ? a[0]
+         : f->kind == HALVES
+             ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2, a[0].mass / 2}
+             : (struct quantity){.angle = f->kind == TO_ANGLE};
+    domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
+    q->value = f->two ? f->two(a[0].value, a[1].value) : f->one(one);
+    return true;
+}
+
+/* ---- Trees ---- */
+
+static bool power(struct evaluation *e, const struct tree *exponent, struct quantity *q, struct quantity by)
+{
+    bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
+    e->at = exponent->operator_at;
+    if (!quantity_bare(by) || (!whole && !quantity_bare(*q)))
+        return evaluation_fail(e, "the value before '^' cannot have this exponent");
+    int n = whole ? (int)by.value : 0;
+    *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
+                           n * q->mass};
+    return true;
+}
+
+/* thetac - 1: a bare number beside an angle is in the unit of angles. Returns true for two quantities of one
+ * kind. */
+static bool alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
+{
+    if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)
+        *a = (struct quantity){.value = a->value * e->angle, .angle = 1};
+    else if (quantity_bare(*b) && quantity_plain(*a) && a->angle == 1)
+        *b = (struct quantity){.value = b->value * e->angle, .angle = 1};
+    return quantity_alike(*a, *b);
+}
+
+static bool compares(enum tree_operator operator, domq_real a, domq_real b)
+{
+    switch (operator) {
+    case OPERATOR_LESS:
+        return a < b;
+    case OPERATOR_AT_MOST:
+        return a <= b;
+    case OPERATOR_MORE:
+        return a > b;
+    case OPERATOR_AT_LEAST:
+        return a >= b;
+    case OPERATOR_EQUAL:
+        return a == b;
+    default:
+        return a != b;
+    }
+}
+
+/* Adds, or compares. */
+static bool alike_apply(struct evaluation *e, const struct tree *t, struct quantity *q, struct quantity by)
+{
+    char a[48], b[48];
+    bool adds = t->operator>= OPERATOR_PLUS;
+    if (!alike(e, q, &by))
+        return evaluation_fail(e, adds ? "%s and %s do not add up" : "%s and %s are not compared",
+                               expression_kind(*q, a, sizeof a), expression_kind(by, b, sizeof b));
+    if (adds)
+        q->value += t->operator== OPERATOR_MINUS ? -by.value : by.value;
+    else
+        *q = (struct quantity){.value = compares(t->operator, q->value, by.value)};
+    return true;
+}
+
+static bool condition(struct evaluation *e, const struct tree *t, bool *is_true)
+{
+    struct quantity q;
+    char kind[48];
+    if (!expression_evaluate(e, t, &q))
+        return false;
+    *is_true = q.value != 0;
+    e->at = t->at;
+    return quantity_bare(q) || evaluation_fail(e, "%s is no condition, as 'r > 1.5' is one",
+                                               expression_kind(q, kind, sizeof kind));
+}
+
+/* 'and' and 'or' leave the rest of a chain alone where a condition decides. */
+static bool joined(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    bool is_true, decides = t->child->next->operator== OPERATOR_OR;
+    const struct tree *child = t->child;
+    do {
+        if (!condition(e, child, &is_true))
+            return false;
+        child = child->next;
+    } while (child && is_true != decides);
+    *q = (struct quantity){.value = is_true};
+    return true;
+}
+
+/* Applies the operator before a value of a chain. */
+static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
+{
+    struct quantity by;
+    const enum tree_operator operator= value->operator;
+    if (!expression_evaluate(e, value, &by))
+        return false;
+    e->at = value->operator_at;
+    if (operator== OPERATOR_OVER && by.value == 0)
+        return evaluation_no_value(e, "division by zero");
+    if (operator== OPERATOR_TIMES || operator== OPERATOR_OVER)
+        quantity_multiply(q, by, operator== OPERATOR_OVER ? -1 : 1);
+    else if (!(operator== OPERATOR_POWER ? power(e, value, q, by) : alike_apply(e, value, q, by)))
+        return false;
+    return evaluation_finite(e, operator== OPERATOR_POWER ? t->at : value->operator_at, q);
+}
+
+static bool chain(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    const struct tree *child = t->child->next;
+    if (child->operator<= OPERATOR_AND)
+        return joined(e, t, q);
+    bool good = expression_evaluate(e, t->child, q);
+    for (; good && child; child = child->next)
+        good = apply(e, t, child, q);
+    return good;
+}
+
+static bool choice(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    bool is_true;
+    return condition(e, t->child, &is_true) &&
+           expression_evaluate(e, is_true ? t->child->next : t->child->next->next, q);
+}
+
+static bool function(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    struct quantity argument[2];
+    const struct tree *child = t->child;
+    for (int i = 0; i < t->count; i++, child = child->next)
+        if (!expression_evaluate(e, child, &argument[i]))
+            return false;
+    return function_apply(e, t, argument, q) && evaluation_finite(e, t->at, q);
+}
+
+bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quantity *q)
+{
+    bool is_true;
+    switch (t->kind) {
+    case TREE_NUMBER:
+        *q = t->value;
+        return true;
+    case TREE_MINUS:
+        if (!expression_evaluate(e, t->child, q))
+            return false;
+        q->value = -q->value;
+        return true;
+    case TREE_NOT:
+        if (!condition(e, t->child, &is_true))
+            return false;
+        *q = (struct quantity){.value = !is_true};
+        return true;
+    case TREE_CHAIN:
+        return chain(e, t, q);
+    case TREE_IF:
+        return choice(e, t, q);
+    case TREE_FUNCTION:
+        return function(e, t, q);
+    case TREE_SYMBOL:
+        e->at = t->at;
+        return e->symbol(e, t, q) && evaluation_finite(e, t->at, q);
+    case TREE_NAME:
+        break;
+    }
+    e->at = t->at;
+    return evaluation_fail(e, "'%s' has no value", t->name);
+}
