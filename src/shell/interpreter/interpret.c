@@ -224,7 +224,8 @@ static void run_command(struct session *session, struct reader *r)
 {
     const char *begin = r->at;
     fflush(output_base(session->output)->out); /* no answer waits for the next one */
-    struct problem problem = {.kind = PROBLEM_NONE};
+    struct problem problem;
+    problem_begin(&problem, NULL);
     const struct query query = session_query(session);
     r->query = &query;
     r->problem = &problem;

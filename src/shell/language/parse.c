@@ -219,16 +219,33 @@ static struct tree *primary(struct parse *p)
 
 /* ---- Operators ---- */
 
-static const struct operator
+/* Returns the operator that begins with this character, and its length; equal: a '=' follows. */
+static enum tree_operator operator_of(char c, bool equal, size_t *length)
 {
-    const char *text;
-    enum tree_operator operator;
+    *length = equal && strchr("<>=!", c) ? 2 : 1;
+    switch (c) {
+    case '<':
+        return equal ? OPERATOR_AT_MOST : OPERATOR_LESS;
+    case '>':
+        return equal ? OPERATOR_AT_LEAST : OPERATOR_MORE;
+    case '=':
+        return equal ? OPERATOR_EQUAL : OPERATOR_NONE;
+    case '!':
+        return equal ? OPERATOR_UNEQUAL : OPERATOR_NONE;
+    case '+':
+        return OPERATOR_PLUS;
+    case '-':
+        return OPERATOR_MINUS;
+    case '*':
+        return OPERATOR_TIMES;
+    case '/':
+        return OPERATOR_OVER;
+    case '^':
+        return OPERATOR_POWER;
+    default:
+        return OPERATOR_NONE;
+    }
 }
-operators[] = {
-    {"<=", OPERATOR_AT_MOST}, {">=", OPERATOR_AT_LEAST}, {"==", OPERATOR_EQUAL}, {"!=", OPERATOR_UNEQUAL},
-    {"<", OPERATOR_LESS},     {">", OPERATOR_MORE},      {"+", OPERATOR_PLUS},   {"-", OPERATOR_MINUS},
-    {"*", OPERATOR_TIMES},    {"/", OPERATOR_OVER},      {"^", OPERATOR_POWER},  {NULL, OPERATOR_NONE},
-};
 
 /*
  * Returns the operator at this place, the end of a value and blanks, and its length. A bare '>' is the file
@@ -237,23 +254,18 @@ operators[] = {
  */
 static enum tree_operator operator_at(const struct parse *p, const char *at, size_t *length)
 {
-    if (isalpha((unsigned char)*at)) {
+    if (*at == 'a' || *at == 'o') {
         enum tree_operator word = is_word(at, "and")  ? OPERATOR_AND
                                   : is_word(at, "or") ? OPERATOR_OR
                                                       : OPERATOR_NONE;
-        *length = word ? name_length(at) : 0;
+        *length = word == OPERATOR_AND ? 3 : 2;
         return word;
     }
-    const struct operator* o = operators;
-    while (o->text && strncmp(at, o->text, strlen(o->text)) != 0)
-        o++;
-    if (!o->text || (o->operator== OPERATOR_MORE && p->nested == 0))
-        return OPERATOR_NONE;
-    bool signs = o->operator== OPERATOR_PLUS || o->operator== OPERATOR_MINUS;
-    if (signs && at != p->end && skip_blanks(at + 1) == at + 1)
-        return OPERATOR_NONE;
-    *length = strlen(o->text);
-    return o->operator;
+    enum tree_operator operator= * at ? operator_of(*at, at[1] == '=', length) : OPERATOR_NONE;
+    bool sign = operator== OPERATOR_PLUS || operator== OPERATOR_MINUS;
+    bool file = operator== OPERATOR_MORE && p->nested == 0;
+    bool value = sign && at != p->end && skip_blanks(at + 1) == at + 1;
+    return file || value ? OPERATOR_NONE : operator;
 }
 
 /* Returns the first operator of those that bind as tightly as this one. */
@@ -285,7 +297,7 @@ static struct tree *factor(struct parse *p)
         t = factor(p);
         if (*at == '-')
             t = node_of(p, TREE_MINUS, at, t);
-    } else if (is_word(at, "not")) {
+    } else if (*at == 'n' && is_word(at, "not")) {
         p->end = skip_blanks(at + strlen("not"));
         t = node_of(p, TREE_NOT, at, chain(p, OPERATOR_LESS));
     } else

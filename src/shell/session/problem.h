@@ -24,6 +24,15 @@ struct problem {
     char text[PROBLEM_TEXT];
 };
 
+/* Begins without a problem, in a command. */
+static inline void problem_begin(struct problem *problem, const char *command)
+{
+    problem->kind = PROBLEM_NONE;
+    problem->column = problem->place = 0;
+    problem->command = command;
+    problem->text[0] = '\0'; /* the rest needs no initial value */
+}
+
 /* Describes a problem; the first description stays. Returns false. */
 bool problem_report(struct problem *problem, enum problem_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -36,7 +36,7 @@ domq_real probe_at(struct probe *p, domq_real value)
     at.next = NULL;
     means.shard.parts = 0;
     point.settings.threads = 1;
-    p->problem = (struct problem){.command = p->command};
+    problem_begin(&p->problem, p->command);
     struct quantity answer = {.value = 0};
     bool put = !p->parameter || state_assign(&point, &assigned, 1, &p->problem);
     bool done = put && (p->verdict ? verdict_ask(p, &at, &answer, &p->problem)

@@ -188,7 +188,7 @@ static bool point_assign(struct sweeper *w)
         assigned[i] = (struct assigned){grid->axis[i].parameter, w->value[i]};
     w->point = *w->base->state;
     w->point.settings.threads = 1; /* the points run in parallel already */
-    w->problem = (struct problem){.command = w->asking};
+    problem_begin(&w->problem, w->asking);
     return state_assign(&w->point, assigned, grid->axes, &w->problem);
 }
 
@@ -201,7 +201,7 @@ static bool several_ask(struct sweeper *w, const struct query *at, struct answer
     for (const struct asked *q = w->sweep->parsed->several; q; q = q->next, n++) {
         struct quantity value;
         cells[n] = (struct cell){.kind = CELL_NONE};
-        w->problem = (struct problem){.command = w->asking};
+        problem_begin(&w->problem, w->asking);
         if (question_value(&q->question, at, &value, &w->problem))
             cells[n] = cell_bound(value.value, DOMQ_NAN);
         else if (w->problem.kind != PROBLEM_NO_ANSWER)
