@@ -122,11 +122,13 @@ $(B)/domq_names.h: include/domino.h $(QUAD_AWK)
 MODEL_OBJ  := $(call OBJ,$(TYPED))
 MODEL_OBJQ := $(TYPED:%.c=$(B)/objq/%.o)
 COMMON_OBJ := $(call OBJ,$(COMMON))
-$(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += -fPIC $(COVER)
+# 'ld -r' and objcopy below join and hide what an object has, and cannot read what -flto leaves for later.
+LIB_FLAGS  := -fPIC -fno-lto $(COVER)
+$(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += $(LIB_FLAGS)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$< (quad))
-	$(Q)$(CC) $(C_FLAGS) -fPIC $(COVER) -DDOMQ -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) $(LIB_FLAGS) -DDOMQ -MMD -MP -c $< -o $@
 
 # The library exports only dom_* and domq_*. A program that uses one of the two headers links one of two objects.
 $(B)/lib/domino.o: $(MODEL_OBJ)
@@ -154,12 +156,16 @@ $(B)/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(PROGRAM) -o $@
 
+# Programs find a shared library in /usr/lib; in other places only one whose folder they name.
+PC_PREFIX = printf '%s\n' "prefix=$$(printf %s "$(PREFIX)" | sed 's/[[:blank:]]/\\&/g')" 'libdir=$${prefix}/lib' \
+  'rpath=$(if $(filter-out /usr,$(PREFIX)),-Wl$(,)-rpath$(,)$${libdir})' ''
+, := ,
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
-	@printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' 'libdir=$${prefix}/lib' '' \
+	@{ $(PC_PREFIX); printf '%s\n' 'includedir=$${prefix}/include' '' \
 	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires.private: gsl' \
-	  'Libs: -L$${libdir} -ldomino' 'Libs.private: -lm -pthread' \
-	  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))' > $@
+	  'Libs: -L$${libdir} $${rpath} -ldomino' 'Libs.private: -lm -pthread' \
+	  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))'; } > $@
 
 run: all
 	@$(B)/domino
@@ -372,20 +378,21 @@ MANIFEST = "$(DESTDIR)$(PREFIX)/share/doc/domino/installed"
 $(B)/completion/domino: src/shell/prompt/domino.bash
 	@mkdir -p $(@D) && cp $< $@
 
+# The list comes first, so that an install that fails half way can be uninstalled.
 install: all $(B)/completion/domino
-	@new=$$(mktemp) && trap 'rm -f "$$new"' EXIT && \
-	folder() { [ -d "$(DESTDIR)$$1" ] || [ -z "$$1" ] || { \
-	  folder "$${1%/*}" && mkdir -m 755 "$(DESTDIR)$$1" && echo "$$1/" >> "$$new"; }; } && \
-	mkdir -p "$(DESTDIR)/" && folder "$(PREFIX)/share/doc/domino" && \
+	@list=$$(mktemp) && trap 'rm -f "$$list"' EXIT && \
+	folders() { [ -z "$$1" ] || [ -d "$(DESTDIR)$$1" ] || { folders "$${1%/*}" $$2 && $$2 "$$1"; }; } && \
+	name() { echo "$$1/"; } && create() { mkdir -m 755 "$(DESTDIR)$$1"; } && \
+	{ cat $(MANIFEST) 2>/dev/null; for entry in "$(B)/installed:share/doc/domino" $(INSTALLED); do \
+	  folders "$(PREFIX)/$${entry##*:}" name; file=$${entry%:*}; echo "$(PREFIX)/$${entry##*:}/$${file##*/}"; \
+	done; } | LC_ALL=C sort -u > "$$list" && \
+	mkdir -p "$(DESTDIR)/" && folders "$(PREFIX)/share/doc/domino" create && install -m 644 "$$list" $(MANIFEST) && \
 	for entry in $(INSTALLED); do \
-	  file=$${entry%:*} to=$(PREFIX)/$${entry##*:} mode=644 && if [ -x "$$file" ]; then mode=755; fi && \
-	  echo "  INSTALL  $(DESTDIR)$$to/$${file##*/}" && folder "$$to" && \
-	  if [ -h "$$file" ]; then cp -P "$$file" "$(DESTDIR)$$to/"; else install -m $$mode "$$file" "$(DESTDIR)$$to/"; fi && echo "$$to/$${file##*/}" >> "$$new" || exit 1; \
+	  file=$${entry%:*} to="$(DESTDIR)$(PREFIX)/$${entry##*:}" mode=644 && if [ -x "$$file" ]; then mode=755; fi && \
+	  echo "  INSTALL  $$to/$${file##*/}" && folders "$(PREFIX)/$${entry##*:}" create && \
+	  if [ -h "$$file" ]; then cp -P "$$file" "$$to/"; else install -m $$mode "$$file" "$$to/"; fi || exit 1; \
 	done && \
-	sed -i 's|^prefix=.*|prefix=$(PREFIX)|' "$(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc" && \
-	echo "$(PREFIX)/share/doc/domino/installed" >> "$$new" && \
-	{ cat $(MANIFEST) 2>/dev/null; cat "$$new"; } | LC_ALL=C sort -u -o "$$new" && \
-	install -m 644 "$$new" $(MANIFEST)
+	{ $(PC_PREFIX); sed '1,/^$$/d' $(B)/domino.pc; } > "$(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc"
 
 # Files that others have put into a folder since then stay, and so does the folder.
 uninstall:

@@ -24,8 +24,11 @@ class Limit(ctypes.Structure):
 
 
 def library():
-    """Loads libdomino: that of the variable LIBDOMINO, or the installed one."""
-    domino = ctypes.CDLL(os.environ.get("LIBDOMINO") or ctypes.util.find_library("domino") or "libdomino.so")
+    """Loads libdomino: that of the variable LIBDOMINO, the one installed with this example, or any other."""
+    installed = os.path.join(os.path.dirname(os.path.realpath(__file__)), "../../../../lib/libdomino.so")
+    domino = ctypes.CDLL(os.environ.get("LIBDOMINO")
+                         or (installed if os.path.exists(installed) else None)
+                         or ctypes.util.find_library("domino") or "libdomino.so")
     domino.dom_train_default.restype = Train
     domino.dom_limit_rmax.argtypes = [ctypes.POINTER(Train), ctypes.c_void_p, ctypes.POINTER(Limit)]
     for text in domino.dom_status_text, domino.dom_end_text:

@@ -87,6 +87,32 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     done
 }
 
+@test "any PREFIX, with blanks too: programs find the shared library there, and the example in Python does" {
+    local prefix="$BATS_TEST_TMPDIR/my app"
+    plain_make -C "$root" B="$build" install PREFIX="$prefix"
+    cd "$BATS_TEST_TMPDIR" || false
+    export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+    # shellcheck disable=SC2046
+    eval cc "'$prefix/share/doc/domino/examples/rmax.c'" -o rmax $(checked "$build/libdomino.a") "$(pkg-config --cflags --libs domino)"
+    same rmax.c '1.64422903954, ends by barrier' "$(./rmax 0.4)"
+    if [[ "$(checked "$build/libdomino.a")" != *sanitize* ]]; then
+        same rmax.py '1.64422903954, ends by barrier' "$("$prefix/share/doc/domino/examples/rmax.py" 0.4)"
+    fi
+    plain_make -C "$root" B="$build" uninstall PREFIX="$prefix"
+    [ ! -e "$prefix" ]
+}
+
+@test "an install that fails half way can be uninstalled" {
+    dest=$BATS_TEST_TMPDIR/dest
+    mkdir -p "$dest/usr/share"
+    echo 'no folder' >"$dest/usr/share/man"
+    run ! plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
+    [ -e "$dest/usr/lib/libdomino.a" ]
+    plain_make -C "$root" B="$build" uninstall DESTDIR="$dest" PREFIX=/usr
+    same left "$dest/usr/share/man" "$(find "$dest" -type f)"
+    [ ! -e "$dest/usr/lib" ]
+}
+
 @test "the example in Python does what the one in C does" {
     [[ "$(checked "$build/libdomino.a")" != *sanitize* ]] || skip "Python has no runtime of the sanitizers"
     install_there
@@ -205,7 +231,7 @@ C
     same "quad" '(nothing)' "$(header -E -P | grep domq_)"
 }
 
-@test "make dist packs the tracked files, and what is unpacked builds without git and packs the same bytes" {
+@test "make dist packs the tracked files, and what is unpacked builds without git, with -flto, and packs the same bytes" {
     [ -z "$(checked "$build/libdomino.a")" ] || skip "the same archive in every build"
     dist=$BATS_TEST_TMPDIR/dist
     plain_make -C "$root" B="$dist" dist
@@ -217,7 +243,7 @@ C
     tar -xzf "$archive" -C "$BATS_TEST_TMPDIR"
     tree=$BATS_TEST_TMPDIR/$name
     [ ! -e "$tree/.git" ]
-    plain_make -C "$tree" -j2 CFLAGS=-O0 all dist
+    plain_make -C "$tree" -j2 CFLAGS='-O0 -flto=auto' all dist
     same "the quiz" "$("$DOMINO" -e 'count 112')" "$("$tree/.build/domino" -n -e 'count 112')"
     "$tree/.build/domino" -n -f "$tree/examples/quiz.dom" | diff -u "$tree/tests/shell/golden/quiz.out" -
     cmp "$archive" "$tree/.build/$name.tar.gz"
