@@ -951,9 +951,9 @@ struct dom_study {
 /*
  * Counts how many rows fall. stops, unless NULL, has room for row->count numbers: how often a row ended at
  * each domino, unknown rows left out. The answer does not depend on placement->parallel. Rows are computed
- * with a tolerance of 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED the counts are those of
- * the rows that were run, if there are any. Statuses as dom_row_run, and those that
- * placement->parallel returns.
+ * with a tolerance of 1e-9 or compute->tol, whichever is larger. After DOM_INTERRUPTED the counts are those
+ * of the rows that were run, if there are any. Statuses as dom_row_run, and those that placement->parallel
+ * returns.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,

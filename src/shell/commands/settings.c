@@ -212,14 +212,21 @@ const struct command session_commands[] = {
                    .parse = conversion_parse,
                    .bind = conversion_bind}},
      .summary = "the value of an expression, in another unit",
-     .help = "A line that is an expression means the same: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to "
-             "percent'. "
-             "Numbers, + - * / ^ and parentheses; units of length m mm cm km in ft yd, of mass kg g t lb oz, "
-             "of time s ms, of angle rad deg; pi; sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs "
-             "floor ceil round hypot min max; the parameters; what 'let' defines; 'ans', the last value, and "
-             "'ans.KEY', a number of the last answer; commands, "
-             "with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number "
-             "or a ')': '10 g'; elsewhere g is gravity: 'h/g', '2*g'.",
+     .help =
+         "A line that is an expression means the same: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to "
+         "percent'. "
+         "Numbers, + - * / ^ and parentheses; units of length m mm cm km in ft yd, of mass kg g t lb oz, "
+         "of time s ms, of angle rad deg; pi; sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs "
+         "floor ceil round hypot min max; the parameters; what 'let' defines; 'ans', the last value, and "
+         "'ans.KEY', a number of the last answer; commands, "
+         "with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number "
+         "or a ')': '10 g'; elsewhere g is gravity: 'h/g', '2*g'. "
+         "Comparisons are 1 if they are true, and else 0: < <= >= == !=, and '(a > b)' in parentheses, since "
+         "'>' alone begins the name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' is "
+         "one "
+         "of two values. 'with' gives parameters and effects other values for one answer alone: 'rmax 0.4 "
+         "with "
+         "q hollow d 0.1', and in an expression, between parentheses, '2*(rmax with friction 0.2)'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .shortest = "pr",

@@ -475,7 +475,8 @@ const struct command design_commands[] = {
      .summary = "an error unless what COMMAND decides is true",
      .help = "Runs the command, and ends it with an error if its answer is no: the row does not fall, no row "
              "fits. A script then ends at once with exit status 1; standard input goes on. COMMAND is "
-             "verdict, fall, design, barrier, count or prove.",
+             "verdict, fall, design, barrier, count or prove; or it is a condition, as in 'assert rmax(0.4) "
+             "< 1.7'.",
      .example = "effect row 5; assert verdict",
      .see = "verdict design barrier count",
      .unswept = "it asks one scene",

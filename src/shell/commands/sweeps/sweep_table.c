@@ -19,7 +19,10 @@ const struct command sweep_commands[] = {
          "GRID has a part for each parameter or effect: NAME FROM TO N is N values in equal steps, NAME FROM "
          "TO N log is N values with equal ratios, and NAME VALUE, VALUE, ... is a list. The first parameter "
          "changes slowest. ANSWER is a command or an expression, evaluated at each point, as in 'sweep s "
-         "0.1 0.9 9 : count 112 0.9*rmax'. A row has the values of the point, then the answer, which may "
+         "0.1 0.9 9 : count 112 0.9*rmax'. Several answers, with commas between them, are a column each: "
+         "'sweep r 1 2 9 : "
+         "barrier.margin, fuel, rmax with q hollow'. A row has the values of the point, then the answer, "
+         "which may "
          "take several rows. For a point without an answer, csv and json give the reason. The parameters "
          "of the session do not change. Points are computed on all cores ('set threads'); the rows are the "
          "same bytes on any number of cores. 'domino --shard 2/7' gives the second of seven parts.",
