@@ -30,7 +30,7 @@ static void text_unify(char *text)
     for (const char *c = text + (strncmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0); *c; c++) {
         char now = *c;
         if (now != '\n' || before != '\r')
-            *to++ = now == '\r' ? '\n' : now;
+            *to++ = (char)(now == '\r' ? '\n' : now);
         before = now;
     }
     *to = '\0';
@@ -129,11 +129,8 @@ static void separator_find(struct csv_file *file)
     const char *name = file->next + (*file->next == '"'), *tab = text_end(file->next, "\t\n");
     bool named = strncasecmp(name, "sep=", 4) == 0 && name[4] && strchr(",;\t", name[4]);
     bool tabs = *tab == '\t' && tab > file->next && tab[-1] != ',' && !strchr(" \t,#\n", tab[1]);
-    bool commas = *text_end(file->next, ",\n") == ',';
-    file->separator = named                                 ? name[4]
-                      : *text_end(file->next, ";\n") == ';' ? ';'
-                      : commas && !tabs                     ? ','
-                                                            : '\t';
+    bool commas = *text_end(file->next, ",\n") == ',' && !tabs;
+    file->separator = *(named ? name + 4 : *text_end(file->next, ";\n") == ';' ? ";" : commas ? "," : "\t");
     while (named && *file->next && *file->next != '\n')
         step(file);
 }

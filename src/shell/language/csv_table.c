@@ -33,8 +33,10 @@ static bool unit_copy(const char *text, char unit[UNIT])
     struct quantity q = {.value = 1};
     bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
     char *cube = strstr(unit, "\u00b3");
-    if (cube)
-        memcpy(cube, "^3", 2);
+    if (cube) { /* of as many bytes */
+        cube[0] = '^';
+        cube[1] = '3';
+    }
     const char *stop = one && *unit ? unit_scan(unit, &q) : NULL;
     return stop && *stop == '\0';
 }

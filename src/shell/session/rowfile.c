@@ -45,11 +45,13 @@ static bool row_grow(struct listed_row *rows)
     if ((rows->count & (rows->count - 1)) != 0)
         return true;
     size_t room = 2 * (rows->count + 1);
-    struct domq_domino *domino = realloc(rows->domino, room * sizeof *domino);
-    rows->domino = domino ? domino : rows->domino;
-    domq_real *width = domino ? realloc(rows->width, room * sizeof *width) : NULL;
-    rows->width = width ? width : rows->width;
-    return width;
+    void *more = realloc(rows->domino, room * sizeof *rows->domino);
+    if (!more)
+        return false;
+    rows->domino = more;
+    more = realloc(rows->width, room * sizeof *rows->width);
+    rows->width = more ? more : rows->width;
+    return more;
 }
 
 static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *rows)

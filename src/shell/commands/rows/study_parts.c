@@ -321,7 +321,7 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
         csv_named(query->scene, query->means, query->given->word[0], true, &pool_kind, problem);
     while (csv && csv_next(csv) && block_add(&p, csv))
         ;
-    bool good = csv && !*csv->file.problem.text && parts_check(&p, csv, missing, sizeof missing);
+    bool good = p.part && !*csv->file.problem.text && parts_check(&p, csv, missing, sizeof missing);
     good = csv_end(csv, problem) && good;
     enum dom_status status = good ? domq_study_interval(&p.study) : DOM_OK;
     if (good && status == DOM_OK)
