@@ -45,6 +45,10 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     wrong 'effect row commas.csv' "commas.csv:2:8: too many cells: 5, .*'48,0' is read as the cells 48 and 0: if it is one number, write 48\.0"
     printf 'height (mm)\tthickness (mm)\tgap (mm)\n1,234\t75\t-\n' >thousands.csv
     wrong 'effect row thousands.csv' "thousands.csv:2:1: '1,234' can be read as 1\.234 or as 1234; write 1\.2340 or 1234"
+    printf 'LC_NUMERIC\ndecimal_point ","\nthousands_sep ""\ngrouping -1\nEND LC_NUMERIC\n' >comma.src
+    if localedef -c -i comma.src -f UTF-8 ./comma >/dev/null 2>&1 || [ -d comma ]; then
+        same 'with decimal commas' 0.001234 "$(LOCPATH=$PWD LC_ALL=comma json 'effect row thousands.csv; row' | values height)"
+    fi
     printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv
     same 'empty cells at the end' 0.02 "$(json 'effect row cells.csv; row' | values gap | tail -n 1)"
     # As many cells as can be read in the first line, and a row with more of them.

@@ -145,8 +145,8 @@ static void decimal_marks(void **state)
                                                {HEAD "\"12,345 mm\",,", "0.012345 - - ,; "}};
     CHECK(in_locale, &kind, true);
     static const struct reading wrong[] = {
-        {SEMICOLONS "1.234,5;;", "2:1: a number has several decimal marks"},
-        {SEMICOLONS "1,234,567;;", "2:1: a number has several decimal marks"},
+        {SEMICOLONS "1.234,5;;", "2:1: this number has more than one decimal mark"},
+        {SEMICOLONS "1,234,567;;", "2:1: this number has more than one decimal mark"},
         {SEMICOLONS "48,;;", "2:3: size ends before ','"},
         {HEAD "1,,x\n48,5,7,x",
          "1 - - ,x; 3:8: too many cells: 4, but the first line has 3; a ',' separates them; "
@@ -166,7 +166,7 @@ static void units(void **state)
         {"size (g),gap\n", "1:1: '(g)' is not a unit of size; its units are: m, mm"},
         {"size (mm,gap\n1,2 m", "0.001 2 - ; "},
         {"size,gap,count (m)", "1:10: '(m)' is not a unit of count; its units are: none"},
-        {"size (m),gap (m)\nmm,\n", "2:1: 'mm' is not the unit of size that the line above has"},
+        {"size (m),gap (m)\nmm,\n", "2:1: the first line has another unit of size than 'mm'"},
         {"size (mm),gap\nmm,m\n2,3", "0.002 3 - ; "},
         {"size,gap\nmm,1\n", "2:4: '1' is not a unit of gap"},
         {"size (m),gap (m)\n1 g,0", "2:1: size: this is a mass; write a length"},
@@ -227,8 +227,8 @@ static void limits(void **state)
         {OTHERS + 2, OTHERS + 3, "2:135: too many cells: 67, but the first line has 66"},
         {OTHERS + 2, CELLS, "2:135: too many cells: 76, but the first line has 66"},
         {OTHERS + 2, CELLS + 1, "2:155: the line has more than 76 cells"},
-        {OTHERS + 3, OTHERS + 3, "1:1: 65 columns are not used; at most 64"},
-        {CELLS, CELLS, "1:1: 74 columns are not used; at most 64"},
+        {OTHERS + 3, OTHERS + 3, "1:1: the file has 65 columns that are not used, and at most 64"},
+        {CELLS, CELLS, "1:1: the file has 74 columns that are not used"},
         {CELLS + 1, 2, "1:302: the line has more than 76 cells"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {

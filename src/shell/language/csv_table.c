@@ -52,8 +52,9 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
         return csv_wrong(&csv->file, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name,
                          c->units);
     if (csv->unit[k] > 0 && csv->unit[k] != q.value)
-        return csv_wrong(&csv->file, at, "'%s' is not the unit of %s that the line above has; leave one out",
-                         shown, c->name);
+        return csv_wrong(&csv->file, at,
+                         "the first line has another unit of %s than '%s'; delete one of the two", c->name,
+                         shown);
     csv->unit[k] = q.value;
     return true;
 }
@@ -125,7 +126,7 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
     bool note = is_among(",note,notes,comment,comments,remark", name);
     int k = 0;
     while (k < kind->columns && strcmp(kind->column[k].name, name) != 0 &&
-           !is_among(kind->column[k].also, name))
+           !is_among(kind->column[k].synonyms, name))
         k++;
     csv->other[i] = k == kind->columns;
     if (isdigit((unsigned char)*text) || *text == '.')
@@ -176,11 +177,12 @@ static bool head_read(struct csv_table *csv)
     }
     if (good &&
         others > CSV_OTHERS_MOST) /* with all columns of the kind there would be too many to read back */
-        return csv_wrong(&csv->file, csv->head.at,
-                         "%d columns are not used; at most %d such columns can be kept", others,
-                         CSV_OTHERS_MOST);
+        return csv_wrong(
+            &csv->file, csv->head.at,
+            "the file has %d columns that are not used, and at most %d of them can be kept; delete some",
+            others, CSV_OTHERS_MOST);
     for (int k = 0; k < kind->columns && good; k++)
-        if ((kind->column[k].is & CSV_REQUIRED) && csv->column[k] == 0)
+        if ((kind->column[k].traits & CSV_REQUIRED) && csv->column[k] == 0)
             return csv_wrong(&csv->file, csv->head.at, "the column '%s' is missing; the first line names %s",
                              kind->column[k].name, kind->names);
     return good && (csv->pending || units_read(csv));
@@ -226,7 +228,7 @@ static bool marks_read(struct csv_table *csv, struct csv_place at, char *text)
         const char *end = c + 1 + after;
         if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
             return csv_wrong(&csv->file, at,
-                             "a number has several decimal marks; write it without separators of "
+                             "this number has more than one decimal mark; write it without separators of "
                              "thousands");
         struct csv_mark *mark = comma ? &csv->comma : &csv->point;
         bool sure =
@@ -285,13 +287,13 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     names_shown(rest, shown);
     if (!good && *message)
         return csv_wrong(&csv->file, at, *rest ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
-                         message, c->write);
+                         message, c->advice);
     if (!good)
-        return csv_wrong(&csv->file, at, "%s ends before '%s'; %s", c->name, shown, c->write);
+        return csv_wrong(&csv->file, at, "%s ends before '%s'; %s", c->name, shown, c->advice);
     bool bare = quantity_bare(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q, is, sizeof is),
-                         c->write);
+                         c->advice);
     domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0';
     if (bare && unit == 0 && q.value != 0)
         return unit_missing(csv, k, text->line);
@@ -303,7 +305,7 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 {
     const struct csv_column *c = &csv->kind->column[k];
     double near = (double)value; /* the bounds are decimals, and are in the range as doubles */
-    bool whole = !(c->is & CSV_WHOLE) || value == quad(floor)(value);
+    bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"
                      : near > c->highest ? "too large"
                      : near >= c->lowest ? NULL
@@ -322,16 +324,16 @@ static bool value_read(struct csv_table *csv, int k)
     const struct csv_column *c = &csv->kind->column[k];
     const char *typed = csv_cell(csv, k).text;
     struct text text;
-    bool unused = csv->rows == 0 && c->is & CSV_NOT_FIRST;
+    bool unused = csv->rows == 0 && c->traits & CSV_NOT_FIRST;
     csv->value[k] = DOMQ_NAN;
-    if (csv->column[k] == 0 || !c->unit || (is_empty(typed) && (unused || c->is & CSV_EMPTY)))
+    if (csv->column[k] == 0 || !c->unit || (is_empty(typed) && (unused || c->traits & CSV_EMPTY)))
         return true;
     if (csv->column[k] > csv->row.cells)
         return csv_wrong(&csv->file, csv->row.at,
                          "too few cells: %d, but the first line has %d; a %s separates them", csv->row.cells,
                          csv->head.cells, csv_separator_name(&csv->file));
     if (is_empty(typed))
-        return csv_wrong(&csv->file, csv_cell(csv, k).at, "%s is missing; %s", c->name, c->write);
+        return csv_wrong(&csv->file, csv_cell(csv, k).at, "%s is missing; %s", c->name, c->advice);
     if (!text_make(&text, typed, strlen(typed)))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
     bool good = marks_read(csv, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
@@ -379,11 +381,12 @@ bool csv_next(struct csv_table *csv)
         if (!*csv->file.problem.text && csv->rows == 0)
             csv_wrong(&csv->file, csv->file.at,
                       "the file has no %s; the first line names %s, and each line after it is one %s",
-                      kind->all, kind->names, kind->row);
+                      kind->items, kind->names, kind->item);
         return !*csv->file.problem.text && marks_check(csv) && false;
     }
-    if (csv->rows == kind->most)
-        return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s", kind->most, kind->all);
+    if (csv->rows == kind->rows_most)
+        return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, and no more can be read",
+                         kind->rows_most, kind->items);
     int cells = csv->row.cells;
     while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* as spreadsheets write them */
         cells--;

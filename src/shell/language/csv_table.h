@@ -15,39 +15,47 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* How many columns a kind of table has at most, and how many others a file may have: both are read back. */
+/* A row that is saved has all columns of its kind and the others of its file, and can be read again. */
 enum { CSV_COLUMNS_MOST = 12, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
-/* Properties of a column: each file has it; its cells may be empty; its first cell may be empty or out of
- * range; its values are whole numbers. */
-enum { CSV_REQUIRED = 1, CSV_EMPTY = 2, CSV_NOT_FIRST = 4, CSV_WHOLE = 8 };
-
-/* A column that a kind of table may have; the texts are for messages. */
-struct csv_column {
-    const char *name, *also; /* its synonyms, as "spacing,distance"; NULL for none */
-    unsigned is;
-    const char *unit, *units, *usual; /* of its values, in SI, "" for plain numbers, NULL for text; all that a
-                                         file may have; and the one that is proposed */
-    const char *write;                /* "write a length such as 48 mm" */
-    double lowest, highest;           /* values, of which 0 is CSV_ABOVE_0 */
-    const char *range;                /* "0 or more, up to 1e9 m" */
+/* The traits of a column. */
+enum {
+    CSV_REQUIRED = 1,  /* every file has it */
+    CSV_EMPTY = 2,     /* its cells may be empty */
+    CSV_NOT_FIRST = 4, /* the first row needs no value there, and any value is in range */
+    CSV_WHOLE = 8,     /* its values are whole numbers */
 };
-#define CSV_ABOVE_0 4.9e-324 /* the lowest value of a range that begins above 0 */
 
+/* A column that tables of a kind may have. */
+struct csv_column {
+    const char *name;
+    const char *synonyms; /* "spacing,distance", or NULL */
+    unsigned traits;
+    const char *unit;       /* the SI unit of the values; "" for plain numbers, NULL for text */
+    const char *units;      /* for messages: all units that a file may use */
+    const char *usual;      /* for messages: the unit to propose */
+    const char *advice;     /* for messages: "write a length such as 48 mm" */
+    double lowest, highest; /* the range of the values, with both ends */
+    const char *range;      /* for messages: "0 or more, up to 1e9 m" */
+};
+#define CSV_ABOVE_0 4.9e-324 /* the lower end of a range without 0 */
+
+/* A kind of table: of rows, of measurements. */
 struct csv_kind {
     const struct csv_column *column;
-    int columns;           /* at most CSV_COLUMNS_MOST */
-    bool headless;         /* the first line may be missing: the columns are then these, in this order */
-    size_t most;           /* rows */
-    const char *row, *all; /* what a row is, "domino", and what several are, "dominoes" */
-    const char *names;     /* what the first line names, for messages */
-    const char *example;   /* a first line */
+    int columns;              /* at most CSV_COLUMNS_MOST */
+    bool headless;            /* a file may begin with its first row: it has these columns in this order */
+    size_t rows_most;         /* the largest number of rows */
+    const char *item, *items; /* for messages: what one row is, "domino", and what several are, "dominoes" */
+    const char *names;        /* for messages: what the first line names */
+    const char *example;      /* for messages: a first line */
 };
 
-/* What is known of decimal points, or of decimal commas. */
+/* What the numbers so far say about the decimal point, or about the decimal comma. */
 struct csv_mark {
-    bool seen, sure;          /* sure: in some number the mark can only be a decimal one */
-    struct csv_place at;      /* of the first number in which it might separate thousands; line 0 for none */
+    bool seen;           /* some number has this mark */
+    bool sure;           /* in some number it cannot separate thousands */
+    struct csv_place at; /* the first number in which it might separate thousands; line 0 if there is none */
     char before[4], after[4]; /* the digits of that number */
 };
 
@@ -55,15 +63,15 @@ struct csv_mark {
 struct csv_table {
     const struct csv_kind *kind;
     struct csv_file file;
-    char *path; /* of the file, for messages */
-    struct csv_record head, units, row;
-    bool pending;                      /* the row has been read, and is the next one */
-    size_t rows;                       /* that were read */
-    int column[CSV_COLUMNS_MOST];      /* where the file has each column of its kind, from 1; 0 for nowhere */
-    domq_real unit[CSV_COLUMNS_MOST];  /* of each, by the first lines; 0 for none */
-    domq_real value[CSV_COLUMNS_MOST]; /* of each in this row, in SI; NaN if its cell is empty */
-    bool other[CSV_CELLS_MOST];        /* the column of the file is not one of its kind */
-    char unused[200];                  /* the names of these, but for notes; "" for none */
+    char *path;                         /* the name of the file in messages */
+    struct csv_record head, units, row; /* units: the line below the names, if it has units; else 0 cells */
+    bool pending;                       /* `row` has been read already, and is the next row */
+    size_t rows;                        /* the number of rows that have been read */
+    int column[CSV_COLUMNS_MOST];      /* for each column of the kind: its number in the file, from 1, or 0 */
+    domq_real unit[CSV_COLUMNS_MOST];  /* for each column of the kind: the unit that the file names, or 0 */
+    domq_real value[CSV_COLUMNS_MOST]; /* for each column of the kind: its value in this row, in SI, or NaN */
+    bool other[CSV_CELLS_MOST];        /* for each column of the file: the kind does not have it */
+    char unused[200];                  /* the names of these columns, except those of notes; "" for none */
     bool locale_comma;                 /* the locale has decimal commas */
     struct csv_mark point, comma;
 };
@@ -85,7 +93,9 @@ struct csv_cell csv_cell(const struct csv_table *csv, int k);
 /* Returns true if a value is in the range of column k; else describes the problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
-/* Writes, each after a comma, the names of the other columns, or what this row has there. */
+/* Writes the names of the columns that the kind does not have, or what this row has there, each after a
+ * comma.
+ */
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 #endif

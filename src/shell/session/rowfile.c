@@ -32,9 +32,9 @@ static const struct csv_column columns[KINDS] = {
 const struct csv_kind rowfile_kind = {
     .column = columns,
     .columns = KINDS,
-    .most = 100000,
-    .row = "domino",
-    .all = "dominoes",
+    .rows_most = 100000,
+    .item = "domino",
+    .items = "dominoes",
     .names = "height, thickness, gap, and, if known, mass or density, width, radius, lean",
     .example = "height (mm), thickness (mm), gap (mm)",
 };

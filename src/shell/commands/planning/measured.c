@@ -19,9 +19,9 @@ static const struct csv_column columns[KINDS] = {
 static const struct csv_kind measurements = {
     .column = columns,
     .columns = KINDS,
-    .most = 10000,
-    .row = "measured row",
-    .all = "speeds",
+    .rows_most = 10000,
+    .item = "measured row",
+    .items = "speeds",
     .names = "gap (mm), speed (m/s), and, if known, error (m/s)",
     .example = "gap (mm), speed (m/s)",
 };

@@ -213,9 +213,9 @@ static const struct csv_kind pool_kind = {
     .column = pool_columns,
     .columns = FIELDS,
     .headless = true, /* parts may be sorted */
-    .most = COUNT_MAX,
-    .row = "block",
-    .all = "blocks of a study",
+    .rows_most = COUNT_MAX,
+    .item = "block",
+    .items = "blocks of a study",
     .names = "sigma, heights, seed, scene, dominoes, of, first, rows, fall, unknown, stops: " BLOCKS,
 };
 
