@@ -187,7 +187,7 @@ $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c languag
 # Where the quotes and comments of a line end.
 $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # How csv files are read.
-$(B)/unit/test_csv: $(call OBJ,$(addprefix src/shell/,io/escape.c $(addprefix language/,csv.c csv_table.c expression.c names.c quad.c text.c units.c)))
+$(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
 # What completion offers, by the tables of commands.
 $(B)/unit/test_complete $(B)/unit/test_lines: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
 $(B)/unit/test_complete $(B)/unit/test_lines: GSL := $(B)/libdomino.a $(GSL) -lreadline
