@@ -275,6 +275,27 @@ END
     grep -q 'safe session' <<<"$stderr"
 }
 
+@test "a saved session and the row beside it can be moved together, and find each other from anywhere" {
+    cd "$BATS_TEST_TMPDIR" || false
+    mkdir -p here/rows other
+    for height in 48 24; do
+        printf '%s\n' 'height (mm), thickness (mm), gap (mm)' "$height, 7, -" "$height, 7, 20" >row$height.csv
+    done
+    cp row48.csv here/row.csv && cp row48.csv here/rows/below.csv && cp row24.csv other/row.csv
+    "$DOMINO" -e 'effect row here/row.csv; save here/beside.dom; save other/elsewhere.dom' \
+        -e 'effect row here/rows/below.csv; save here/below.dom'
+    (cd here && "$DOMINO" -e 'effect row row.csv; save bare.dom')
+    mv here there
+    for name in beside below bare; do
+        for from in . there other /; do
+            same "$name from $from" '0.048 0.048' \
+                "$(there=$PWD/there && cd "$from" && json "source $there/$name.dom; set output json; row" | values height | paste -sd ' ' -)"
+        done
+    done
+    wrong 'source other/elsewhere.dom' "cannot read '$PWD/here/row.csv': No such file"
+    same 'to a device' "effect row \"$PWD/there/row.csv\"" "$("$DOMINO" -e 'effect row there/row.csv; save /dev/stdout' | grep 'effect row')"
+}
+
 @test "a row that stops: where, short by how much; mend finds the smallest change, and it is one" {
     scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"
     verdict=$(json "$scene; verdict")

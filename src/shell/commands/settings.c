@@ -5,7 +5,9 @@
 #include "io/output.h"
 #include "language/quad.h"
 #include "session/undo.h"
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* Tells the values that 'on' chose, since they were not typed; with csv and json on standard error. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
@@ -107,6 +109,18 @@ static void variables_save(const struct variables *variables, FILE *out)
     }
 }
 
+/* Returns the path of the folder of a file, without links; NULL if the file is a device or FIFO. */
+static char *folder_of(const char *path)
+{
+    struct stat status;
+    const char *slash = strrchr(path, '/');
+    char *named = slash ? strndup(path, (size_t)(slash + 1 - path)) : strdup(".");
+    bool regular = stat(path, &status) != 0 || S_ISREG(status.st_mode);
+    char *folder = named && regular ? realpath(named, NULL) : NULL;
+    free(named);
+    return folder;
+}
+
 static bool run_save(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct output *file = NULL;
@@ -118,9 +132,11 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
         return false;
     const char *wrong = file_push(&file, path, false, query->scene->compute.interrupt);
     if (!wrong) {
+        char *folder = folder_of(path);
         fprintf(file->out, "# A session of domino " DOM_VERSION ": 'source' it, or 'domino -f' it.\n");
         for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)
-            parameter_save(query->state, p, file->out);
+            parameter_save(query->state, p, folder, file->out);
+        free(folder);
         variables_save(&query->state->variables, file->out);
         wrong = output_pop(&file, true);
     }

@@ -247,23 +247,26 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
     return true;
 }
 
-/* Writes the name as a word that is read back. */
-static void save_name(const char *path, FILE *out)
+/* Writes the name as a word that is read back: from the folder on if the file is there or below, so that both
+ * can be moved together. */
+static void save_name(const char *path, const char *folder, FILE *out)
 {
-    fputs(" \"", out);
-    for (const char *c = path; *c; c++)
+    size_t length = folder ? strlen(folder) : 0;
+    bool below = length > 0 && strncmp(path, folder, length) == 0 && path[length] == '/';
+    fputs(below ? " \"." : " \"", out);
+    for (const char *c = below ? path + length : path; *c; c++)
         fputs(*c == '"' ? "\"\"" : (char[]){*c, '\0'}, out);
     putc('"', out);
 }
 
-void effect_save(const struct scene *scene, int name, FILE *out)
+void effect_save(const struct scene *scene, int name, const char *folder, FILE *out)
 {
     const struct domq_effect *e = effect_at(name);
     const char *path = effect_file(scene, name);
     char number[WIDE_TEXT];
     fprintf(out, scene->effect[name].on ? "effect %s" : "effect %s off", e->name);
     if (path)
-        save_name(path, out);
+        save_name(path, folder, out);
     for (int i = 0; !path && scene->effect[name].on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         fprintf(out, " %s", quad_exact(scene->effect[name].value[i], number));
     putc('\n', out);

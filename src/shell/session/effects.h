@@ -54,8 +54,9 @@ bool effect_needs(const struct scene *scene, int name, struct problem *problem);
  */
 bool effects_savable(const struct scene *scene, struct problem *problem);
 
-/* Writes the commands that turn the effect off, or on with its values and the changed gaps of its row. */
-void effect_save(const struct scene *scene, int name, FILE *out);
+/* Writes the commands that turn the effect off, or on with its values and the changed gaps of its row.  A
+ * file is named from the folder on if it is there or below; folder may be NULL. */
+void effect_save(const struct scene *scene, int name, const char *folder, FILE *out);
 
 /* ---- The row ---- */
 

@@ -8,15 +8,18 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns the path of a file as it is named or, if it is not there, beside the script that names it.  Returns
+/* Returns the path of a file beside the script that names it or, if it is not there, as it is named.  Returns
  * NULL if there is no memory; the caller frees the path. */
 static char *path_beside(const struct means *means, const char *name)
 {
-    const char *slash = means->script ? strrchr(means->script, '/') : NULL;
-    bool beside = slash && *name != '/' && access(name, F_OK) != 0;
-    char *path;
-    int folder = beside ? (int)(slash + 1 - means->script) : 0;
-    return asprintf(&path, "%.*s%s", folder, beside ? means->script : "", name) < 0 ? NULL : path;
+    const char *slash = means->script && *name != '/' ? strrchr(means->script, '/') : NULL;
+    char *path = NULL;
+    if (slash && asprintf(&path, "%.*s%s", (int)(slash + 1 - means->script), means->script, name) < 0)
+        return NULL;
+    if (path && access(path, F_OK) == 0)
+        return path;
+    free(path);
+    return strdup(name);
 }
 
 bool csv_end(struct csv_table *csv, struct problem *problem)

@@ -7,8 +7,8 @@
 #include "session/query.h"
 
 /*
- * Reads a csv file and the first line of its table.  A file that does not exist is looked for beside the
- * script that names it; '-' is standard input where that is allowed.  Returns NULL with a problem.
+ * Reads a csv file and the first line of its table.  The file is looked for beside the script that names it,
+ * then where the program runs; '-' is standard input where that is allowed.  Returns NULL with a problem.
  */
 struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
                             bool standard, const struct csv_kind *kind, struct problem *problem);

@@ -336,11 +336,11 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
     return NULL;
 }
 
-void parameter_save(const struct state *state, const struct parameter *p, FILE *out)
+void parameter_save(const struct state *state, const struct parameter *p, const char *folder, FILE *out)
 {
     char value[WIDE_TEXT];
     if (p->effect) {
-        effect_save(&state->scene, p->which, out);
+        effect_save(&state->scene, p->which, folder, out);
         return;
     }
     parameter_text(p, parameter_get(state, p), WIDE_DIGITS, value, sizeof value);

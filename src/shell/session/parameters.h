@@ -106,8 +106,10 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
  */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
-/* Writes the command that gives the parameter the value that it has in the session. */
-void parameter_save(const struct state *state, const struct parameter *parameter, FILE *out);
+/* Writes the command that gives the parameter the value that it has in the session, into a file of this
+ * folder (see effect_save). */
+void parameter_save(const struct state *state, const struct parameter *parameter, const char *folder,
+                    FILE *out);
 
 /* Reports an error unless the i-th value may be this one. */
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
