@@ -409,9 +409,3 @@ END
         "$DOMINO" -e "help $name" | grep -q '^Source: '
     done
 }
-
-@test "an interrupt ends a script in the middle of a long study" {
-    run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'effect row 30; effect push 6; effect placement 1 mm
-placement 10000000; print 1'
-    same 'no answer' '(nothing)' "$output"
-}
